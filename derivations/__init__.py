@@ -1,0 +1,1 @@
+"""Symbolic derivations, in SymPy only: energies, equations of motion, state space and transfer functions."""

@@ -1,0 +1,26 @@
+"""Kinetic energy, potential energy and Rayleigh's dissipation function of a mechanism."""
+
+from __future__ import annotations
+
+import sympy
+
+from derivations.mechanism import Mechanism, elongation, elongation_rate
+from derivations.symbols import t
+
+HALF = sympy.Rational(1, 2)
+
+
+def kinetic_energy(mechanism: Mechanism) -> sympy.Expr:
+    """Return T = Σ m q̇² / 2 over the bodies, J; velocities are absolute (thesis, equations 2.3 and 2.4)."""
+    return sympy.Add(*(HALF * body.mass * body.coordinate.diff(t) ** 2 for body in mechanism.bodies))
+
+
+def potential_energy(mechanism: Mechanism) -> sympy.Expr:
+    """Return U = Σ k e² / 2 over the springs, e being the elongation, J (thesis, equation 2.5)."""
+    return sympy.Add(*(HALF * spring.stiffness * elongation(spring) ** 2 for spring in mechanism.springs))
+
+
+def rayleigh_function(mechanism: Mechanism) -> sympy.Expr:
+    """Return R = Σ c ė² / 2 over the dampers, half the power that they dissipate, W (thesis, equation 2.7)."""
+    rates = ((damper.damping, elongation_rate(damper)) for damper in mechanism.dampers)
+    return sympy.Add(*(HALF * damping * rate**2 for damping, rate in rates))

@@ -1,0 +1,101 @@
+"""Proof or disproof that two expressions are the same, with the way it was settled.
+
+SymPy's ``equals`` may answer ``None``; that is never agreement here. A difference is first evaluated at
+exact rational points, which disproves quickly, and is then reduced to zero, which proves. Where reduction
+fails the points are what is left, and the proof says so.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+POINTS = 12
+DIGITS = 60
+NEGLIGIBLE = sympy.Float(10) ** -40
+
+
+@dataclass(frozen=True)
+class Proof:
+    """Whether an identity holds, and how that was settled."""
+
+    holds: bool
+    method: str
+
+
+def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy.true) -> Proof:
+    """Prove or disprove that two scalar expressions are equal for all values of their symbols.
+
+    Args:
+        left: one side.
+        right: the other side.
+        assume: a condition on the symbols; points that violate it are not tried.
+
+    Returns:
+        The proof: by evaluation at a point where the sides differ, by simplification of the difference to
+        zero, or by evaluation at ``POINTS`` random rational points to ``DIGITS`` digits.
+    """
+    difference = _with_plain_symbols(sympy.sympify(left) - sympy.sympify(right))
+    counterexample = _find_counterexample(difference, assume)
+    if counterexample is not None:
+        return Proof(False, f"the sides differ at {counterexample}")
+    if difference == 0 or sympy.expand(difference) == 0 or _numerator(difference) == 0:
+        return Proof(True, "difference expands to zero")
+    if sympy.simplify(difference) == 0:
+        return Proof(True, "difference simplifies to zero")
+    return Proof(True, f"difference below 1e-40 at {POINTS} random rational points, {DIGITS} digits")
+
+
+def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> Proof:
+    """Prove or disprove that two matrices have the same shape and equal entries."""
+    if left.shape != right.shape:
+        return Proof(False, f"shapes {left.shape} and {right.shape} differ")
+    for row in range(left.rows):
+        for column in range(left.cols):
+            proof = prove_equal(left[row, column], right[row, column])
+            if not proof.holds:
+                return Proof(False, f"entry ({row + 1}, {column + 1}): {proof.method}")
+    return Proof(True, f"all {left.rows * left.cols} entries agree, difference expands to zero")
+
+
+def _with_plain_symbols(expression: sympy.Expr) -> sympy.Expr:
+    """Replace derivatives and functions of time, highest first, by symbols that can take any real value."""
+    expression = expression.doit() if expression.has(sympy.Derivative) else expression
+    derivatives = sorted(expression.atoms(sympy.Derivative), key=lambda d: (-d.derivative_count, str(d)))
+    functions = sorted(expression.atoms(AppliedUndef), key=str)
+    for known in (*derivatives, *functions):
+        expression = expression.subs(known, sympy.Symbol(f"value[{known}]", real=True))
+    return expression
+
+
+def _numerator(difference: sympy.Expr) -> sympy.Expr:
+    return sympy.expand(sympy.fraction(sympy.together(difference))[0])
+
+
+def _find_counterexample(difference: sympy.Expr, assume: sympy.Basic) -> str | None:
+    symbols = sorted(difference.free_symbols | assume.free_symbols, key=str)
+    generator = random.Random(20230517)
+    for _ in range(POINTS):
+        point = _random_point(symbols, assume, generator)
+        value = difference.subs(point).evalf(DIGITS, maxn=10 * DIGITS)
+        if value.is_number and not abs(value) < NEGLIGIBLE:
+            shown = ", ".join(f"{symbol} = {number}" for symbol, number in point.items())
+            return shown or "every point"
+    return None
+
+
+def _random_point(
+    symbols: list[sympy.Symbol], assume: sympy.Basic, generator: random.Random
+) -> dict[sympy.Symbol, sympy.Rational]:
+    for _ in range(1000):
+        point = {symbol: _random_rational(generator) for symbol in symbols}
+        if assume.subs(point) == sympy.true:
+            return point
+    raise ValueError(f"no random point satisfies {assume}")
+
+
+def _random_rational(generator: random.Random) -> sympy.Rational:
+    return sympy.Rational(generator.randint(1, 997), generator.randint(1, 97))

@@ -1,0 +1,42 @@
+"""LaTeX of the derivations: dots for time derivatives, functions of time without their argument."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.printing.latex import LatexPrinter
+
+from derivations.symbols import t
+
+DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
+
+
+class _MechanicsPrinter(LatexPrinter):
+    """SymPy's LaTeX printer with Newton's dots."""
+
+    def _print_Derivative(self, expr: sympy.Derivative) -> str:
+        known = isinstance(expr.expr, AppliedUndef) and expr.variables == (t,) * len(expr.variables)
+        if not known or len(expr.variables) not in DOTS:
+            return super()._print_Derivative(expr)
+        name, _, index = self._print(sympy.Symbol(expr.expr.func.__name__)).partition("_")
+        dotted = f"{DOTS[len(expr.variables)]}{{{name}}}"
+        return f"{dotted}_{index}" if index else dotted
+
+    def _print_Function(self, expr: sympy.Function, exp: Any = None) -> str:
+        if isinstance(expr, AppliedUndef) and expr.args == (t,):
+            name = self._print(sympy.Symbol(expr.func.__name__))
+            return f"{name}^{{{exp}}}" if exp is not None else name
+        return super()._print_Function(expr, exp)
+
+
+def latex(expression: sympy.Basic) -> str:
+    """Return LaTeX of an expression, its terms in the order in which they are held."""
+    settings = {"order": "none", "mat_delim": "(", "mat_str": "matrix", "long_frac_ratio": 3}
+    return _MechanicsPrinter(settings).doprint(expression)
+
+
+def latex_equation(left: sympy.Basic, right: sympy.Basic) -> str:
+    """Return LaTeX of ``left = right``."""
+    return f"{latex(left)} = {latex(right)}"

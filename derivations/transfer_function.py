@@ -1,0 +1,59 @@
+"""Transfer functions with symbolic coefficients, from the Laplace transform of the equations of motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+from sympy.polys.matrices import DomainMatrix
+
+from derivations.equations_of_motion import MotionMatrices
+from derivations.symbols import s
+
+
+@dataclass(frozen=True)
+class TransferFunctions:
+    """Transfer functions from the pin to each of the n displacements, over one common denominator.
+
+    ``denominator`` holds the coefficients of det(M s² + C s + K) / det M from s^2n down to 1.
+    ``from_displacement[i]`` and ``from_velocity[i]`` hold those of the numerators of q_i, from s^(2n-2) down,
+    for the pin's displacement and velocity as separate inputs.
+    """
+
+    denominator: tuple[sympy.Expr, ...]
+    from_displacement: tuple[tuple[sympy.Expr, ...], ...]
+    from_velocity: tuple[tuple[sympy.Expr, ...], ...]
+
+
+def transfer_functions(matrices: MotionMatrices) -> TransferFunctions:
+    """Solve (M s² + C s + K) Q = F_u U + F_v V by Cramer's rule, in a ring of polynomials."""
+    dynamic_stiffness = matrices.mass * s**2 + matrices.damping * s + matrices.stiffness
+    size = dynamic_stiffness.rows
+    mass = matrices.mass.det()
+    denominator = _coefficients(_determinant(dynamic_stiffness), mass, 2 * size)
+
+    def numerators(force: sympy.ImmutableMatrix) -> tuple[tuple[sympy.Expr, ...], ...]:
+        return tuple(
+            _coefficients(_determinant(_with_column(dynamic_stiffness, index, force)), mass, 2 * size - 2)
+            for index in range(size)
+        )
+
+    return TransferFunctions(
+        denominator, numerators(matrices.displacement_force), numerators(matrices.velocity_force)
+    )
+
+
+def _with_column(matrix: sympy.Matrix, index: int, column: sympy.ImmutableMatrix) -> sympy.Matrix:
+    replaced = matrix.as_mutable()
+    replaced[:, index] = column
+    return replaced
+
+
+def _determinant(matrix: sympy.Matrix) -> sympy.Expr:
+    ring_matrix = DomainMatrix.from_Matrix(matrix)
+    return ring_matrix.domain.to_sympy(ring_matrix.charpoly()[-1]) * (-1) ** matrix.rows
+
+
+def _coefficients(determinant: sympy.Expr, divisor: sympy.Expr, degree: int) -> tuple[sympy.Expr, ...]:
+    polynomial = sympy.Poly(determinant, s)
+    return tuple(polynomial.coeff_monomial(s**power) / divisor for power in range(degree, -1, -1))

@@ -1,0 +1,261 @@
+"""Claims of the thesis, the judgement of a claim, and its verdict.
+
+This module knows nothing of physics: a claim holds comparisons that were made elsewhere, and judging it
+means asking each of them whether the printed side agrees with the derived one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any, Protocol, Self
+
+
+class Verdict(Enum):
+    """Outcome of a judgement, in rising order of severity."""
+
+    REPRODUCED = "reproduced"
+    EXPLAINED = "explained"
+    NOT_CHECKABLE = "not-checkable"
+    ERRATUM = "erratum"
+
+    @property
+    def severity(self) -> int:
+        """Rank of the verdict: a claim with several parts takes the most severe one."""
+        return list(Verdict).index(self)
+
+
+class Kind(Enum):
+    """What sort of thing in the thesis a claim is."""
+
+    EQUATION = "equation"
+    FIGURE = "figure"
+    TABLE = "table"
+    LISTING = "listing"
+    STATEMENT = "statement"
+
+
+class Impact(Enum):
+    """How far a wrong statement reaches; ``NONE`` for what is right."""
+
+    NONE = "none"
+    NOTATION = "notation"
+    LOCAL = "local"
+    DOWNSTREAM = "downstream"
+
+
+@dataclass(frozen=True)
+class Mathematics:
+    """A formula to show, as LaTeX without dollar signs."""
+
+    latex: str
+
+    def __str__(self) -> str:
+        return self.latex
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number to show, as the digits themselves, with its unit as plain text (empty if it has none)."""
+
+    digits: str
+    unit: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.digits} {self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class Words:
+    """A sentence to show, as pandoc Markdown."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+Shown = Mathematics | Number | Words
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Whether printed and derived agree, and the method by which that was settled."""
+
+    agrees: bool
+    method: str
+
+
+class Comparison(Protocol):
+    """One way of holding a printed thing against a derived one; its tolerance lives in it."""
+
+    def compare(self) -> Outcome:
+        """Say whether the printed side agrees with the derived side."""
+        ...
+
+    def with_derived(self, derived: Any) -> Self:
+        """Return the same printed side, held against another derived one."""
+        ...
+
+    def corrected(self) -> Self:
+        """Return the comparison with the printed side replaced by the derived one."""
+        ...
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Yield (what was changed, comparison with the printed side changed in that way)."""
+        ...
+
+    @property
+    def printed_shown(self) -> Shown:
+        """The printed side, to show."""
+        ...
+
+    @property
+    def derived_shown(self) -> Shown:
+        """The derived side, to show."""
+        ...
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A named slip that, when it is repeated, gives what is printed.
+
+    ``derived`` is what the comparison derives when the slip is made; ``verdict`` is ``ERRATUM`` when the slip
+    was made in this very place, ``EXPLAINED`` when the place repeats it faithfully from somewhere else.
+    """
+
+    name: str
+    derived: Any
+    verdict: Verdict
+
+
+@dataclass(frozen=True)
+class Confirmation:
+    """A second, independent derivation of the derived side; it has to agree, or judging stops."""
+
+    means: str
+    comparison: Comparison
+
+
+@dataclass(frozen=True)
+class Part:
+    """One checkable part of a claim."""
+
+    label: str
+    comparison: Comparison
+    confirmation: Confirmation | None = None
+    slip: Slip | None = None
+
+
+@dataclass(frozen=True)
+class Uncheckable:
+    """A part that cannot be checked, the words printed, and exactly which data are missing for it."""
+
+    label: str
+    printed: Shown
+    missing: str
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A statement of the thesis with all that is needed to judge it.
+
+    ``explanation`` and ``consequence`` are pandoc Markdown with TeX mathematics between dollar signs;
+    ``source`` names the file of this project that derives the right side.
+    """
+
+    id: str
+    kind: Kind
+    section: str
+    title: str
+    parts: tuple[Part | Uncheckable, ...]
+    explanation: str
+    source: str
+    impact: Impact = Impact.NONE
+    consequence: str = ""
+
+
+@dataclass(frozen=True)
+class JudgedPart:
+    """A part with its verdict.
+
+    ``slip`` names the slip that gives the printed form (empty if nothing is wrong, or if no slip gives it).
+    """
+
+    label: str
+    verdict: Verdict
+    printed: Shown
+    derived: Shown
+    method: str
+    slip: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A claim with its verdict; ``parts`` is never empty."""
+
+    id: str
+    kind: Kind
+    section: str
+    title: str
+    verdict: Verdict
+    explanation: str
+    consequence: str
+    impact: Impact
+    source: str
+    parts: tuple[JudgedPart, ...]
+
+
+class ContradictionError(Exception):
+    """Two independent derivations of this project disagree: nothing may be judged with either."""
+
+
+def judge(claim: Claim) -> Finding:
+    """Judge every part of a claim and give it the most severe of their verdicts.
+
+    Raises:
+        ContradictionError: if a part's confirmation disagrees with its derivation.
+        ValueError: if the claim has no parts.
+    """
+    if not claim.parts:
+        raise ValueError(f"claim {claim.id} has no part to judge")
+    parts = tuple(_judge_part(claim.id, part) for part in claim.parts)
+    return Finding(
+        id=claim.id,
+        kind=claim.kind,
+        section=claim.section,
+        title=claim.title,
+        verdict=max((part.verdict for part in parts), key=lambda verdict: verdict.severity),
+        explanation=claim.explanation,
+        consequence=claim.consequence,
+        impact=claim.impact,
+        source=claim.source,
+        parts=parts,
+    )
+
+
+def _judge_part(claim_id: str, part: Part | Uncheckable) -> JudgedPart:
+    if isinstance(part, Uncheckable):
+        return JudgedPart(part.label, Verdict.NOT_CHECKABLE, part.printed, Words(part.missing), "not checked")
+    method = part.comparison.compare().method
+    if part.confirmation is not None:
+        second = part.confirmation.comparison.compare()
+        if not second.agrees:
+            raise ContradictionError(
+                f"{claim_id}, {part.label or 'only part'}: the derivation and its confirmation by "
+                f"{part.confirmation.means} disagree ({second.method})"
+            )
+        method = f"{method}; confirmed by {part.confirmation.means}"
+    verdict, slip = _verdict_of(part)
+    return JudgedPart(
+        part.label, verdict, part.comparison.printed_shown, part.comparison.derived_shown, method, slip
+    )
+
+
+def _verdict_of(part: Part) -> tuple[Verdict, str]:
+    if part.comparison.compare().agrees:
+        return Verdict.REPRODUCED, ""
+    if part.slip is not None and part.comparison.with_derived(part.slip.derived).compare().agrees:
+        return part.slip.verdict, part.slip.name
+    return Verdict.ERRATUM, ""

@@ -1,0 +1,1 @@
+"""Numeric code that `trimmer derive` writes; not edited by hand."""
