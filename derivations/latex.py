@@ -30,10 +30,18 @@ class _MechanicsPrinter(LatexPrinter):
             return f"{name}^{{{exp}}}" if exp is not None else name
         return super()._print_Function(expr, exp)
 
+    def _print_Integral(self, expr: sympy.Integral) -> str:
+        return str(super()._print_Integral(expr)).replace(r"\int\limits", r"\int")
+
+    def _print_Mul(self, expr: sympy.Mul) -> str:
+        if not any(factor.is_Mul for factor in expr.args):
+            expr = sympy.Mul(*expr.as_ordered_factors(), evaluate=False)
+        return str(super()._print_Mul(expr))
+
 
 def latex(expression: sympy.Basic) -> str:
     """Return LaTeX of an expression, its terms in the order in which they are held."""
-    settings = {"order": "none", "mat_delim": "(", "mat_str": "matrix", "long_frac_ratio": 3}
+    settings = {"inv_trig_style": "power", "order": "none", "mat_delim": "(", "mat_str": "matrix", "long_frac_ratio": 3}
     return _MechanicsPrinter(settings).doprint(expression)
 
 

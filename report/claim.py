@@ -36,6 +36,21 @@ class Kind(Enum):
     STATEMENT = "statement"
 
 
+@dataclass(frozen=True)
+class Entry:
+    """A statement to judge: its kind, where it stands in the thesis, and what it is about."""
+
+    id: str
+    kind: Kind
+    section: str
+    title: str
+
+    @property
+    def chapter(self) -> str:
+        """Number or letter of the chapter that holds the statement."""
+        return self.section.split(".")[0]
+
+
 class Impact(Enum):
     """How far a wrong statement reaches; ``NONE`` for what is right."""
 
@@ -140,12 +155,18 @@ class Confirmation:
 
 @dataclass(frozen=True)
 class Part:
-    """One checkable part of a claim."""
+    """One checkable part of a claim.
+
+    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where the comparison
+    works on an instance of what is printed.
+    """
 
     label: str
     comparison: Comparison
     confirmation: Confirmation | None = None
     slip: Slip | None = None
+    printed_form: Shown | None = None
+    derived_form: Shown | None = None
 
 
 @dataclass(frozen=True)
@@ -166,9 +187,6 @@ class Claim:
     """
 
     id: str
-    kind: Kind
-    section: str
-    title: str
     parts: tuple[Part | Uncheckable, ...]
     explanation: str
     source: str
@@ -193,7 +211,7 @@ class JudgedPart:
 
 @dataclass(frozen=True)
 class Finding:
-    """A claim with its verdict; ``parts`` is never empty."""
+    """A claim with its verdict, and its place in the thesis; ``parts`` is never empty."""
 
     id: str
     kind: Kind
@@ -211,8 +229,12 @@ class ContradictionError(Exception):
     """Two independent derivations of this project disagree: nothing may be judged with either."""
 
 
-def judge(claim: Claim) -> Finding:
+def judge(claim: Claim, entry: Entry) -> Finding:
     """Judge every part of a claim and give it the most severe of their verdicts.
+
+    Args:
+        claim: what to judge.
+        entry: the inventory's entry of the same id.
 
     Raises:
         ContradictionError: if a part's confirmation disagrees with its derivation.
@@ -223,9 +245,9 @@ def judge(claim: Claim) -> Finding:
     parts = tuple(_judge_part(claim.id, part) for part in claim.parts)
     return Finding(
         id=claim.id,
-        kind=claim.kind,
-        section=claim.section,
-        title=claim.title,
+        kind=entry.kind,
+        section=entry.section,
+        title=entry.title,
         verdict=max((part.verdict for part in parts), key=lambda verdict: verdict.severity),
         explanation=claim.explanation,
         consequence=claim.consequence,
@@ -238,7 +260,8 @@ def judge(claim: Claim) -> Finding:
 def _judge_part(claim_id: str, part: Part | Uncheckable) -> JudgedPart:
     if isinstance(part, Uncheckable):
         return JudgedPart(part.label, Verdict.NOT_CHECKABLE, part.printed, Words(part.missing), "not checked")
-    method = part.comparison.compare().method
+    outcome = part.comparison.compare()
+    method = outcome.method
     if part.confirmation is not None:
         second = part.confirmation.comparison.compare()
         if not second.agrees:
@@ -247,14 +270,14 @@ def _judge_part(claim_id: str, part: Part | Uncheckable) -> JudgedPart:
                 f"{part.confirmation.means} disagree ({second.method})"
             )
         method = f"{method}; confirmed by {part.confirmation.means}"
-    verdict, slip = _verdict_of(part)
-    return JudgedPart(
-        part.label, verdict, part.comparison.printed_shown, part.comparison.derived_shown, method, slip
-    )
+    verdict, slip = _verdict_of(part, outcome)
+    printed = part.printed_form or part.comparison.printed_shown
+    derived = part.derived_form or part.comparison.derived_shown
+    return JudgedPart(part.label, verdict, printed, derived, method, slip)
 
 
-def _verdict_of(part: Part) -> tuple[Verdict, str]:
-    if part.comparison.compare().agrees:
+def _verdict_of(part: Part, outcome: Outcome) -> tuple[Verdict, str]:
+    if outcome.agrees:
         return Verdict.REPRODUCED, ""
     if part.slip is not None and part.comparison.with_derived(part.slip.derived).compare().agrees:
         return part.slip.verdict, part.slip.name

@@ -1,0 +1,51 @@
+"""The whole derivation of the linear trimmer, made once and handed on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+
+from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
+from derivations.equations_of_motion import MotionMatrices, accelerations, lagrangian, motion_matrices
+from derivations.mechanism import Mechanism, trimmer
+from derivations.newton_euler import newton_accelerations
+from derivations.power_balance import PowerBalance, power_balance
+from derivations.state_space import StateSpace, state_space
+from derivations.transfer_function import TransferFunctions, transfer_functions
+
+
+@dataclass(frozen=True)
+class LinearTrimmer:
+    """What follows from the declared mechanism; ``newton`` is the independent result from forces alone."""
+
+    mechanism: Mechanism
+    kinetic_energy: sympy.Expr
+    potential_energy: sympy.Expr
+    rayleigh_function: sympy.Expr
+    lagrangian: sympy.Expr
+    accelerations: tuple[sympy.Expr, ...]
+    newton: tuple[sympy.Expr, ...]
+    matrices: MotionMatrices
+    space: StateSpace
+    transfer: TransferFunctions
+    power: PowerBalance
+
+
+def derive_linear_trimmer() -> LinearTrimmer:
+    """Derive the linear trimmer from its list of masses, springs and dampers."""
+    mechanism = trimmer()
+    matrices = motion_matrices(mechanism)
+    return LinearTrimmer(
+        mechanism=mechanism,
+        kinetic_energy=kinetic_energy(mechanism),
+        potential_energy=potential_energy(mechanism),
+        rayleigh_function=rayleigh_function(mechanism),
+        lagrangian=lagrangian(mechanism),
+        accelerations=accelerations(mechanism),
+        newton=newton_accelerations(mechanism),
+        matrices=matrices,
+        space=state_space(matrices),
+        transfer=transfer_functions(matrices),
+        power=power_balance(mechanism),
+    )

@@ -1,0 +1,1 @@
+"""Ways of holding a printed thing against a derived one, one small class each."""

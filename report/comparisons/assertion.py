@@ -1,0 +1,51 @@
+"""Whether a thing that is asserted is so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Self, final
+
+from report.claim import Outcome, Words
+
+
+@final
+@dataclass(frozen=True)
+class Assertion:
+    """Whether a property that the thesis asserts, or denies, holds.
+
+    ``statement`` puts the property in our words; ``asserted`` is False where the thesis denies it;
+    ``derived`` is what was found, ``evidence`` says by what, with its numbers, as Markdown.
+    """
+
+    statement: str
+    derived: bool
+    evidence: str
+    method: str
+    asserted: bool = True
+
+    def compare(self) -> Outcome:
+        """Compare what is asserted with what was found."""
+        return Outcome(self.asserted == self.derived, self.method)
+
+    def with_derived(self, derived: bool) -> Self:
+        """Hold the same assertion against another finding."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Assert what was found."""
+        return replace(self, asserted=self.derived)
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Assert the opposite."""
+        yield "negated", replace(self, asserted=not self.asserted)
+
+    @property
+    def printed_shown(self) -> Words:
+        """The statement, as the thesis asserts or denies it."""
+        return Words(self.statement if self.asserted else f"Not so: {self.statement}")
+
+    @property
+    def derived_shown(self) -> Words:
+        """What was found."""
+        return Words(f"{'Yes' if self.derived else 'No'}: {self.evidence}")

@@ -1,0 +1,123 @@
+"""Agreement of a computed number with printed digits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from fractions import Fraction
+from typing import Self, final
+
+import mpmath
+
+from report.claim import Number, Outcome
+
+LEAST_DIGITS_SHOWN = 6
+GUARD_DIGITS = 3
+LARGEST_PLAIN_INTEGER = 10**6
+
+
+@final
+@dataclass(frozen=True)
+class PrintedDigits:
+    """Whether a computed number rounds to the printed digits.
+
+    ``printed`` is the string of digits as printed, ``derived`` the number computed; the tolerance is half a
+    unit of the last printed digit and nothing else.
+    """
+
+    printed: str
+    derived: float | Fraction
+    unit: str = ""
+
+    def compare(self) -> Outcome:
+        """Compare to half a unit in the last printed place."""
+        half_unit = Fraction(self._last_place()) / 2
+        difference = abs(Fraction(self.derived) - Fraction(Decimal(self.printed)))
+        return Outcome(difference <= half_unit, f"agreement to {_plain(half_unit)} {self.unit}".strip())
+
+    def with_derived(self, derived: float | Fraction) -> Self:
+        """Hold the same printed digits against another number."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Print the computed number, rounded to the place of the printed one's last digit."""
+        exact = Decimal(Fraction(self.derived).numerator) / Decimal(Fraction(self.derived).denominator)
+        return replace(self, printed=str(exact.quantize(self._last_place())))
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Change the last digit, the sign and the size."""
+        number, unit = Decimal(self.printed), self._last_place()
+        changes = {
+            "last digit up": number + unit,
+            "last digit down": number - unit,
+            "sign": -number,
+            "factor 2": 2 * number,
+            "factor pi": number * Decimal("3.14159"),
+        }
+        for description, changed in changes.items():
+            if changed != number:
+                digits = str(changed.quantize(unit))
+                yield description, replace(self, printed=digits)
+
+    def _last_place(self) -> Decimal:
+        return Decimal(1).scaleb(int(Decimal(self.printed).as_tuple().exponent))
+
+    @property
+    def printed_shown(self) -> Number:
+        """The printed digits."""
+        return Number(self.printed, self.unit)
+
+    @property
+    def derived_shown(self) -> Number:
+        """The computed number, to more digits than were printed."""
+        exact_value = Fraction(self.derived)
+        if exact_value.denominator == 1 and abs(exact_value) < LARGEST_PLAIN_INTEGER:
+            return Number(str(exact_value), self.unit)
+        printed_digits = len(Decimal(self.printed).as_tuple().digits)
+        digits = max(printed_digits + GUARD_DIGITS, LEAST_DIGITS_SHOWN)
+        rounded = mpmath.mpf(exact_value.numerator) / exact_value.denominator
+        return Number(mpmath.nstr(rounded, digits, strip_zeros=False, min_fixed=-4, max_fixed=7), self.unit)
+
+
+@final
+@dataclass(frozen=True)
+class CloseNumbers:
+    """Whether two computed numbers agree to a stated relative accuracy, as a confirmation asks."""
+
+    printed: complex
+    derived: complex
+    relative: float = 1e-9
+
+    def compare(self) -> Outcome:
+        """Compare the difference with the larger magnitude."""
+        difference = abs(complex(self.printed) - complex(self.derived))
+        scale = max(abs(complex(self.printed)), abs(complex(self.derived)))
+        return Outcome(difference <= self.relative * scale, f"relative difference at most {self.relative:g}")
+
+    def with_derived(self, derived: complex) -> Self:
+        """Hold the first number against another one."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Make both the same."""
+        return replace(self, printed=self.derived)
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Change the sign and the size of the first number."""
+        yield "sign", replace(self, printed=-self.printed)
+        yield "factor 2", replace(self, printed=2 * self.printed)
+
+    @property
+    def printed_shown(self) -> Number:
+        """The first number."""
+        return Number(f"{self.printed:.10g}")
+
+    @property
+    def derived_shown(self) -> Number:
+        """The second number."""
+        return Number(f"{self.derived:.10g}")
+
+
+def _plain(value: Fraction) -> str:
+    return f"{float(value):g}"

@@ -1,0 +1,117 @@
+"""Identity of expressions and of matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Self, final
+
+import sympy
+
+from derivations.identity import Proof, prove_equal, prove_equal_matrices
+from derivations.latex import latex
+from report.claim import Mathematics, Outcome
+from report.comparisons.mutation import mutated_expressions
+
+
+@final
+@dataclass(frozen=True)
+class SameExpression:
+    """Whether two expressions are equal for all values of their symbols.
+
+    ``left`` is what both are said to equal, shown before them; ``assume`` limits the symbols' values.
+    """
+
+    printed: sympy.Expr
+    derived: sympy.Expr
+    left: sympy.Basic | str | None = None
+    assume: sympy.Basic = sympy.true
+
+    def compare(self) -> Outcome:
+        """Prove or disprove that printed minus derived is zero."""
+        return _outcome(prove_equal(self.printed, self.derived, self.assume))
+
+    def with_derived(self, derived: sympy.Expr) -> Self:
+        """Hold the same printed expression against another one."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Print what was derived."""
+        return replace(self, printed=self.derived)
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Change signs, factors and symbols of the printed expression."""
+        for description, changed in mutated_expressions(self.printed):
+            yield description, replace(self, printed=changed)
+
+    @property
+    def printed_shown(self) -> Mathematics:
+        """The printed equation."""
+        return _equation(self.left, self.printed)
+
+    @property
+    def derived_shown(self) -> Mathematics:
+        """The derived equation."""
+        return _equation(self.left, self.derived)
+
+
+@final
+@dataclass(frozen=True)
+class SameMatrix:
+    """Whether two matrices have the same shape and equal entries."""
+
+    printed: sympy.ImmutableMatrix
+    derived: sympy.ImmutableMatrix
+    left: sympy.Basic | str | None = None
+
+    def compare(self) -> Outcome:
+        """Prove or disprove equality entry by entry."""
+        return _outcome(prove_equal_matrices(self.printed, self.derived))
+
+    def with_derived(self, derived: sympy.ImmutableMatrix) -> Self:
+        """Hold the same printed matrix against another one."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Print what was derived."""
+        return replace(self, printed=self.derived)
+
+    def mutations(self) -> Iterator[tuple[str, Self]]:
+        """Change the sign and the size of an entry, and swap it with a neighbour that differs."""
+        cells = [cell for cell in sympy.utilities.iterables.cartes(*map(range, self.printed.shape))]
+        for row, column in (cell for cell in cells if self.printed[cell] != 0):
+            place = f"entry ({row + 1}, {column + 1})"
+            entry = self.printed[row, column]
+            yield f"sign of {place}", self._with_entries({(row, column): -entry})
+            yield f"factor 2 in {place}", self._with_entries({(row, column): 2 * entry})
+            other = next((cell for cell in cells if self.printed[cell] != entry), None)
+            if other is not None:
+                swapped = {(row, column): self.printed[other], other: entry}
+                yield f"{place} swapped with {other}", self._with_entries(swapped)
+
+    def _with_entries(self, entries: dict[tuple[int, int], sympy.Expr]) -> Self:
+        changed = self.printed.as_mutable()
+        for cell, entry in entries.items():
+            changed[cell] = entry
+        return replace(self, printed=sympy.ImmutableMatrix(changed))
+
+    @property
+    def printed_shown(self) -> Mathematics:
+        """The printed matrix."""
+        return _equation(self.left, self.printed)
+
+    @property
+    def derived_shown(self) -> Mathematics:
+        """The derived matrix."""
+        return _equation(self.left, self.derived)
+
+
+def _outcome(proof: Proof) -> Outcome:
+    return Outcome(proof.holds, proof.method)
+
+
+def _equation(left: sympy.Basic | str | None, right: sympy.Basic) -> Mathematics:
+    if left is None:
+        return Mathematics(latex(right))
+    shown = left if isinstance(left, str) else latex(left)
+    return Mathematics(f"{shown} = {latex(right)}")

@@ -1,0 +1,120 @@
+"""Every number of the linear trimmer that claims and figures need, solved once.
+
+Exact coefficients come from the derivation with the listing's parameters as fractions; everything else from
+the numeric twin.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+import control
+import numpy as np
+import sympy
+
+from derivations.linear_trimmer import LinearTrimmer
+from derivations.symbols import PARAMETERS
+from trimmer import (
+    InputChannels,
+    Mode,
+    TrimmerParameters,
+    UndampedMode,
+    linear_model,
+    modes,
+    time_response,
+    transfer_function,
+    undamped_modes,
+)
+
+DRIVE_FREQUENCY = 100.0
+MEASURED_DRIVE_FREQUENCY = 109.945
+DRIVE_AMPLITUDE = 0.0015
+FIRST_PERIOD = 1 / DRIVE_FREQUENCY
+SAMPLES_PER_SECOND = 100_000
+
+
+@dataclass(frozen=True)
+class StartFromRest:
+    """The drive of figure 5.1 applied to the trimmer at rest.
+
+    ``deviation`` is the largest difference between output and pin in the first period, m;
+    ``settled_amplitude`` is half of peak to peak in the last simulated period, m.
+    """
+
+    deviation: float
+    settled_amplitude: float
+
+
+@dataclass(frozen=True)
+class LinearNumbers:
+    """Results for the thesis's trimmer, output cutter relative to guard.
+
+    ``numerator`` and ``denominator`` hold exact coefficients, highest power first, of the transfer function
+    from the pin's displacement alone; ``numerators`` those of each displacement q1 to q4.
+    """
+
+    parameters: TrimmerParameters
+    numerators: tuple[tuple[Fraction, ...], ...]
+    denominator: tuple[Fraction, ...]
+    displacement_only: control.TransferFunction
+    both_channels: control.TransferFunction
+    modes: tuple[Mode, ...]
+    undamped: tuple[UndampedMode, ...]
+    start: StartFromRest
+
+    @property
+    def numerator(self) -> tuple[Fraction, ...]:
+        """Exact coefficients for q2 − q4."""
+        return self.combined_numerator({1: 1, 3: -1})
+
+    def combined_numerator(self, weights: dict[int, int]) -> tuple[Fraction, ...]:
+        """Return exact coefficients for a sum of displacements with integer weights (index from 0)."""
+        powers = range(len(self.numerators[0]))
+        return tuple(
+            sum((weight * self.numerators[row][power] for row, weight in weights.items()), Fraction(0))
+            for power in powers
+        )
+
+
+def solve_linear(derivation: LinearTrimmer, parameters: TrimmerParameters) -> LinearNumbers:
+    """Solve everything for one set of parameters."""
+    exact = exact_values(parameters)
+    return LinearNumbers(
+        parameters=parameters,
+        numerators=tuple(_exact(row, exact) for row in derivation.transfer.from_displacement),
+        denominator=_exact(derivation.transfer.denominator, exact),
+        displacement_only=transfer_function(parameters, channels=InputChannels.DISPLACEMENT_ONLY),
+        both_channels=transfer_function(parameters, channels=InputChannels.DISPLACEMENT_AND_VELOCITY),
+        modes=modes(parameters),
+        undamped=undamped_modes(parameters),
+        start=_start_from_rest(parameters),
+    )
+
+
+def exact_values(parameters: TrimmerParameters) -> dict[sympy.Expr, sympy.Rational]:
+    """Return the parameters as the fractions that their decimal digits stand for."""
+    return {
+        quantity.symbol: sympy.Rational(repr(value))
+        for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
+    }
+
+
+def _exact(
+    coefficients: tuple[sympy.Expr, ...], values: dict[sympy.Expr, sympy.Rational]
+) -> tuple[Fraction, ...]:
+    rationals = (sympy.Rational(coefficient.subs(values)) for coefficient in coefficients)
+    return tuple(Fraction(int(rational.p), int(rational.q)) for rational in rationals)
+
+
+def _start_from_rest(parameters: TrimmerParameters) -> StartFromRest:
+    times = np.arange(0, 0.4, 1 / SAMPLES_PER_SECOND)
+    omega = 2 * math.pi * DRIVE_FREQUENCY
+    pin = DRIVE_AMPLITUDE * np.vstack([np.sin(omega * times), omega * np.cos(omega * times)])
+    response = time_response(linear_model(parameters)[0, 0], pin[0], times)
+    first, last = times < FIRST_PERIOD, times > times[-1] - FIRST_PERIOD
+    return StartFromRest(
+        deviation=float(np.abs(response.output - pin[0])[first].max()),
+        settled_amplitude=float(np.ptp(response.output[last]) / 2),
+    )
