@@ -24,4 +24,6 @@ def gather() -> Evidence:
     """Derive and solve everything that the claims need."""
     derivation = derive_linear_trimmer()
     general = general_system()
-    return Evidence(derivation, general, transform(general), solve_linear(derivation, TrimmerParameters.thesis()))
+    return Evidence(
+        derivation, general, transform(general), solve_linear(derivation, TrimmerParameters.thesis())
+    )

@@ -59,7 +59,9 @@ def _states(evidence: Evidence) -> Claim:
 def _output(evidence: Evidence) -> Claim:
     system, solved = evidence.general, evidence.transformed
     resolvent = (s * sympy.eye(system.a.rows) - system.a).inv()
-    first = (system.c * (resolvent * system.b * system.input_transform))[0] + system.d * system.input_transform
+    first = (system.c * (resolvent * system.b * system.input_transform))[
+        0
+    ] + system.d * system.input_transform
     second = transfer_formula(evidence) * system.input_transform
     forms = (
         (first, "Y(s) = C[(sI - A)^{-1}BU(s)] + DU(s)"),

@@ -117,7 +117,9 @@ def _slope_of_dissipation(evidence: Evidence) -> Claim:
             Part(
                 "",
                 SameExpression(printed, derived, left=r"\frac{\partial R}{\partial \dot{q}_1}"),
-                Confirmation("the damper forces on the motor", SameExpression(damper_force.subs(back), derived)),
+                Confirmation(
+                    "the damper forces on the motor", SameExpression(damper_force.subs(back), derived)
+                ),
             ),
         ),
         explanation="The slope of the dissipation function is right, with all its signs.",
@@ -133,9 +135,7 @@ def _equation_of_motion(evidence: Evidence) -> Claim:
             Part(
                 "",
                 SameExpression(trimmer_printed.accelerations()[0], derived, left=accelerations[0]),
-                Confirmation(
-                    "Newton's second law", SameExpression(evidence.derivation.newton[0], derived)
-                ),
+                Confirmation("Newton's second law", SameExpression(evidence.derivation.newton[0], derived)),
             ),
         ),
         explanation=(

@@ -152,7 +152,14 @@ def _euler_lagrange(evidence: Evidence) -> Claim:
     )
     return Claim(
         id="eq-2.6",
-        parts=(Part("the four bodies, $Q_i = 0$", SameMatrix(printed, newton), printed_form=form, derived_form=form),),
+        parts=(
+            Part(
+                "the four bodies, $Q_i = 0$",
+                SameMatrix(printed, newton),
+                printed_form=form,
+                derived_form=form,
+            ),
+        ),
         explanation=(
             "For each of the four bodies the printed left side equals mass times acceleration less the forces "
             "of Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that "

@@ -119,7 +119,9 @@ def _closed_loop(claim_id: str) -> Claim:
     in_feedback = closed_loop(feedback=NONLINEAR_PART, forward=LINEAR_PART)
     return Claim(
         id=claim_id,
-        parts=(Part("$N$ in the feedback path", SameExpression(printed, in_feedback, left=sympy.Symbol("M"))),),
+        parts=(
+            Part("$N$ in the feedback path", SameExpression(printed, in_feedback, left=sympy.Symbol("M"))),
+        ),
         explanation=(
             "Solving the loop gives the printed fraction when $N$ sits in the feedback path. In figure 2.5 it sits "
             "before $G$; then the numerator is $GN$. The poles, and so the condition $1 + GN = 0$, are the same."

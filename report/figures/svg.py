@@ -1,0 +1,60 @@
+"""Matplotlib figure to SVG text that can stand inside a page."""
+
+from __future__ import annotations
+
+import io
+import re
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape, quoteattr
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_METADATA = re.compile(r"\s*<metadata>.*?</metadata>", re.DOTALL)
+_OPENING = re.compile(r"<svg\b[^>]*>", re.DOTALL)
+_STYLE = re.compile(r"\s*<defs>\s*<style.*?</style>\s*</defs>", re.DOTALL)
+_REFERENCE = re.compile(r'(?P<before>\bid="|href="#|url\(#)')
+
+
+def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -> str:
+    """Return a figure as SVG; the same figure gives the same text in every process.
+
+    Args:
+        figure: the figure, drawn inside ``report.figures.style.style()``.
+        identifier: prefix of every id, so that two figures in one page do not share one.
+        title: short name of the figure, for readers who do not see it.
+        alternative_text: what the figure shows, in words.
+
+    Returns:
+        An ``svg`` element without XML declaration and document type.
+    """
+    import matplotlib
+
+    buffer = io.StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": identifier, "svg.fonttype": "path"}):
+        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    return _described(_prefixed(_element(buffer.getvalue()), identifier), identifier, title, alternative_text)
+
+
+def _element(document: str) -> str:
+    """Cut the svg element out of an SVG file, without its metadata and its style, which would reach out."""
+    return _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
+
+
+def _prefixed(svg: str, identifier: str) -> str:
+    """Prefix every id, and each reference to one by ``href`` or ``url()``."""
+    return _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
+
+
+def _described(svg: str, identifier: str, title: str, alternative_text: str) -> str:
+    """Give the element a role, a title and a description."""
+    opening = _OPENING.match(svg)
+    if opening is None:
+        raise ValueError(f"the drawing {identifier} is not an svg element")
+    label = quoteattr(f"{identifier}-title {identifier}-description")
+    described = (
+        f'{opening[0][:-1]} stroke-linejoin="round" role="img" aria-labelledby={label}>'
+        f'<title id="{identifier}-title">{escape(title)}</title>'
+        f'<desc id="{identifier}-description">{escape(alternative_text)}</desc>'
+    )
+    return described + svg[opening.end() :]

@@ -1,0 +1,1 @@
+"""Presentation of a finished report document: Markdown, HTML, PDF and JSON."""
