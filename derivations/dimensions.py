@@ -37,7 +37,10 @@ class Dimension:
 
     def __str__(self) -> str:
         names = {"kg": self.mass, "m": self.length, "s": self.time}
-        return " ".join(f"{name}^{power}" if power != 1 else name for name, power in names.items() if power) or "1"
+        return (
+            " ".join(f"{name}^{power}" if power != 1 else name for name, power in names.items() if power)
+            or "1"
+        )
 
 
 NUMBER = Dimension()
@@ -82,7 +85,9 @@ def dimension_of(expression: sympy.Expr, dimensions: Mapping[sympy.Expr, Dimensi
     return NUMBER
 
 
-def _of_derivative(expression: sympy.Derivative, dimensions: Mapping[sympy.Expr, Dimension]) -> Dimension | None:
+def _of_derivative(
+    expression: sympy.Derivative, dimensions: Mapping[sympy.Expr, Dimension]
+) -> Dimension | None:
     result = dimension_of(expression.expr, dimensions)
     for variable, count in expression.variable_count:
         variable_dimension = dimension_of(variable, dimensions)
@@ -98,7 +103,9 @@ def _of_sum(expression: sympy.Expr, dimensions: Mapping[sympy.Expr, Dimension]) 
         if dimension is None or dimension == found:
             continue
         if found is not None:
-            raise DimensionError(f"{expression}: the term {term} has dimension {dimension}, the others have {found}")
+            raise DimensionError(
+                f"{expression}: the term {term} has dimension {dimension}, the others have {found}"
+            )
         found = dimension
     return found
 
@@ -120,7 +127,9 @@ def _of_power(expression: sympy.Expr, dimensions: Mapping[sympy.Expr, Dimension]
     if dimension is None or dimension == NUMBER:
         return dimension
     if not exponent.is_Rational:
-        raise DimensionError(f"{expression}: a quantity with a dimension is raised to a power that is no fraction")
+        raise DimensionError(
+            f"{expression}: a quantity with a dimension is raised to a power that is no fraction"
+        )
     return dimension**exponent
 
 

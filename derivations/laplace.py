@@ -60,5 +60,7 @@ def transform(system: GeneralSystem) -> TransformedSystem:
     ]
     solution = sympy.solve(equations, unknowns)
     state = [solution[unknown] for unknown in unknowns]
-    output = sum(system.c[index] * state[index] for index in range(STATES)) + system.d * system.input_transform
+    output = (
+        sum(system.c[index] * state[index] for index in range(STATES)) + system.d * system.input_transform
+    )
     return TransformedSystem(sympy.ImmutableMatrix(state), sympy.together(output))

@@ -41,7 +41,13 @@ class _MechanicsPrinter(LatexPrinter):
 
 def latex(expression: sympy.Basic) -> str:
     """Return LaTeX of an expression, its terms in the order in which they are held."""
-    settings = {"inv_trig_style": "power", "order": "none", "mat_delim": "(", "mat_str": "matrix", "long_frac_ratio": 3}
+    settings = {
+        "inv_trig_style": "power",
+        "order": "none",
+        "mat_delim": "(",
+        "mat_str": "matrix",
+        "long_frac_ratio": 3,
+    }
     return _MechanicsPrinter(settings).doprint(expression)
 
 

@@ -11,8 +11,17 @@ from trimmer import TrimmerParameters
 
 
 @dataclass(frozen=True)
+class Derived:
+    """What SymPy derived: the linear trimmer, and a general system solved in the Laplace domain."""
+
+    trimmer: LinearTrimmer
+    general: GeneralSystem
+    transformed: TransformedSystem
+
+
+@dataclass(frozen=True)
 class Evidence:
-    """Derivation and numbers of the linear trimmer, and a general system solved in the Laplace domain."""
+    """Everything that was derived and solved before a claim is judged."""
 
     derivation: LinearTrimmer
     general: GeneralSystem
@@ -20,10 +29,18 @@ class Evidence:
     numbers: LinearNumbers
 
 
+def derive() -> Derived:
+    """Derive the linear trimmer, and solve a general system in the Laplace domain."""
+    general = general_system()
+    return Derived(derive_linear_trimmer(), general, transform(general))
+
+
+def solve(derived: Derived) -> Evidence:
+    """Solve the thesis's trimmer with the derived equations."""
+    numbers = solve_linear(derived.trimmer, TrimmerParameters.thesis())
+    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers)
+
+
 def gather() -> Evidence:
     """Derive and solve everything that the claims need."""
-    derivation = derive_linear_trimmer()
-    general = general_system()
-    return Evidence(
-        derivation, general, transform(general), solve_linear(derivation, TrimmerParameters.thesis())
-    )
+    return solve(derive())

@@ -13,11 +13,9 @@ from dataclasses import dataclass
 import sympy
 from sympy.printing.pycode import pycode
 
-from derivations.equations_of_motion import motion_matrices
-from derivations.mechanism import trimmer
-from derivations.state_space import state_space
+from derivations.latex_document import latex_document
+from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
 from derivations.symbols import PARAMETERS
-from derivations.transfer_function import transfer_functions
 
 HEADER = '''"""Linear trimmer in numbers.
 
@@ -42,15 +40,26 @@ class NumericFunction:
     entries: Entries
 
 
-def linear_trimmer_source() -> str:
-    """Derive the linear trimmer and return the source of the module `trimmer.generated.linear_trimmer`."""
-    return "\n\n".join((HEADER, *(_function_source(function) for function in _functions())))
+@dataclass(frozen=True)
+class DerivedSources:
+    """What `trimmer derive` writes: the module `trimmer.generated.linear_trimmer`, and a LaTeX document."""
+
+    module: str
+    latex: str
 
 
-def _functions() -> Iterator[NumericFunction]:
-    matrices = motion_matrices(trimmer())
-    space = state_space(matrices)
-    transfer = transfer_functions(matrices)
+def derive_sources() -> DerivedSources:
+    """Derive the linear trimmer and return it as Python source and as LaTeX."""
+    derivation = derive_linear_trimmer()
+    functions = (_function_source(function) for function in _functions(derivation))
+    return DerivedSources(
+        module="\n\n".join((HEADER, *functions)),
+        latex=latex_document(derivation),
+    )
+
+
+def _functions(derivation: LinearTrimmer) -> Iterator[NumericFunction]:
+    matrices, space, transfer = derivation.matrices, derivation.space, derivation.transfer
     yield NumericFunction("mass_matrix", "Return M (4 × 4), kg.", _rows(matrices.mass))
     yield NumericFunction("damping_matrix", "Return C (4 × 4), N s/m.", _rows(matrices.damping))
     yield NumericFunction("stiffness_matrix", "Return K (4 × 4), N/m.", _rows(matrices.stiffness))

@@ -1,0 +1,1 @@
+"""The claims of the thesis, one module for each section or appendix."""

@@ -7,6 +7,8 @@ import re
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from report.figures.style import style
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -31,7 +33,7 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     import matplotlib
 
     buffer = io.StringIO()
-    with matplotlib.rc_context({"svg.hashsalt": identifier, "svg.fonttype": "path"}):
+    with style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
     return _described(_prefixed(_element(buffer.getvalue()), identifier), identifier, title, alternative_text)
 

@@ -51,7 +51,7 @@ class Atom:
 
 def atoms(latex: str) -> tuple[Atom, ...]:
     """Split LaTeX into atoms: symbols with their scripts, fractions, bracketed groups, environments."""
-    return tuple(_atoms(_Tokens(_TOKEN.findall(_keep_spaces(latex)))))
+    return tuple(_atoms(_Tokens(_TOKEN.findall(latex))))
 
 
 def width(latex: str) -> float:
@@ -86,10 +86,6 @@ class _Tokens:
             taken.append(self.take())
             depth += (taken[-1] == opening) - (taken[-1] == closing)
         return _joined(taken[1:-1])
-
-
-def _keep_spaces(latex: str) -> str:
-    return latex.replace("\\ ", r"\:")
 
 
 def _joined(tokens: list[str]) -> str:

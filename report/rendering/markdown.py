@@ -32,9 +32,11 @@ def to_markdown(document: Document) -> str:
     """Return the whole report as pandoc Markdown.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link inside the report leads nowhere.
+        BrokenLinkError: if two places share an identifier, or a link, a highlight or a step of the derivation
+            names a place or a claim that the report does not have.
         ValueError: if an equation is empty or holds a dollar sign.
     """
+    _check_claims(document)
     text = (
         _environment()
         .get_template("report.md.j2")
@@ -113,6 +115,15 @@ def _environment() -> Environment:
         HALF_LINE=HALF_LINE,
     )
     return environment
+
+
+def _check_claims(document: Document) -> None:
+    named = {highlight.claim: "a highlight" for highlight in document.highlights}
+    named |= {
+        claim: f"step {step.id} of the derivation" for step in document.derivation for claim in step.claims
+    }
+    for claim in sorted(set(named) - {finding.id for finding in document.findings}):
+        raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
 
 
 def _check_links(text: str) -> None:

@@ -16,7 +16,12 @@ _SPACING_ACCENTS = {
     "\u203e": "\u00af",
 }
 """Combining dots, hat, tilde and the overline of one letter, as the characters browsers place above it."""
-_TALL = frozenset(("mfrac", "mtable", "munder", "mover", "munderover", "msqrt", "mroot"))
+_TALL = frozenset(
+    f"{{{_NAMESPACE}}}{name}"
+    for name in ("mfrac", "mtable", "munder", "mover", "munderover", "msqrt", "mroot")
+)
+_ROWS = frozenset(f"{{{_NAMESPACE}}}{name}" for name in ("mrow", "mtd", "msqrt"))
+_SCRIPTED = frozenset(f"{{{_NAMESPACE}}}{name}" for name in ("msup", "msub", "msubsup"))
 _APPLICATION = "\u2061"
 _THIN_SPACE = "0.167em"
 
@@ -43,7 +48,8 @@ def _repaired_formula(source: str) -> str:
     for element in list(root.iter()):
         if element.tag == _tag("mrow") and not any(_is_tall(inner) for inner in element.iter()):
             _keep_brackets_flat(element)
-        _space_functions(element)
+        if element.tag in _ROWS:
+            _space_functions(element)
     return ElementTree.tostring(root, encoding="unicode")
 
 
@@ -87,7 +93,7 @@ def _space_functions(row: Element) -> None:
 
 
 def _is_function(element: Element) -> bool:
-    if element.tag in {_tag(name) for name in ("msup", "msub", "msubsup")}:
+    if element.tag in _SCRIPTED:
         return _is_function(element[0])
     return element.tag == _tag("mrow") and len(element) > 0 and element[-1].text == _APPLICATION
 
@@ -99,15 +105,16 @@ def _is_operand(element: Element) -> bool:
 
 
 def _is_bracketed(element: Element) -> bool:
-    first = element[0] if element.tag == _tag("mrow") and len(element) else element
-    return first.tag == _tag("mo")
+    while element.tag == _tag("mrow") and len(element):
+        element = element[0]
+    return element.tag == _tag("mo")
 
 
 def _is_tall(element: Element) -> bool:
     """Say whether an element makes its row higher than a line; an accent over a letter does not."""
     if element.tag == _tag("mover") and element.get("accent") == "true":
         return False
-    return element.tag in {_tag(name) for name in _TALL}
+    return element.tag in _TALL
 
 
 def _thin_space() -> Element:

@@ -27,7 +27,7 @@ def to_typst(document: Document, markdown: str) -> str:
             f"--template={TEMPLATES / 'report.typ'}",
             f"--lua-filter={TEMPLATES / 'typst.lua'}",
             f"--metadata=title={document.title}",
-            f"--variable=version:trimmer {provenance.version}, commit {provenance.commit}, {provenance.date}",
+            f"--variable=version:trimmer {provenance.version}, commit {provenance.commit}, {provenance.date[:10]}",
         ],
     )
 

@@ -1,0 +1,93 @@
+"""Putting the report together from what was derived, solved, judged and drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from derivations.latex import latex
+from derivations.narrative import narrative
+from derivations.symbols import PARAMETERS, QUANTITIES
+from report.claim import Entry, Finding
+from report.document import (
+    Chapter,
+    DerivationStep,
+    Document,
+    Equation,
+    Figure,
+    NomenclatureRow,
+    ParameterRow,
+)
+from report.evidence import Evidence
+from report.highlights import highlights
+from report.provenance import provenance
+
+TITLE = "The trimmer's thesis, derived again"
+CHAPTERS = {
+    "1": "Introduction",
+    "2": "Theory",
+    "3": "Experiment and simulation",
+    "4": "Nonlinearities in the simulation",
+    "5": "Simulation and results",
+    "6": "Discussion",
+    "7": "Conclusion",
+    "A": "Listings",
+    "B": "Fourier coefficients",
+    "D": "Equations of motion",
+    "E": "Further simulations",
+}
+
+
+def assemble(
+    evidence: Evidence, findings: tuple[Finding, ...], figures: tuple[Figure, ...], inventory: Mapping[str, Entry]
+) -> Document:
+    """Return the finished document."""
+    return Document(
+        title=TITLE,
+        highlights=highlights(evidence),
+        chapters=_chapters(findings, inventory),
+        statements_in_thesis=len(inventory),
+        derivation=_derivation(evidence, findings),
+        figures=figures,
+        nomenclature=tuple(
+            NomenclatureRow(latex(quantity.symbol), quantity.meaning, quantity.unit.text)
+            for quantity in QUANTITIES
+        ),
+        parameters=tuple(
+            ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
+            for quantity, value in zip(PARAMETERS, evidence.numbers.parameters.values(), strict=True)
+        ),
+        provenance=provenance(),
+    )
+
+
+def _chapters(findings: tuple[Finding, ...], inventory: Mapping[str, Entry]) -> tuple[Chapter, ...]:
+    chapters = (
+        Chapter(f"chapter-{number}", number, title, _in_thesis_order(findings, inventory, number))
+        for number, title in CHAPTERS.items()
+    )
+    return tuple(chapter for chapter in chapters if chapter.findings)
+
+
+def _in_thesis_order(
+    findings: tuple[Finding, ...], inventory: Mapping[str, Entry], chapter: str
+) -> tuple[Finding, ...]:
+    own = (finding for finding in findings if inventory[finding.id].chapter == chapter)
+    return tuple(sorted(own, key=lambda finding: finding.section.split(".")))
+
+
+def _derivation(evidence: Evidence, findings: tuple[Finding, ...]) -> tuple[DerivationStep, ...]:
+    judged = {finding.id for finding in findings}
+    return tuple(
+        DerivationStep(
+            id=step.id,
+            title=step.title,
+            text=step.text,
+            equations=tuple(Equation(formula.latex, formula.thesis) for formula in step.formulas),
+            claims=tuple(
+                dict.fromkeys(
+                    f"eq-{formula.thesis}" for formula in step.formulas if f"eq-{formula.thesis}" in judged
+                )
+            ),
+        )
+        for step in narrative(evidence.derivation)
+    )

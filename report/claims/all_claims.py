@@ -1,0 +1,63 @@
+"""All claims that are judged so far, checked against the inventory."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+
+from report.claim import Claim, Entry
+from report.claims import (
+    appendix_a,
+    appendix_d,
+    section_2_2_1_lagrangian,
+    section_2_2_1_state_space,
+    section_2_2_2,
+    section_2_2_3,
+    section_5_1_1,
+    section_5_1_2,
+    section_5_1_2_low_pass,
+    section_5_1_3,
+)
+from report.evidence import Evidence
+
+SECTIONS = (
+    section_2_2_1_lagrangian,
+    section_2_2_1_state_space,
+    section_2_2_2,
+    section_2_2_3,
+    section_5_1_1,
+    section_5_1_2,
+    section_5_1_2_low_pass,
+    section_5_1_3,
+    appendix_a,
+    appendix_d,
+)
+
+
+class ClaimIdError(ValueError):
+    """An id that the inventory does not know, or that two claims share."""
+
+
+def all_claims(evidence: Evidence, inventory: Mapping[str, Entry]) -> tuple[Claim, ...]:
+    """Return every claim, in the order of the inventory.
+
+    Raises:
+        ClaimIdError: if an id is unknown or stands twice.
+    """
+    claims = [claim for section in SECTIONS for claim in section.claims(evidence)]
+    require_known_once((claim.id for claim in claims), inventory)
+    order = {claim_id: place for place, claim_id in enumerate(inventory)}
+    return tuple(sorted(claims, key=lambda claim: order[claim.id]))
+
+
+def require_known_once(ids: Iterable[str], inventory: Mapping[str, Entry]) -> None:
+    """Raise for an id that the inventory lacks, or that stands twice.
+
+    Raises:
+        ClaimIdError: naming the id.
+    """
+    for claim_id, count in Counter(ids).items():
+        if claim_id not in inventory:
+            raise ClaimIdError(f"claim {claim_id} is not in the inventory")
+        if count > 1:
+            raise ClaimIdError(f"claim {claim_id} stands {count} times")

@@ -1,0 +1,79 @@
+"""The findings that change most for somebody who builds on the thesis, each with its size."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from report.claims.section_5_1_2 import CUTTER, GUARD
+from report.claims.section_5_1_2_low_pass import HARMONICS, LIMIT_CYCLE_OMEGA, highest_unfiltered
+from report.document import Highlight
+from report.evidence import Evidence
+from report.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from trimmer import (
+    asymptotic_roll_off,
+    bandwidth_crossings,
+    filtering_ratio,
+    frequency_response,
+    gain_crossings,
+)
+
+
+def highlights(evidence: Evidence) -> tuple[Highlight, ...]:
+    """Return the findings that matter most, most important first."""
+    numbers = evidence.numbers
+    system = numbers.displacement_only
+    fifth = float(filtering_ratio(system, 2 * math.pi * MEASURED_DRIVE_FREQUENCY, 5))
+    lead = cmath.phase(
+        complex(frequency_response(numbers.both_channels, LIMIT_CYCLE_OMEGA))
+        / complex(frequency_response(system, LIMIT_CYCLE_OMEGA))
+    )
+    cutoff, unity = bandwidth_crossings(system), gain_crossings(system)[-1]
+    static, printed_static = (
+        float(numerator[-1] / numbers.denominator[-1])
+        for numerator in (numbers.numerator, numbers.combined_numerator({CUTTER: 1, GUARD: 1}))
+    )
+    return (
+        Highlight(
+            "txt-5.1.3-first-resonance",
+            "Resonances matter at the drive's frequency: its fifth harmonic falls on the highest peak of the gain.",
+            f"{fifth:.0f} times the gain of the drive itself at {MEASURED_DRIVE_FREQUENCY} Hz",
+        ),
+        Highlight(
+            "txt-5.1.2-filtering",
+            "The filtering hypothesis holds near the predicted limit cycle, not at every frequency.",
+            f"fails below {highest_unfiltered(system, HARMONICS):.0f} Hz; at 733 Hz the third harmonic is passed "
+            f"{float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3)):.3f} times as well",
+        ),
+        Highlight(
+            "txt-5.1.2-roll-off",
+            "The linear part is a low-pass filter of second order, not of first.",
+            f"{asymptotic_roll_off(system):.0f} dB per decade instead of -20",
+        ),
+        Highlight(
+            "lst-A.1",
+            "The listing drops the velocity of the pin, which acts through the damper of the driving bridge.",
+            f"{math.degrees(lead):.1f} degrees of phase at the predicted limit cycle",
+        ),
+        Highlight(
+            "txt-5.1.2-cutoff",
+            "The quoted cutoff is the frequency of unit gain.",
+            f"{unity:.1f} rad/s; the gain is 3 dB down at {cutoff[0]:.1f} and finally at {cutoff[-1]:.1f} rad/s",
+        ),
+        Highlight(
+            "eq-5.1",
+            "The printed transfer function mixes two outputs and loses powers of ten.",
+            f"static gain {printed_static:.4f} instead of {static:.4f}",
+        ),
+        Highlight(
+            "eq-2.8",
+            "The pin's velocity loses its amplitude.",
+            f"{1 / DRIVE_AMPLITUDE:.0f} times too large at 1.5 mm; no later number uses it",
+        ),
+        Highlight(
+            "fig-5.1",
+            "Started from rest, the output does not follow the pin precisely.",
+            f"off by {100 * numbers.start.deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude in the first period",
+        ),
+    )
+

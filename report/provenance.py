@@ -1,0 +1,45 @@
+"""What a report was made from: version, commit and libraries, nothing that depends on the build itself."""
+
+from __future__ import annotations
+
+import platform
+import subprocess
+from importlib.metadata import version
+from pathlib import Path
+
+from report.document import Provenance
+
+LIBRARIES = ("sympy", "numpy", "scipy", "control", "matplotlib", "Jinja2", "pypandoc_binary", "typst")
+RELEASED = "2026-11-21"
+"""Date of this version, for a report that is not made in a git checkout."""
+
+
+def provenance() -> Provenance:
+    """Describe the code that is running; in a git checkout by its commit, elsewhere by its version."""
+    commit, date = _commit()
+    return Provenance(
+        version=version("trimmer"),
+        commit=commit,
+        date=date,
+        libraries=(("Python", platform.python_version()), *((name, version(name)) for name in LIBRARIES)),
+    )
+
+
+def _commit() -> tuple[str, str]:
+    tracked = _git("ls-files", "--error-unmatch", Path(__file__).name)
+    described = _git("log", "-1", "--format=%h %cI")
+    if tracked is None or not described:
+        return "none (not a git checkout)", RELEASED
+    commit, date = described.split()
+    changed = _git("status", "--porcelain", "--untracked-files=no")
+    return (f"{commit} with local changes" if changed else commit), date
+
+
+def _git(*arguments: str) -> str | None:
+    try:
+        finished = subprocess.run(
+            ["git", *arguments], cwd=Path(__file__).parent, capture_output=True, text=True, check=True
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return finished.stdout.strip()

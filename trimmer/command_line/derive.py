@@ -1,0 +1,52 @@
+"""``trimmer derive``: make the numeric module again from the derivation, and write the derivation as LaTeX."""
+
+from __future__ import annotations
+
+import sys
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from trimmer.command_line.command import Command
+from trimmer.files import write_whole
+
+DIRECTORY = Path("build") / "derivation"
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--module",
+        type=Path,
+        metavar="FILE",
+        default=DIRECTORY / "linear_trimmer.py",
+        help="where to write the numeric Python module (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--latex",
+        type=Path,
+        metavar="FILE",
+        default=DIRECTORY / "derivation.tex",
+        help="where to write the derivation as LaTeX (default: %(default)s)",
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.bridge import derive_sources
+    from trimmer.generated import linear_trimmer
+
+    installed = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
+    print("deriving the linear trimmer ...", file=sys.stderr)
+    sources = derive_sources()
+    write_whole(arguments.module, sources.module)
+    write_whole(arguments.latex, sources.latex)
+    state = "the same as the one in use" if sources.module == installed else "different from the one in use"
+    print(f"{arguments.module}: numeric module, {state}")
+    print(f"{arguments.latex}: derivation")
+    return 0
+
+
+COMMAND = Command(
+    "derive",
+    "derive the equations of motion again; write the numeric module and the derivation as LaTeX",
+    _configure,
+    _run,
+)
