@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Self
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -22,17 +21,17 @@ class DimensionError(ValueError):
 class Dimension:
     """Exponents of mass, length and time; an angle has none of them."""
 
-    mass: sympy.Rational = sympy.Integer(0)
-    length: sympy.Rational = sympy.Integer(0)
-    time: sympy.Rational = sympy.Integer(0)
+    mass: sympy.Rational | int = 0
+    length: sympy.Rational | int = 0
+    time: sympy.Rational | int = 0
 
-    def __mul__(self, other: Self) -> Dimension:
+    def __mul__(self, other: Dimension) -> Dimension:
         return Dimension(self.mass + other.mass, self.length + other.length, self.time + other.time)
 
     def __pow__(self, exponent: sympy.Rational | int) -> Dimension:
         return Dimension(self.mass * exponent, self.length * exponent, self.time * exponent)
 
-    def __truediv__(self, other: Self) -> Dimension:
+    def __truediv__(self, other: Dimension) -> Dimension:
         return self * other**-1
 
     def __str__(self) -> str:
@@ -44,9 +43,9 @@ class Dimension:
 
 
 NUMBER = Dimension()
-MASS = Dimension(mass=sympy.Integer(1))
-LENGTH = Dimension(length=sympy.Integer(1))
-TIME = Dimension(time=sympy.Integer(1))
+MASS = Dimension(mass=1)
+LENGTH = Dimension(length=1)
+TIME = Dimension(time=1)
 FORCE = MASS * LENGTH / TIME**2
 ENERGY = FORCE * LENGTH
 POWER = ENERGY / TIME

@@ -61,8 +61,17 @@ def _all_coefficients(derivation: LinearTrimmer) -> str:
 
 def _nomenclature() -> str:
     rows = (
-        f"${latex(quantity.symbol)}$ & {quantity.meaning} & {quantity.unit.text} \\\\" for quantity in QUANTITIES
+        f"${latex(quantity.symbol)}$ & {quantity.meaning} & {quantity.unit.text} \\\\"
+        for quantity in QUANTITIES
     )
-    return "\n".join(
-        ("\\section{Nomenclature}", "\\begin{tabular}{lll}", "symbol & meaning & unit \\\\ \\hline", *rows)
-    ) + "\n\\end{tabular}\n"
+    return (
+        "\n".join(
+            (
+                "\\section{Nomenclature}",
+                "\\begin{tabular}{lll}",
+                "symbol & meaning & unit \\\\ \\hline",
+                *rows,
+            )
+        )
+        + "\n\\end{tabular}\n"
+    )

@@ -64,11 +64,11 @@ def _elongations(derivation: LinearTrimmer) -> Step:
     return Step(
         "mechanism",
         "Bodies, springs and dampers",
-        "Four bodies move along one line: motor, cutter, guard housing and guard, with displacements $q_1$ to "
-        "$q_4$. The eccentric pin rides on the motor's shaft and is displaced by $u$ relative to the motor, so "
-        "its position is $q_1 + u$. Each spring and damper is declared by its two ends; its elongation is the "
-        "position of one end less that of the other. The dampers $c_1$ to $c_4$ sit beside the springs $k_1$ to "
-        "$k_4$.",
+        "Four bodies move along one line: motor, cutter, guard housing and guard, with displacements $q_1$ "
+        "to $q_4$. The eccentric pin rides on the motor's shaft and is displaced by $u$ relative to the "
+        "motor, so its position is $q_1 + u$. Each spring and damper is declared by its two ends; its "
+        "elongation is the position of one end less that of the other. The dampers $c_1$ to $c_4$ sit beside "
+        "the springs $k_1$ to $k_4$.",
         formulas,
     )
 
@@ -77,8 +77,8 @@ def _energies(derivation: LinearTrimmer) -> Step:
     return Step(
         "energies",
         "Energies and dissipation",
-        "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, half of "
-        "the power that is lost, to the dampers.",
+        "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
+        "half of the power that is lost, to the dampers.",
         (
             Formula(latex_equation(sympy.Symbol("T"), derivation.kinetic_energy), "2.4"),
             Formula(latex_equation(sympy.Symbol("U"), derivation.potential_energy), "2.5"),
@@ -95,13 +95,15 @@ def _motion(derivation: LinearTrimmer) -> Step:
     bodies = derivation.mechanism.bodies
     lines = tuple(
         Formula(f"{latex(body.mass)} {_accelerated(index)} = {latex(sympy.numer(acceleration))}", "2.9")
-        for index, (body, acceleration) in enumerate(zip(bodies, derivation.accelerations, strict=True), start=1)
+        for index, (body, acceleration) in enumerate(
+            zip(bodies, derivation.accelerations, strict=True), start=1
+        )
     )
     return Step(
         "motion",
         "Equations of motion",
-        "The Euler-Lagrange equation of each body, with no force besides those of springs and dampers. The sum of "
-        "forces by Newton's law gives the same four lines.",
+        "The Euler-Lagrange equation of each body, with no force besides those of springs and dampers. The "
+        "sum of forces by Newton's law gives the same four lines.",
         (Formula(general, "2.6"), *lines),
     )
 
@@ -115,8 +117,8 @@ def _matrices(derivation: LinearTrimmer) -> Step:
     return Step(
         "matrices",
         "Matrices",
-        "The equations of motion are linear, $M\\ddot q + C\\dot q + Kq = f_u u + f_v \\dot u$, with symmetric "
-        "matrices.",
+        "The equations of motion are linear, $M\\ddot q + C\\dot q + Kq = f_u u + f_v \\dot u$, with "
+        "symmetric matrices.",
         (
             Formula(latex_equation(sympy.Symbol("M"), matrices.mass)),
             Formula(latex_equation(sympy.Symbol("C"), matrices.damping)),
@@ -135,8 +137,9 @@ def _power(derivation: LinearTrimmer) -> Step:
     return Step(
         "power",
         "Power balance",
-        "Along every motion the energy changes by the power of the pin less what the dampers take. The difference "
-        "of both sides is zero identically, and the power lost is a sum of squares, so it is never negative.",
+        "Along every motion the energy changes by the power of the pin less what the dampers take. The "
+        "difference of both sides is zero identically, and the power lost is a sum of squares, so it is "
+        "never negative.",
         (
             Formula(r"\frac{d}{dt}(T + U) = P - D"),
             Formula(latex_equation(sympy.Symbol("P"), sympy.factor_terms(balance.input_power))),
@@ -172,14 +175,12 @@ def _transfer_function(derivation: LinearTrimmer) -> Step:
     return Step(
         "transfer-function",
         "Transfer function",
-        "Cramer's rule on $(Ms^2 + Cs + K)\\,Q = f_u U$ gives the transfer function from the pin's displacement to "
-        "$q_2 - q_4$ with symbolic coefficients. Those with few terms are shown; the command `trimmer derive` "
-        "writes them all. The pin's velocity acts through $c_2$ as its displacement acts through $k_2$, so both "
-        "together give $G = (1 + s\\,c_2/k_2)\\,G_1$.",
+        "Cramer's rule on $(Ms^2 + Cs + K)\\,Q = f_u U$ gives the transfer function from the pin's "
+        "displacement to $q_2 - q_4$ with symbolic coefficients. Those with few terms are shown; the command "
+        "`trimmer derive` writes them all. The pin's velocity acts through $c_2$ as its displacement acts "
+        "through $k_2$, so both together give $G = (1 + s\\,c_2/k_2)\\,G_1$.",
         (
-            Formula(
-                r"G_1(s) = \frac{b_6 s^6 + b_5 s^5 + \dots + b_0}{s^8 + a_7 s^7 + \dots + a_0}", "2.21"
-            ),
+            Formula(r"G_1(s) = \frac{b_6 s^6 + b_5 s^5 + \dots + b_0}{s^8 + a_7 s^7 + \dots + a_0}", "2.21"),
             *_coefficients("b", output),
             *_coefficients("a", list(transfer.denominator)),
         ),
@@ -204,8 +205,8 @@ def _checks(derivation: LinearTrimmer) -> Step:
     return Step(
         "checks",
         "Checks",
-        f"All {len(checks)} derived expressions pass a dimension check that knows only the units of the symbols. "
-        "The equations of motion are derived a second time from forces alone, and a third time in the tests by "
-        "SymPy's own mechanics package.",
+        f"All {len(checks)} derived expressions pass a dimension check that knows only the units of the "
+        "symbols. The equations of motion are derived a second time from forces alone, and a third time in "
+        "the tests by SymPy's own mechanics package.",
         (),
     )

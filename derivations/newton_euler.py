@@ -8,7 +8,16 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.mechanism import Body, End, Mechanism, Pin, elongation, elongation_rate
+from derivations.mechanism import (
+    Body,
+    Damper,
+    End,
+    Mechanism,
+    Pin,
+    Spring,
+    elongation,
+    elongation_rate,
+)
 
 
 def newton_accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
@@ -17,7 +26,7 @@ def newton_accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
 
 
 def _force_on(body: Body, mechanism: Mechanism) -> sympy.Expr:
-    tensions = [
+    tensions: list[tuple[Spring | Damper, sympy.Expr]] = [
         *((spring, spring.stiffness * elongation(spring)) for spring in mechanism.springs),
         *((damper, damper.damping * elongation_rate(damper)) for damper in mechanism.dampers),
     ]

@@ -13,7 +13,7 @@ NONLINEAR_PART = sympy.Symbol("N")
 
 
 def encirclements_of_origin() -> sympy.Expr:
-    """Return how often f turns round the origin along a contour about a zero of order Z and a pole of order P.
+    """Return how often f turns round the origin on a contour about a zero of order Z and a pole of order P.
 
     The number of turns is the sum of the residues of f'/f inside; f carries a factor without zeros or poles
     there, which adds nothing. Contour and turns are counted in the same sense.

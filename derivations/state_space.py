@@ -1,4 +1,4 @@
-"""State space with both inputs of the pin, its displacement and its velocity (thesis, equations 2.10 to 2.14)."""
+"""State space with both inputs of the pin, displacement and velocity (thesis, equations 2.10 to 2.14)."""
 
 from __future__ import annotations
 

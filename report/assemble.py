@@ -38,7 +38,10 @@ CHAPTERS = {
 
 
 def assemble(
-    evidence: Evidence, findings: tuple[Finding, ...], figures: tuple[Figure, ...], inventory: Mapping[str, Entry]
+    evidence: Evidence,
+    findings: tuple[Finding, ...],
+    figures: tuple[Figure, ...],
+    inventory: Mapping[str, Entry],
 ) -> Document:
     """Return the finished document."""
     return Document(

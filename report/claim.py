@@ -157,8 +157,8 @@ class Confirmation:
 class Part:
     """One checkable part of a claim.
 
-    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where the comparison
-    works on an instance of what is printed.
+    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where it works
+    on an instance of what is printed.
     """
 
     label: str

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -26,7 +25,6 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    print("load    SymPy, SciPy, python-control, Matplotlib ...", file=sys.stderr)
     from report.build import build
 
     print(_summary(build(arguments.directory)))
@@ -36,12 +34,17 @@ def _run(arguments: Namespace) -> int:
 def _summary(built: Built) -> str:
     from report.claim import Verdict
 
-    verdicts = [finding.verdict for finding in built.findings]
+    verdicts = [finding.verdict for finding in built.document.findings]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict.value}" for verdict in Verdict)
     paths = (built.files.html, built.files.pdf, built.files.claims, built.log)
     return "\n".join(
-        (f"{len(verdicts)} claims judged in {built.seconds:.1f} s: {counts}", *(f"  {path}" for path in paths))
+        (
+            f"{len(verdicts)} claims judged in {built.seconds:.1f} s: {counts}",
+            *(f"  {path}" for path in paths),
+        )
     )
 
 
-COMMAND = Command("report", "build the report: derive, solve, judge, draw, write HTML, PDF and JSON", _configure, _run)
+COMMAND = Command(
+    "report", "build the report: derive, solve, judge, draw, write HTML, PDF and JSON", _configure, _run
+)

@@ -9,7 +9,7 @@ from report.claim import Finding
 
 @dataclass(frozen=True)
 class Equation:
-    """A displayed equation: LaTeX without dollar signs; ``thesis`` is the thesis's number for it, or empty."""
+    """A displayed equation: LaTeX without dollar signs; ``thesis`` is its number in the thesis, or empty."""
 
     latex: str
     thesis: str = ""

@@ -36,14 +36,15 @@ def highlights(evidence: Evidence) -> tuple[Highlight, ...]:
     return (
         Highlight(
             "txt-5.1.3-first-resonance",
-            "Resonances matter at the drive's frequency: its fifth harmonic falls on the highest peak of the gain.",
+            "Resonances matter at the drive's frequency: its fifth harmonic falls on the highest peak of "
+            "the gain.",
             f"{fifth:.0f} times the gain of the drive itself at {MEASURED_DRIVE_FREQUENCY} Hz",
         ),
         Highlight(
             "txt-5.1.2-filtering",
             "The filtering hypothesis holds near the predicted limit cycle, not at every frequency.",
-            f"fails below {highest_unfiltered(system, HARMONICS):.0f} Hz; at 733 Hz the third harmonic is passed "
-            f"{float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3)):.3f} times as well",
+            f"fails below {highest_unfiltered(system, HARMONICS):.0f} Hz; at 733 Hz the third harmonic is "
+            f"passed {float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3)):.3f} times as well",
         ),
         Highlight(
             "txt-5.1.2-roll-off",
@@ -58,7 +59,8 @@ def highlights(evidence: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             "txt-5.1.2-cutoff",
             "The quoted cutoff is the frequency of unit gain.",
-            f"{unity:.1f} rad/s; the gain is 3 dB down at {cutoff[0]:.1f} and finally at {cutoff[-1]:.1f} rad/s",
+            f"{unity:.1f} rad/s; the gain is 3 dB down at {cutoff[0]:.1f} and finally at "
+            f"{cutoff[-1]:.1f} rad/s",
         ),
         Highlight(
             "eq-5.1",
@@ -73,7 +75,7 @@ def highlights(evidence: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             "fig-5.1",
             "Started from rest, the output does not follow the pin precisely.",
-            f"off by {100 * numbers.start.deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude in the first period",
+            f"off by {100 * numbers.start.deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude in the "
+            "first period",
         ),
     )
-

@@ -20,7 +20,7 @@ def lightly_damped(parameters: TrimmerParameters) -> TrimmerParameters:
 
 
 def sum_of_displacements(parameters: TrimmerParameters) -> control.TransferFunction:
-    """Return the transfer function from the pin's displacement to q1 + q2 + q3 + q4 (thesis, equation 5.3)."""
+    """Return the transfer function from pin displacement to q1 + q2 + q3 + q4 (thesis, equation 5.3)."""
     values = parameters.values()
     numerator = np.sum(linear_trimmer.displacement_numerators(*values), axis=0)
     return control.tf(numerator, np.array(linear_trimmer.characteristic_polynomial(*values)))

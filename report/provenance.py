@@ -21,8 +21,13 @@ def provenance() -> Provenance:
         version=version("trimmer"),
         commit=commit,
         date=date,
-        libraries=(("Python", platform.python_version()), *((name, version(name)) for name in LIBRARIES)),
+        libraries=libraries(),
     )
+
+
+def libraries() -> tuple[tuple[str, str], ...]:
+    """Return name and version of Python and of each library that a result depends on."""
+    return (("Python", platform.python_version()), *((name, version(name)) for name in LIBRARIES))
 
 
 def _commit() -> tuple[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import control
 import mpmath
 import sympy
 
@@ -110,7 +111,7 @@ def _integral(
         parts=(
             Part(
                 "",
-                SameExpression(sympy.sympify(printed), derived, left=left, assume=A > b),
+                SameExpression(sympy.sympify(printed), derived, left=left, assume=sympy.Gt(A, b)),
                 _quadrature(integrand, lower, upper, derived),
             ),
         ),
@@ -144,6 +145,7 @@ def _listing(evidence: Evidence) -> Claim:
     lead = math.degrees(math.atan2((whole / kept).imag, (whole / kept).real))
     same = abs(whole - kept) <= 1e-6 * abs(kept)
     ratio = numbers.parameters.c2 / numbers.parameters.k2
+    margins = [control.margin(system)[1] for system in (numbers.displacement_only, numbers.both_channels)]
     return Claim(
         id="lst-A.1",
         parts=(
@@ -154,14 +156,14 @@ def _listing(evidence: Evidence) -> Claim:
                 "G = G(1), line 58",
                 Assertion(
                     statement=(
-                        "because the output is a displacement, the first of the two transfer functions is the "
-                        "response to the pin"
+                        "because the output is a displacement, the first of the two transfer functions is "
+                        "the response to the pin"
                     ),
                     derived=same,
                     evidence=(
                         "the pin moves with a velocity too, so the response is $G_1 + sG_2$; at "
-                        f"{LIMIT_CYCLE_FREQUENCY} Hz it is {100 * (abs(whole / kept) - 1):.2f} % larger than $G_1$ "
-                        f"and leads it by {lead:.2f} degrees"
+                        f"{LIMIT_CYCLE_FREQUENCY} Hz it is {100 * (abs(whole / kept) - 1):.2f} % larger than "
+                        f"$G_1$ and leads it by {lead:.2f} degrees"
                     ),
                     method="both transfer functions evaluated",
                 ),
@@ -172,15 +174,16 @@ def _listing(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "The matrices are typed correctly and the parameters are those of the whole study. Line 58 then keeps "
-            "the first column of the input alone. The text gives the choice of output as the reason; an output "
-            "cannot decide which inputs act. The columns belong to displacement and velocity of the pin, "
-            "not to a relative motion of the trimmer."
+            "The matrices are typed correctly and the parameters are those of the whole study. Line 58 then "
+            "keeps the first column of the input alone. The text gives the choice of output as the reason; "
+            "an output cannot decide which inputs act. The columns belong to displacement and velocity of "
+            "the pin, not to a relative motion of the trimmer."
         ),
         consequence=(
-            "Every later prediction uses the pin's displacement alone. The neglected factor "
-            "$1 + s\\,c_2/k_2$ changes phase more than magnitude, so it moves frequencies of limit cycles more than "
-            "it moves the curve; its size grows with frequency."
+            "Every later prediction uses the pin's displacement alone. The neglected factor $1 + "
+            f"s\\,c_2/k_2$ adds phase: the loop's phase margin is {margins[0]:.2f} degrees without it and "
+            f"{margins[1]:.2f} with it. Limit cycles that rest on a near miss of $-1$ depend on just that "
+            "margin."
         ),
         impact=Impact.DOWNSTREAM,
         source="trimmer/linear.py",

@@ -89,8 +89,9 @@ def _slope_of_lagrangian(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "Every sign is reversed: printed is $\\partial U/\\partial q_1$, which is $-\\partial L/\\partial q_1$. Put "
-            "into equation 2.6 as it stands, it would turn both springs of the motor into pushing ones."
+            "Every sign is reversed: printed is $\\partial U/\\partial q_1$, which is $-\\partial "
+            "L/\\partial q_1$. Put into equation 2.6 as it stands, it would turn both springs of the motor "
+            "into pushing ones."
         ),
         consequence=(
             "None downstream: the resulting equation D.5 has the right signs, so the slip was made on paper "

@@ -22,7 +22,7 @@ def gain(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpf:
 
 
 def gain_crossing(numbers: LinearNumbers, level: float, near: float) -> float:
-    """Return the frequency near a guess (rad/s) where |G| has a level, by the secant method on exact coefficients."""
+    """Return the frequency near a guess (rad/s) where |G| has a level, by the secant method."""
     with mpmath.workdps(DIGITS):
         root = mpmath.findroot(lambda omega: gain(numbers, omega) - level, (near, near * 1.0001))
         return float(root)

@@ -68,8 +68,8 @@ def _lagrangian(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "With $L = T + \\sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law only "
-            "for $\\sigma = -1$, so the printed difference is the right one."
+            "With $L = T + \\sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law "
+            "only for $\\sigma = -1$, so the printed difference is the right one."
         ),
         source=MOTION,
     )
@@ -95,9 +95,9 @@ def _kinetic_energy_in_general() -> Claim:
         id="eq-2.3",
         parts=(Part("the sum for $n = 4$", SameExpression(printed, _work_on_all(), left=sympy.Symbol("T"))),),
         explanation=(
-            "The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities "
-            "are absolute; the sentence before the equation calls them relative, which is true of springs and "
-            "not of masses."
+            "The work that brings each mass from rest to its velocity adds up to the printed sum. The "
+            "velocities are absolute; the sentence before the equation calls them relative, which is true of "
+            "springs and not of masses."
         ),
         source=ENERGIES,
     )
@@ -128,8 +128,8 @@ def _potential_energy(evidence: Evidence) -> Claim:
         id="eq-2.5",
         parts=(Part("", comparison, confirmation),),
         explanation=(
-            "The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. With "
-            "that, the five springs give the printed sum."
+            "The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. "
+            "With that, the five springs give the printed sum."
         ),
         source=ENERGIES,
     )
@@ -161,9 +161,9 @@ def _euler_lagrange(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "For each of the four bodies the printed left side equals mass times acceleration less the forces "
-            "of Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that "
-            "$Q_i$ carries the input, but here it carries nothing."
+            "For each of the four bodies the printed left side equals mass times acceleration less the "
+            "forces of Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says "
+            "that $Q_i$ carries the input, but here it carries nothing."
         ),
         source=MOTION,
     )
@@ -202,8 +202,8 @@ def _pin_velocity() -> Claim:
         id="eq-2.8",
         parts=(_velocity_part(),),
         explanation=(
-            "The derivative of $A\\sin(2\\pi f t)$ keeps its amplitude, which the printed line loses. The units "
-            "show it too: the printed right side is in 1/s, a velocity is in m/s."
+            "The derivative of $A\\sin(2\\pi f t)$ keeps its amplitude, which the printed line loses. The "
+            "units show it too: the printed right side is in 1/s, a velocity is in m/s."
         ),
         consequence=(
             "The thesis drops the velocity input from its loop (Listing A.1, line 58), so no later number "
@@ -262,8 +262,8 @@ def _pin_velocity_statement() -> Claim:
             ),
         ),
         explanation=(
-            "Equation 2.8 as printed has the amplitude $2\\pi f$, 628.3 at 100 Hz. The velocity of a pin with "
-            f"an eccentricity of 1.5 mm has the amplitude $2\\pi f A = {amplitude:.4f}$ m/s."
+            "Equation 2.8 as printed has the amplitude $2\\pi f$, 628.3 at 100 Hz. The velocity of a pin "
+            f"with an eccentricity of 1.5 mm has the amplitude $2\\pi f A = {amplitude:.4f}$ m/s."
         ),
         consequence="See equation 2.8: nothing later uses the velocity.",
         impact=Impact.LOCAL,

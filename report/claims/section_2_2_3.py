@@ -1,9 +1,10 @@
-"""Claims of section 2.2.3: eigenvalues, argument principle and closed loop (equations 2.22 to 2.24, figure 2.4)."""
+"""Claims of section 2.2.3: eigenvalues, argument principle, closed loop (2.22 to 2.24, figure 2.4)."""
 
 from __future__ import annotations
 
 import control
 import sympy
+from sympy.polys.matrices import DomainMatrix
 
 from derivations.stability import (
     LINEAR_PART,
@@ -42,7 +43,8 @@ def _eigenvalue_problem(evidence: Evidence) -> Claim:
     eigenvalue = sympy.Symbol("lambda")
     values = exact_values(evidence.numbers.parameters)
     state_matrix = evidence.derivation.space.a.subs(values)
-    determinant = (state_matrix - eigenvalue * sympy.eye(state_matrix.rows)).det(method="berkowitz")
+    shifted = DomainMatrix.from_Matrix(state_matrix - eigenvalue * sympy.eye(state_matrix.rows))
+    determinant = shifted.domain.to_sympy(shifted.det())
     dynamics = sympy.Poly([sympy.Rational(c) for c in evidence.numbers.denominator], eigenvalue)
     form = Mathematics("\\det(A - \\lambda I) = 0")
     return Claim(
@@ -56,8 +58,8 @@ def _eigenvalue_problem(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "For the trimmer the printed determinant equals $\\det(M\\lambda^2 + C\\lambda + K)/\\det M$, the "
-            "condition for a motion $q\\,e^{\\lambda t}$ without input, in exact arithmetic."
+            "For the trimmer the printed determinant equals $\\det(M\\lambda^2 + C\\lambda + K)/\\det M$, "
+            "the condition for a motion $q\\,e^{\\lambda t}$ without input, in exact arithmetic."
         ),
         source="derivations/transfer_function.py",
     )
@@ -74,26 +76,26 @@ def _corollary() -> Claim:
                 "",
                 Assertion(
                     statement=(
-                        "if every $\\mathrm{Re}\\,\\lambda_k \\le 0$, then $\\lVert e^{At}\\rVert \\le K e^{-\\gamma t}$ "
-                        "for some $\\gamma \\ge 0$"
+                        "if every $\\mathrm{Re}\\,\\lambda_k \\le 0$, then $\\lVert e^{At}\\rVert \\le K "
+                        "e^{-\\gamma t}$ for some $\\gamma \\ge 0$"
                     ),
                     derived=bool(bounded),
                     evidence=(
                         "the double integrator has $\\lambda_{1,2} = 0$ and $\\lVert e^{At}\\rVert = "
-                        f"{sympy.latex(norm)}$, which no $K$ bounds. True is: $\\mathrm{{Re}}\\,\\lambda_k < 0$ for "
-                        "every $k$ if and only if such a bound holds with some $\\gamma > 0$"
+                        f"{sympy.latex(norm)}$, which no $K$ bounds. True is: $\\mathrm{{Re}}\\,\\lambda_k < "
+                        "0$ for every $k$ if and only if such a bound holds with some $\\gamma > 0$"
                     ),
                     method="counterexample with its matrix exponential in closed form",
                 ),
             ),
         ),
         explanation=(
-            "The condition has to be strict. With eigenvalues on the imaginary axis the solution may grow, as "
-            "the double integrator does, and $\\gamma \\ge 0$ would allow no decay at all."
+            "The condition has to be strict. With eigenvalues on the imaginary axis the solution may grow, "
+            "as the double integrator does, and $\\gamma \\ge 0$ would allow no decay at all."
         ),
         consequence=(
-            "None for the trimmer: all its eigenvalues have negative real parts, so the strict form applies and "
-            "it is stable."
+            "None for the trimmer: all its eigenvalues have negative real parts, so the strict form applies "
+            "and it is stable."
         ),
         impact=Impact.LOCAL,
         source=SOURCE,
@@ -123,8 +125,9 @@ def _closed_loop(claim_id: str) -> Claim:
             Part("$N$ in the feedback path", SameExpression(printed, in_feedback, left=sympy.Symbol("M"))),
         ),
         explanation=(
-            "Solving the loop gives the printed fraction when $N$ sits in the feedback path. In figure 2.5 it sits "
-            "before $G$; then the numerator is $GN$. The poles, and so the condition $1 + GN = 0$, are the same."
+            "Solving the loop gives the printed fraction when $N$ sits in the feedback path. In figure 2.5 "
+            "it sits before $G$; then the numerator is $GN$. The poles, and so the condition $1 + GN = 0$, "
+            "are the same."
         ),
         source=SOURCE,
     )
@@ -137,22 +140,22 @@ def _nyquist_statement() -> Claim:
     turns = {point: -encirclements(plant, point) for point in (-1, 1)}
     unstable_poles = sum(pole.real > 0 for pole in plant.poles())
     stable = all(pole.real < 0 for pole in control.feedback(plant, 1).poles())
-    right_points = [point for point, count in turns.items() if (count == unstable_poles) == stable]
+    (right_point,) = [point for point, count in turns.items() if (count == unstable_poles) == stable]
     return Claim(
         id="txt-2.2.3-nyquist-statement",
         parts=(
             Part(
                 "real part of the critical point",
                 PrintedDigits("1", critical_point),
-                Confirmation("a loop with one unstable pole", CloseNumbers(*right_points, critical_point)),
+                Confirmation("a loop with one unstable pole", CloseNumbers(right_point, critical_point)),
                 Slip("the minus sign is lost", -critical_point, Verdict.ERRATUM),
             ),
         ),
         explanation=(
             "The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the sentence before says. Example: "
             "$G = 2/(s - 1)$ with unit feedback has one open-loop pole in the right half plane and is "
-            f"{'stable' if stable else 'unstable'} in closed loop. Its locus turns {turns[-1]} time counter-clockwise "
-            f"about $-1$, as the criterion asks, and {turns[1]} times about $+1$."
+            f"{'stable' if stable else 'unstable'} in closed loop. Its locus turns {turns[-1]} time "
+            f"counter-clockwise about $-1$, as the criterion asks, and {turns[1]} times about $+1$."
         ),
         consequence="None: section 5.1.2 and all later sections use $(-1, j0)$.",
         impact=Impact.LOCAL,

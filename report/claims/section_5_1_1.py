@@ -46,11 +46,11 @@ def _amplitude(numbers: LinearNumbers) -> Claim:
         id="txt-5.1.1-amplitude",
         parts=(_amplitude_part(numbers),),
         explanation=(
-            f"At 100 Hz the gain is {amplitude / DRIVE_AMPLITUDE:.5f}, so the amplitudes agree to the printed "
-            f"digits; the output lags by {-math.degrees(phase):.2f} degrees. That is a coincidence of this "
-            f"frequency: a slow drive gives {100 * slow / DRIVE_AMPLITUDE:.1f} % of the pin's amplitude, and from "
-            "there the gain rises towards the resonances. With the pin's velocity as second input the gain is "
-            f"{both.amplitude / DRIVE_AMPLITUDE:.5f}."
+            f"At 100 Hz the gain is {amplitude / DRIVE_AMPLITUDE:.5f}, so the amplitudes agree to the "
+            f"printed digits; the output lags by {-math.degrees(phase):.2f} degrees. That is a coincidence "
+            f"of this frequency: a slow drive gives {100 * slow / DRIVE_AMPLITUDE:.1f} % of the pin's "
+            "amplitude, and from there the gain rises towards the resonances. With the pin's velocity as "
+            f"second input the gain is {both.amplitude / DRIVE_AMPLITUDE:.5f}."
         ),
         source=SOURCE,
     )
@@ -70,18 +70,18 @@ def _time_response(numbers: LinearNumbers) -> Claim:
                     statement="the output follows the input precisely",
                     derived=deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
                     evidence=(
-                        f"in the first period the output is up to {1e3 * deviation:.2f} mm away from the pin, "
-                        f"{100 * deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude"
+                        f"in the first period the output is up to {1e3 * deviation:.2f} mm away from the "
+                        f"pin, {100 * deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude"
                     ),
                     method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
                 ),
             ),
         ),
         explanation=(
-            "Read as the settled motion, the statement holds to the printed digits. Read as it stands, for the "
-            "command that is quoted and its start from rest, it does not: the start excites the natural modes, "
-            f"and the slowest of them decays with {slowest:.0f}/s, so it is visible for several periods. After "
-            f"that a lag of {-math.degrees(phase):.2f} degrees is left."
+            "Read as the settled motion, the statement holds to the printed digits. Read as it stands, for "
+            "the command that is quoted and its start from rest, it does not: the start excites the natural "
+            f"modes, and the slowest of them decays with {slowest:.0f}/s, so it is visible for several "
+            f"periods. After that a lag of {-math.degrees(phase):.2f} degrees is left."
         ),
         consequence=(
             "None on predictions. A spectrum of such a run has peaks at the natural frequencies that no "

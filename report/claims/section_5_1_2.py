@@ -50,14 +50,15 @@ def _transfer_function(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - q_4$ of "
-            "equation 2.14: the sign in $C$ was plus when this line was made. Powers of ten are set as powers of "
-            "the coefficient, and in the coefficient of $s^6$ below the fraction bar the exponent 7 has "
-            "slipped behind the digits 7.076."
+            "The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - "
+            "q_4$ of equation 2.14: the sign in $C$ was plus when this line was made. Powers of ten are set "
+            "as powers of the coefficient, and in the coefficient of $s^6$ below the fraction bar the "
+            "exponent 7 has slipped behind the digits 7.076."
         ),
         consequence=(
-            f"The printed function has a static gain of {static_gain[1]:.4f} instead of {static_gain[0]:.4f}. "
-            "Listing A.9, which computes the limit cycles, has the right coefficients, so no prediction changes."
+            f"The printed function has a static gain of {static_gain[1]:.4f} instead of "
+            f"{static_gain[0]:.4f}. Listing A.9, which computes the limit cycles, has the right "
+            "coefficients, so no prediction changes."
         ),
         impact=Impact.LOCAL,
         source="derivations/transfer_function.py",
@@ -124,8 +125,9 @@ def _order(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "Numerator and denominator have no common factor, in exact arithmetic, so all eight states count. One "
-            "pair of poles comes within 0.01 % of a pair of zeros, which hides a resonance but keeps the order."
+            "Numerator and denominator have no common factor, in exact arithmetic, so all eight states "
+            "count. One pair of poles comes within 0.01 % of a pair of zeros, which hides a resonance but "
+            "keeps the order."
         ),
         source="derivations/transfer_function.py",
     )
@@ -139,7 +141,8 @@ def _eigenvalues_seen(system: control.StateSpace) -> int:
     b, c = system.B / states[:, None] / scale, system.C * states
     shifted = [a - eigenvalue * np.eye(system.nstates) for eigenvalue in np.linalg.eigvals(a)]
     return sum(
-        min(_smallest_singular_value(np.hstack([each, b])), _smallest_singular_value(np.vstack([each, c]))) > ROUNDING
+        min(_smallest_singular_value(np.hstack([each, b])), _smallest_singular_value(np.vstack([each, c])))
+        > ROUNDING
         for each in shifted
     )
 
@@ -173,20 +176,21 @@ def _nyquist(numbers: LinearNumbers) -> Claim:
                     statement="a locus that does not encircle $-1$ shows that the open loop is stable",
                     derived=not silent or open_loop_stable,
                     evidence=(
-                        "$0.5/(s - 1)$ does not encircle $-1$ and is unstable. The count gives unstable poles of "
-                        "the closed loop, and needs those of the open loop to be known"
+                        "$0.5/(s - 1)$ does not encircle $-1$ and is unstable. The count gives unstable "
+                        "poles of the closed loop, and needs those of the open loop to be known"
                     ),
                     method="counterexample",
                 ),
             ),
         ),
         explanation=(
-            "The count is right, the conclusion is not: with no encirclement and no unstable pole of the open loop "
-            "(its eigenvalues show that), it is the closed loop with unit gain that is stable."
+            "The count is right, the conclusion is not: with no encirclement and no unstable pole of the "
+            "open loop (its eigenvalues show that), it is the closed loop with unit gain that is stable."
         ),
         consequence=(
-            "None: the trimmer is stable in open loop by equation 5.2. The right conclusion matters later, since "
-            "unit gain is the limit of a small gap: the trimmer without play is stable in the thesis's loop."
+            "None: the trimmer is stable in open loop by equation 5.2. The right conclusion matters later, "
+            "since unit gain is the limit of a small gap: the trimmer without play is stable in the thesis's "
+            "loop."
         ),
         impact=Impact.LOCAL,
         source="trimmer/nyquist.py",

@@ -59,8 +59,8 @@ def _cutoff(numbers: LinearNumbers) -> Claim:
             for label, omega in labels.items()
         ),
         explanation=(
-            f"The printed number is the highest frequency at which $|G| = 1$, {unity:.2f} rad/s, not a cutoff. The "
-            "cutoff is where the gain is 3 dB below its static value: first at "
+            f"The printed number is the highest frequency at which $|G| = 1$, {unity:.2f} rad/s, not a "
+            "cutoff. The cutoff is where the gain is 3 dB below its static value: first at "
             f"{crossings[0]:.1f} rad/s, in the valley between two resonances, and for good at "
             f"{crossings[-1]:.1f} rad/s, beyond the last one."
         ),
@@ -115,14 +115,14 @@ def _roll_off(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "There are two poles more than zeros, so the gain falls by 40 dB per decade; above 4700 rad/s it never "
-            f"falls by less than {-least_steep:.1f} dB per decade, and just above the last resonances by far more. "
-            f"From $10^3$ to $10^4$ rad/s the curve as a whole drops by {-chord:.1f} dB, which may have been "
-            "read as the slope."
+            "There are two poles more than zeros, so the gain falls by 40 dB per decade; above 4700 rad/s it "
+            f"never falls by less than {-least_steep:.1f} dB per decade, and just above the last resonances "
+            f"by far more. From $10^3$ to $10^4$ rad/s the curve as a whole drops by {-chord:.1f} dB, which "
+            "may have been read as the slope."
         ),
         consequence=(
-            "The linear part filters better than the thesis says: section 6.2 calls it on the edge of filtering, "
-            "with order 1. With the pin's velocity as second input the slope is "
+            "The linear part filters better than the thesis says: section 6.2 calls it on the edge of "
+            "filtering, with order 1. With the pin's velocity as second input the slope is "
             f"{asymptotic_roll_off(both):.0f} dB per decade, but only far above {corner:.0f} rad/s."
         ),
         impact=Impact.DOWNSTREAM,
@@ -177,9 +177,9 @@ def _filtering(numbers: LinearNumbers) -> Claim:
                     statement="$|G(j\\omega)| \\gg |G(jn\\omega)|$ for $n = 2, 3, \\dots$",
                     derived=every == 0.0,
                     evidence=(
-                        f"below {every:.1f} Hz some harmonic passes better than the fundamental (odd ones: below "
-                        f"{odd:.1f} Hz); at {MEASURED_DRIVE_FREQUENCY} Hz the fifth passes {fifth[MEASURED_DRIVE_FREQUENCY]:.2f} "
-                        "times better"
+                        f"below {every:.1f} Hz some harmonic passes better than the fundamental (odd ones: "
+                        f"below {odd:.1f} Hz); at {MEASURED_DRIVE_FREQUENCY} Hz the fifth passes "
+                        f"{fifth[MEASURED_DRIVE_FREQUENCY]:.2f} times better"
                     ),
                     method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
                 ),
@@ -190,16 +190,16 @@ def _filtering(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: the "
-            f"third harmonic passes {third:.3f} times as well as the fundamental, the second {second:.3f} times. At "
-            f"the drive it does not: the fifth harmonic of {MEASURED_DRIVE_FREQUENCY} Hz falls on the resonance at "
-            f"549.6 Hz and passes {fifth[MEASURED_DRIVE_FREQUENCY]:.0f} times better than the drive itself "
-            f"({fifth[DRIVE_FREQUENCY]:.1f} times at {DRIVE_FREQUENCY:.0f} Hz)."
+            "Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: "
+            f"the third harmonic passes {third:.3f} times as well as the fundamental, the second "
+            f"{second:.3f} times. At the drive it does not: the fifth harmonic of {MEASURED_DRIVE_FREQUENCY} "
+            f"Hz falls on the resonance at 549.6 Hz and passes {fifth[MEASURED_DRIVE_FREQUENCY]:.0f} times "
+            f"better than the drive itself ({fifth[DRIVE_FREQUENCY]:.1f} times at {DRIVE_FREQUENCY:.0f} Hz)."
         ),
         consequence=(
-            "Predictions of limit cycles near 733 Hz keep their basis. A describing function must not be used for "
-            "the motion at the drive's frequency, and peaks near 350 Hz and 550 Hz in driven spectra are what "
-            "this gain makes of the drive's harmonics."
+            "Predictions of limit cycles near 733 Hz keep their basis. A describing function must not be "
+            "used for the motion at the drive's frequency, and peaks near 350 Hz and 550 Hz in driven "
+            "spectra are what this gain makes of the drive's harmonics."
         ),
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
@@ -222,9 +222,10 @@ def _bode_plot(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            f"The redrawn plot shows the two clear peaks, at {clear[0].omega:.1f} and {clear[1].omega:.1f} rad/s, and "
-            f"two faint ones, at {peaks[0].omega:.1f} and {peaks[1].omega:.1f} rad/s, on either side of a "
-            "shallow valley. What the text reads from it about slope and cutoff is judged under those statements."
+            f"The redrawn plot shows the two clear peaks, at {clear[0].omega:.1f} and {clear[1].omega:.1f} "
+            f"rad/s, and two faint ones, at {peaks[0].omega:.1f} and {peaks[1].omega:.1f} rad/s, on either "
+            "side of a shallow valley. What the text reads from it about slope and cutoff is judged under "
+            "those statements."
         ),
         source="trimmer/extrema.py",
     )

@@ -71,8 +71,8 @@ def _eigenvalues(numbers: LinearNumbers) -> Claim:
         id="eq-5.2",
         parts=tuple(parts),
         explanation=(
-            "All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for each "
-            "mode; they are poles, never zeros, of the transfer function, which the text leaves open."
+            "All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for "
+            "each mode; they are poles, never zeros, of the transfer function, which the text leaves open."
         ),
         source=SOURCE,
     )
@@ -157,12 +157,12 @@ def _hidden_peak(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "One resonance is hidden, as the text says, because zeros all but cancel its poles. The others show up "
-            "near the imaginary parts, not at them: two come within 0.4 %, but the one near 1397 rad/s, next to a "
-            f"valley, has its peak {shift:.1f} % higher. A further faint maximum, at 1294.6 rad/s, belongs to no "
-            "eigenvalue at all."
+            "One resonance is hidden, as the text says, because zeros all but cancel its poles. The others "
+            "show up near the imaginary parts, not at them: two come within 0.4 %, but the one near 1397 "
+            f"rad/s, next to a valley, has its peak {shift:.1f} % higher. A further faint maximum, at 1294.6 "
+            "rad/s, belongs to no eigenvalue at all."
         ),
-        consequence="Frequencies read from a spectrum must be held against peaks of the gain, not against eigenvalues.",
+        consequence="Frequencies in a spectrum must be held against peaks of the gain, not against eigenvalues.",
         impact=Impact.LOCAL,
         source="trimmer/extrema.py",
     )
@@ -187,11 +187,11 @@ def _first_resonance(numbers: LinearNumbers) -> Claim:
             Part(
                 "what follows for the drive",
                 Assertion(
-                    statement="the resonances do not matter, because the drive is far below the first of them",
+                    statement="the resonances do not matter, as the drive is far below the first one",
                     derived=max(fifth.values()) < 1,
                     evidence=(
-                        "the drive's harmonics meet them: the fifth passes "
-                        f"{fifth[DRIVE_FREQUENCY]:.1f} times better than the drive at {DRIVE_FREQUENCY:.0f} Hz and "
+                        f"the drive's harmonics meet them: the fifth passes {fifth[DRIVE_FREQUENCY]:.1f} "
+                        f"times better than the drive at {DRIVE_FREQUENCY:.0f} Hz and "
                         f"{fifth[MEASURED_DRIVE_FREQUENCY]:.1f} times better at {MEASURED_DRIVE_FREQUENCY} Hz"
                     ),
                     method="frequency response at multiples of the drive",
@@ -203,14 +203,14 @@ def _first_resonance(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "The number is right: the first eigenfrequency is 2.2 times the drive. The conclusion holds for a purely "
-            "sinusoidal motion only. Play and friction make harmonics, and at the measured drive of "
-            f"{MEASURED_DRIVE_FREQUENCY} Hz the second lies at 219.9 Hz, beside the first eigenfrequency, and the "
-            "fifth at 549.7 Hz, on the highest peak of the gain."
+            "The number is right: the first eigenfrequency is 2.2 times the drive. The conclusion holds for "
+            "a purely sinusoidal motion only. Play and friction make harmonics, and at the measured drive of "
+            f"{MEASURED_DRIVE_FREQUENCY} Hz the second lies at 219.9 Hz, beside the first eigenfrequency, "
+            "and the fifth at 549.7 Hz, on the highest peak of the gain."
         ),
         consequence=(
-            "Peaks near 550 Hz in driven spectra need no limit cycle: a fifth harmonic of the drive is amplified "
-            "there more than anything else. Chapter 3 reads such peaks."
+            "Peaks near 550 Hz in driven spectra need no limit cycle: a fifth harmonic of the drive is "
+            "amplified there more than anything else. Chapter 3 reads such peaks."
         ),
         impact=Impact.DOWNSTREAM,
         source="trimmer/low_pass.py",
@@ -239,8 +239,8 @@ def _damping(numbers: LinearNumbers) -> Claim:
                     statement="damping lowers every peak",
                     derived=all(ratio > 1 for _, ratio in shifts),
                     evidence=(
-                        f"a thousandth of the damping makes the visible peaks {min(r for _, r in shifts):.0f} to "
-                        f"{max(r for _, r in shifts):.0f} times higher"
+                        "a thousandth of the damping makes the visible peaks "
+                        f"{min(r for _, r in shifts):.0f} to {max(r for _, r in shifts):.0f} times higher"
                     ),
                     method="all local maxima of the gain for both dampings",
                 ),
@@ -265,10 +265,10 @@ def _damping(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by up to "
-            f"{100 * largest:.1f} % for the peak near 1400 rad/s, and by {-100 * eigen[3]:.2f} % for the highest "
-            "eigenfrequency. On the scale of a Bode plot most of that cannot be seen. Damping makes antiresonances "
-            "shallower, not deeper: it raises the gain there."
+            "Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by "
+            f"up to {100 * largest:.1f} % for the peak near 1400 rad/s, and by {-100 * eigen[3]:.2f} % for "
+            "the highest eigenfrequency. On the scale of a Bode plot most of that cannot be seen. Damping "
+            "makes antiresonances shallower, not deeper: it raises the gain there."
         ),
         consequence=(
             "Small. Chapter 7 says the opposite, that damping raises the resonances, and puts them below the "
@@ -303,9 +303,9 @@ def _bode_plot_without_damping(numbers: LinearNumbers) -> Claim:
         id="fig-5.4",
         parts=tuple(parts),
         explanation=(
-            "With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural "
-            "frequencies without damping. They agree with the printed imaginary parts to 0.3 %, as well as a plot "
-            "shows. The thesis does not say how small its damping was."
+            "With a thousandth of the damping the sum of the displacements has four sharp peaks, at the "
+            "natural frequencies without damping. They agree with the printed imaginary parts to 0.3 %, as "
+            "well as a plot shows. The thesis does not say how small its damping was."
         ),
         source=SOURCE,
     )

@@ -34,7 +34,7 @@ class PrintedDigits:
         """Compare to half a unit in the last printed place."""
         half_unit = Fraction(self._last_place()) / 2
         difference = abs(Fraction(self.derived) - Fraction(Decimal(self.printed)))
-        return Outcome(difference <= half_unit, f"agreement to {_plain(half_unit)} {self.unit}".strip())
+        return Outcome(difference <= half_unit, "compared to half a unit of the last printed place")
 
     def with_derived(self, derived: float | Fraction) -> Self:
         """Hold the same printed digits against another number."""
@@ -117,7 +117,3 @@ class CloseNumbers:
     def derived_shown(self) -> Number:
         """The second number."""
         return Number(f"{self.derived:.10g}")
-
-
-def _plain(value: Fraction) -> str:
-    return f"{float(value):g}"

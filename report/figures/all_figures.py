@@ -41,8 +41,8 @@ DRAWINGS = (
     Drawing(
         "fig-2.3",
         "Linear system as a block",
-        "Block diagram of the linear trimmer (thesis, figure 2.3): the output's transform is $G(s)$ times the "
-        "input's.",
+        "Block diagram of the linear trimmer (thesis, figure 2.3): the output's transform is $G(s)$ times "
+        "the input's.",
         "An arrow u of t enters a block G of s, an arrow y of t leaves it.",
         lambda _: linear_system(),
     ),
@@ -50,44 +50,44 @@ DRAWINGS = (
         "fig-2.4",
         "General feedback system",
         "Loop with $G$ ahead and $N$ in the feedback path (thesis, figure 2.4), so that $M = G/(1 + GN)$.",
-        "A reference U enters a summing junction, then a block G whose output Y is fed back through a block N and "
-        "subtracted.",
+        "A reference U enters a summing junction, then a block G whose output Y is fed back through a block "
+        "N and subtracted.",
         lambda _: feedback_system(),
     ),
     Drawing(
         "fig-5.1",
         "Time response of the linear trimmer",
-        "Pin and output for $u(t) = 0.0015\\sin(2\\pi 100 t)$ m, started from rest (thesis, figure 5.1). Below: "
-        "their difference. The start excites the natural modes, which take some periods to decay.",
-        "Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly coincide; a third "
-        "curve below shows their difference, which starts at 0.3 mm and decays.",
+        "Pin and output for $u(t) = 0.0015\\sin(2\\pi 100 t)$ m, started from rest (thesis, figure 5.1). "
+        "Below: their difference. The start excites the natural modes, which take some periods to decay.",
+        "Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly coincide; a "
+        "third curve below shows their difference, which starts at 0.3 mm and decays.",
         lambda evidence: linear_time_response(evidence.numbers),
     ),
     Drawing(
         "fig-5.2",
         "Bode plot",
-        "Bode plot of $q_2 - q_4$ (thesis, figure 5.2). Circle: the frequency quoted as cutoff, where the gain is "
-        "one. Square: 3 dB below the static gain. The dotted line falls by 40 dB per decade.",
-        "Magnitude and phase against frequency for two systems that nearly coincide up to ten thousand radians per "
-        "second. Two sharp peaks near 2221 and 3453; above them the magnitude falls.",
+        "Bode plot of $q_2 - q_4$ (thesis, figure 5.2). Circle: the frequency quoted as cutoff, where the "
+        "gain is one. Square: 3 dB below the static gain. The dotted line falls by 40 dB per decade.",
+        "Magnitude and phase against frequency for two systems that nearly coincide up to ten thousand "
+        "radians per second. Two sharp peaks near 2221 and 3453; above them the magnitude falls.",
         lambda evidence: bode_plot(evidence.numbers),
     ),
     Drawing(
         "fig-5.3",
         "Nyquist locus",
-        "Nyquist locus of $q_2 - q_4$ from the pin's displacement (thesis, figure 5.3). Arrows: rising frequency. "
-        "The locus does not encircle $-1$.",
-        "Closed curve with two large loops below the real axis for positive frequency and its mirror image; the "
-        "right half shows that the point minus one lies outside.",
+        "Nyquist locus of $q_2 - q_4$ from the pin's displacement (thesis, figure 5.3). Arrows: rising "
+        "frequency. The locus does not encircle $-1$.",
+        "Closed curve with two large loops below the real axis for positive frequency and its mirror image; "
+        "the right half shows that the point minus one lies outside.",
         lambda evidence: nyquist_locus(evidence.numbers),
     ),
     Drawing(
         "fig-5.4",
         "Bode plot with very light damping",
-        "Magnitude of the sum of all displacements with a thousandth of the damping, and with all of it (thesis, "
-        "figure 5.4). Dotted: natural frequencies without damping, in rad/s.",
-        "Magnitude against frequency; the lightly damped curve has four sharp peaks, the other has three rounded "
-        "ones.",
+        "Magnitude of the sum of all displacements with a thousandth of the damping, and with all of it "
+        "(thesis, figure 5.4). Dotted: natural frequencies without damping, in rad/s.",
+        "Magnitude against frequency; the lightly damped curve has four sharp peaks, the other has three "
+        "rounded ones.",
         lambda evidence: bode_plot_light_damping(evidence.numbers),
     ),
 )

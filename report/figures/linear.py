@@ -70,15 +70,15 @@ def bode_plot(numbers: LinearNumbers) -> Figure:
         slope = np.array([2e4, 1e5])
         start = 20 * np.log10(abs(frequency_response(system, slope[0])))
         upper.plot(slope, start + 6 - 40 * np.log10(slope / slope[0]), color="#555555", linestyle=":")
-        upper.text(3.3e4, float(start) - 1, "−40 dB per decade", color="#333333")
+        upper.text(2.4e4, float(start) + 12, "−40 dB per decade", color="#333333")
         upper.set_ylabel("magnitude [dB]")
         upper.legend(loc="lower left")
-        lower.set(xlabel="angular frequency [rad/s]", ylabel="phase [degrees]")
+        lower.set(xlabel="angular frequency [rad/s]", ylabel="phase [degrees]", xlim=(OMEGA[0], OMEGA[-1]))
     return figure
 
 
 def bode_plot_light_damping(numbers: LinearNumbers) -> Figure:
-    """Draw the magnitude of the sum of displacements with a thousandth of the damping (thesis, figure 5.4)."""
+    """Draw |q1 + q2 + q3 + q4| with a thousandth of the damping (thesis, figure 5.4)."""
     light = sum_of_displacements(lightly_damped(numbers.parameters))
     full = sum_of_displacements(numbers.parameters)
     with style():
@@ -120,7 +120,9 @@ def nyquist_locus(numbers: LinearNumbers) -> Figure:
 def _locus(axes: Axes, system: control.TransferFunction, omega: NDArray[np.float64]) -> None:
     response = frequency_response(system, omega)
     axes.plot(response.real, response.imag, label=r"$\omega > 0$", **LINES[0].keywords)
-    axes.plot(response.real, -response.imag, label=r"$\omega < 0$", **(LINES[1].keywords | {"linewidth": 0.9}))
+    axes.plot(
+        response.real, -response.imag, label=r"$\omega < 0$", **(LINES[1].keywords | {"linewidth": 0.9})
+    )
     axes.plot([-1], [0], "+", color="black", markersize=9, markeredgewidth=1.6)
     axes.annotate("$-1$", (-1, 0), (-8, 8), textcoords="offset points", ha="right")
     for place in (2150.0, 3350.0, 3600.0, 4400.0):
@@ -143,9 +145,7 @@ def _locus_frequencies(numbers: LinearNumbers) -> NDArray[np.float64]:
     return np.asarray(omega[omega > 0])
 
 
-def _bode_lines(
-    upper: Axes, lower: Axes, system: control.TransferFunction, label: str, line: int
-) -> None:
+def _bode_lines(upper: Axes, lower: Axes, system: control.TransferFunction, label: str, line: int) -> None:
     omega = _with_peaks(resonance_peaks(system))
     phase = np.unwrap(np.angle(frequency_response(system, omega)))
     upper.semilogx(omega, _decibels(system, omega), label=label, **LINES[line].keywords)

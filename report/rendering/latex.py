@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import re
 from collections.abc import Iterator
@@ -49,6 +50,7 @@ class Atom:
     scripts: str = ""
 
 
+@functools.lru_cache(maxsize=10_000)
 def atoms(latex: str) -> tuple[Atom, ...]:
     """Split LaTeX into atoms: symbols with their scripts, fractions, bracketed groups, environments."""
     return tuple(_atoms(_Tokens(_TOKEN.findall(latex))))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 READER = (
     "markdown-raw_html-raw_tex-raw_attribute-native_divs-native_spans"
-    "-citations-example_lists-implicit_figures"
+    "-citations-example_lists-implicit_figures-auto_identifiers"
 )
 """Markdown in which text never acts as HTML, TeX, a citation or an example number."""
 

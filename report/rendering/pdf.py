@@ -16,7 +16,7 @@ class TypesettingError(RuntimeError):
 
 def to_typst(document: Document, markdown: str) -> str:
     """Return the report as Typst source; figures are named as files in it."""
-    provenance = document.provenance
+    source = document.provenance
     return convert(
         markdown,
         "typst-smart",
@@ -27,7 +27,7 @@ def to_typst(document: Document, markdown: str) -> str:
             f"--template={TEMPLATES / 'report.typ'}",
             f"--lua-filter={TEMPLATES / 'typst.lua'}",
             f"--metadata=title={document.title}",
-            f"--variable=version:trimmer {provenance.version}, commit {provenance.commit}, {provenance.date[:10]}",
+            f"--metadata=version=trimmer {source.version}, commit {source.commit}, {source.date[:10]}",
         ],
     )
 

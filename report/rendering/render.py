@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,8 +36,14 @@ def render(document: Document, directory: Path) -> RenderedFiles:
     """
     markdown = to_markdown(document)
     files = RenderedFiles(directory / "report.html", directory / "report.pdf", directory / "claims.json")
-    html, pdf, claims = to_html(document, markdown), to_pdf(document, markdown), to_json(document)
-    write_whole(files.html, html)
-    write_whole(files.pdf, pdf)
-    write_whole(files.claims, claims)
+    with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock
+        html = pool.submit(to_html, document, markdown)
+        pdf = pool.submit(to_pdf, document, markdown)
+        contents: dict[Path, str | bytes] = {
+            files.html: html.result(),
+            files.pdf: pdf.result(),
+            files.claims: to_json(document),
+        }
+    for path, content in contents.items():
+        write_whole(path, content)
     return files

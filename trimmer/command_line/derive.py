@@ -1,4 +1,4 @@
-"""``trimmer derive``: make the numeric module again from the derivation, and write the derivation as LaTeX."""
+"""``trimmer derive``: make the numeric module again, and write the derivation as LaTeX."""
 
 from __future__ import annotations
 
