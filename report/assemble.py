@@ -21,7 +21,7 @@ from report.evidence import Evidence
 from report.highlights import highlights
 from report.provenance import provenance
 
-TITLE = "The trimmer's thesis, derived again"
+TITLE = "The trimmer’s thesis, derived again"
 CHAPTERS = {
     "1": "Introduction",
     "2": "Theory",

@@ -49,7 +49,7 @@ def highlights(evidence: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             "txt-5.1.2-roll-off",
             "The linear part is a low-pass filter of second order, not of first.",
-            f"{asymptotic_roll_off(system):.0f} dB per decade instead of -20",
+            f"{asymptotic_roll_off(system):.0f} dB per decade instead of −20".replace("-", "−"),
         ),
         Highlight(
             "lst-A.1",

@@ -162,7 +162,7 @@ def _hidden_peak(numbers: LinearNumbers) -> Claim:
             f"rad/s, next to a valley, has its peak {shift:.1f} % higher. A further faint maximum, at 1294.6 "
             "rad/s, belongs to no eigenvalue at all."
         ),
-        consequence="Frequencies in a spectrum must be held against peaks of the gain, not against eigenvalues.",
+        consequence="Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.",
         impact=Impact.LOCAL,
         source="trimmer/extrema.py",
     )

@@ -33,6 +33,7 @@ _KIND_NAMES = {
     Kind.LISTING: "Listing",
     Kind.STATEMENT: "Statement",
 }
+_MOST_LABELS = 3
 
 
 @dataclass(frozen=True)
@@ -73,12 +74,12 @@ def sentence(text: str) -> str:
 
 
 def methods(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
-    """Return (labels, method) for each distinct method, in order; labels are empty if all parts share it."""
+    """Return (parts, method) for each distinct method, in order; parts is empty if all parts share it."""
     return _said_once([(part.label, part.method) for part in parts])
 
 
 def slips(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
-    """Return (labels, slip) for each distinct slip, in order; labels are empty if all parts share it."""
+    """Return (parts, slip) for each distinct slip, in order; parts is empty if all parts share it."""
     return _said_once([(part.label, part.slip) for part in parts])
 
 
@@ -87,9 +88,13 @@ def _said_once(said: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
     for label, text in said:
         if text:
             labels_of.setdefault(text, []).append(label)
-    return tuple(
-        ("" if len(labels) == len(said) else ", ".join(labels), text) for text, labels in labels_of.items()
-    )
+    return tuple((_named(labels, len(said)), text) for text, labels in labels_of.items())
+
+
+def _named(labels: list[str], parts: int) -> str:
+    if len(labels) == parts:
+        return ""
+    return ", ".join(labels) if len(labels) <= _MOST_LABELS else f"{len(labels)} parts"
 
 
 def _count_row(chapter: Chapter | None, findings: tuple[Finding, ...]) -> CountRow:

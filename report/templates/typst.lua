@@ -78,7 +78,7 @@ local converters = {
     local result = pandoc.List({ raw("#comparison(") })
     for _, side in ipairs(div.content) do
       local heading = headings[side.classes[#side.classes]]
-      result:extend(wrapped("side(" .. quoted(heading) .. ")[", side.content, "],"))
+      result:extend(wrapped("(" .. quoted(heading) .. ", [", side.content, "]),"))
     end
     result:insert(raw(")"))
     return result
@@ -120,8 +120,12 @@ function Span(span)
   end
 end
 
--- Typst sets a sign at the start of a line as a prefix, and parts the columns of cases by nothing.
+-- Typst sets a sign at the start of a line as a prefix, parts the columns of cases by nothing, and takes bars
+-- that do not stretch for relations.
 function Math(math)
+  if not math.text:find("\\left|", 1, true) and not math.text:find("\\|", 1, true) then
+    math.text = math.text:gsub("|([^|]+)|", "\\left|%1\\right|")
+  end
   math.text = math.text:gsub("(& \\quad [%+%-]) ", "%1 \\: "):gsub("& *\\text{", "& \\quad \\text{")
   return math
 end

@@ -1,0 +1,135 @@
+"""Measure the figures of the project, each beside a peer in the same run; run by ``make benchmark``.
+
+Each row of the table is the median of some runs of a command, the median of its peer's runs, their ratio, and
+the target. Commands and peers take turns, so that a busy computer slows both.
+"""
+
+from __future__ import annotations
+
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parent.parent
+BUILD = PROJECT / "build"
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A command to measure beside a peer.
+
+    Attributes:
+        name: What is measured.
+        command: Command that is measured.
+        peer_name: What it is compared with.
+        peer: Command of the peer.
+        target: Upper limit for the command, s.
+        runs: How often both run.
+        prepare: Called before each run of the command, outside the measured time.
+    """
+
+    name: str
+    command: Sequence[str]
+    peer_name: str
+    peer: Sequence[str]
+    target: float
+    runs: int
+    prepare: Callable[[], None] = lambda: None
+
+
+def python(statement: str) -> list[str]:
+    """Return the command that runs a statement in a fresh interpreter."""
+    return [sys.executable, "-c", statement]
+
+
+def remove_build() -> None:
+    """Remove all that a build writes."""
+    shutil.rmtree(BUILD, ignore_errors=True)
+
+
+def measurements() -> tuple[Measurement, ...]:
+    """Return what is measured, in the order of the table."""
+    trimmer = str(Path(sys.executable).with_name("trimmer"))
+    report = ["make", "--no-print-directory", "report"]
+    control = python("import control")
+    return (
+        Measurement(
+            "make report, from nothing", report, "import control", control, 30.0, runs=3, prepare=remove_build
+        ),
+        Measurement("make report, again", report, "import control", control, 10.0, runs=3),
+        Measurement("import trimmer", python("import trimmer"), "import control", control, 0.5, runs=7),
+        Measurement(
+            "trimmer --help",
+            [trimmer, "--help"],
+            "python --version",
+            [sys.executable, "--version"],
+            0.7,
+            runs=7,
+        ),
+        Measurement(
+            "bootstrap, nothing to do",
+            [sys.executable, "scripts/bootstrap.py", "requirements.lock", "--", "python", "--version"],
+            "python --version",
+            [sys.executable, "--version"],
+            0.3,
+            runs=7,
+        ),
+    )
+
+
+def seconds(command: Sequence[str]) -> float:
+    """Return how long a command takes, in s.
+
+    Raises:
+        subprocess.CalledProcessError: if the command fails; what it printed is shown first.
+    """
+    start = time.perf_counter()
+    ended = subprocess.run(command, cwd=PROJECT, capture_output=True, text=True)
+    elapsed = time.perf_counter() - start
+    if ended.returncode != 0:
+        sys.stderr.write(ended.stdout + ended.stderr)
+    ended.check_returncode()
+    return elapsed
+
+
+def measure(measurement: Measurement) -> tuple[float, float]:
+    """Return the median times of a command and of its peer, in s."""
+    own, peers = [], []
+    for _ in range(measurement.runs):
+        measurement.prepare()
+        own.append(seconds(measurement.command))
+        peers.append(seconds(measurement.peer))
+    return statistics.median(own), statistics.median(peers)
+
+
+def main() -> int:
+    """Print the table; return 1 if `import trimmer` brings in SymPy, 0 otherwise. Times are never judged."""
+    row = "{:<27} {:>9} {:>9}  {:<17} {:>9} {:>8}"
+    print(row.format("measured", "median", "target", "peer", "median", "ratio"))
+    for measurement in measurements():
+        own, peer = measure(measurement)
+        print(
+            row.format(
+                measurement.name,
+                f"{own:.3f} s",
+                f"{measurement.target:g} s",
+                measurement.peer_name,
+                f"{peer:.3f} s",
+                f"{own / peer:.2f}",
+            ),
+            flush=True,
+        )
+    imported = subprocess.run(
+        python("import sys, trimmer; raise SystemExit('sympy' in sys.modules)")
+    ).returncode
+    print("import trimmer imports SymPy:", "yes" if imported else "no")
+    return imported
+
+
+if __name__ == "__main__":
+    sys.exit(main())

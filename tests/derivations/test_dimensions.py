@@ -1,0 +1,89 @@
+"""The dimension check: what passes, what fails, and that SymPy's unit system agrees."""
+
+import pytest
+import sympy
+from sympy.physics.units import Quantity as SympyQuantity
+from sympy.physics.units import length, mass, time
+from sympy.physics.units.systems.si import SI
+
+from derivations.dimension_checks import dimension_checks, require_consistent
+from derivations.dimensions import FORCE, LENGTH, MASS, NUMBER, TIME, DimensionError, dimension_of
+from derivations.linear_trimmer import derive_linear_trimmer
+from derivations.symbols import DIMENSIONS, QUANTITIES, A, c1, f, k1, m1, q1, q2, t, u, u_dot
+
+
+def test_every_derived_equation_is_consistent():
+    checks = dimension_checks(derive_linear_trimmer())
+    assert len(checks) > 100
+    require_consistent(checks)
+
+
+def test_every_symbol_has_a_meaning_and_a_unit_once():
+    names = [quantity.symbol for quantity in QUANTITIES]
+    assert len(set(names)) == len(names)
+    assert all(quantity.meaning and quantity.unit.text for quantity in QUANTITIES)
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (m1 * q1.diff(t, 2), FORCE),
+        (k1 * q1 + c1 * q1.diff(t), FORCE),
+        (A * sympy.sin(2 * sympy.pi * f * t), LENGTH),
+        (sympy.sqrt(k1 / m1), TIME**-1),
+        (sympy.Integer(3), NUMBER),
+    ],
+)
+def test_dimension_of_an_expression(expression, expected):
+    assert dimension_of(expression, DIMENSIONS) == expected
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [q1 + q1.diff(t), sympy.sin(q1), k1 * q1 + c1 * q1, sympy.exp(t), 1 + A, 2**q1, q1**f],
+)
+def test_inconsistent_expressions_are_refused(expression):
+    with pytest.raises(DimensionError):
+        dimension_of(expression, DIMENSIONS)
+
+
+def test_zero_has_every_dimension_and_unknown_symbols_have_none():
+    assert dimension_of(sympy.Integer(0), DIMENSIONS) is None
+    with pytest.raises(KeyError):
+        dimension_of(sympy.Symbol("unknown"), DIMENSIONS)
+
+
+def test_printed_pin_velocity_without_amplitude_fails_the_check():
+    printed = 2 * sympy.pi * f * sympy.cos(2 * sympy.pi * f * t)
+    assert dimension_of(printed, DIMENSIONS) != dimension_of(u_dot, DIMENSIONS)
+    assert dimension_of(A * printed, DIMENSIONS) == dimension_of(u_dot, DIMENSIONS)
+
+
+@pytest.mark.parametrize("expression", [m1 * A * f**2, k1 * A**2 / 2, c1 * A * f, sympy.sqrt(k1 / m1) * A])
+def test_sympy_units_agree(expression):
+    bases = {MASS: mass, LENGTH: length, TIME: time}
+    replaced = {}
+    for symbol in expression.free_symbols:
+        dimension = DIMENSIONS[symbol]
+        quantity = SympyQuantity(str(symbol))
+        SI.set_quantity_dimension(
+            quantity,
+            bases[MASS] ** dimension.mass * bases[LENGTH] ** dimension.length * bases[TIME] ** dimension.time,
+        )
+        SI.set_quantity_scale_factor(quantity, sympy.Integer(1))
+        replaced[symbol] = quantity
+    _, found = SI._collect_factor_and_dimension(expression.subs(replaced))
+    exponents = SI.get_dimension_system().get_dimensional_dependencies(found)
+    ours = dimension_of(expression, DIMENSIONS)
+    assert {
+        base: power
+        for base, power in zip((mass, length, time), (ours.mass, ours.length, ours.time), strict=True)
+        if power
+    } == {base: power for base, power in exponents.items() if power}
+
+
+def test_require_consistent_names_the_failing_expression():
+    (check, *_) = dimension_checks(derive_linear_trimmer())
+    wrong = type(check)("a wrong one", q1 * q2 * u, LENGTH)
+    with pytest.raises(DimensionError, match="a wrong one"):
+        require_consistent((check, wrong))

@@ -1,0 +1,62 @@
+"""Proof and disproof of identities."""
+
+import pytest
+import sympy
+
+from derivations.identity import prove_equal, prove_equal_matrices
+from derivations.symbols import k2, m1, q1, t
+
+x, y = sympy.symbols("x y", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ((x + y) ** 2, x**2 + 2 * x * y + y**2),
+        (1 / x + 1 / y, (x + y) / (x * y)),
+        (sympy.sin(x) ** 2 + sympy.cos(x) ** 2, sympy.Integer(1)),
+        (sympy.cos(2 * x), 1 - 2 * sympy.sin(x) ** 2),
+        (k2 * q1.diff(t) / m1, q1.diff(t) * k2 / m1),
+        (sympy.sqrt(x**2), x),
+    ],
+)
+def test_equal(left, right):
+    assert prove_equal(left, right).holds
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (x, y),
+        (x, -x),
+        (x**2, 2 * x),
+        (q1.diff(t), q1),
+        (sympy.sin(x), sympy.cos(x)),
+        (x * (1 + sympy.Rational(1, 10**30)), x),
+    ],
+)
+def test_different(left, right):
+    proof = prove_equal(left, right)
+    assert not proof.holds
+    assert "differ" in proof.method
+
+
+def test_hard_identity_is_settled_by_points_and_says_so():
+    """Machin's formula holds but does not simplify; what is claimed is evaluation, not proof by algebra."""
+    left = 4 * sympy.atan(sympy.Rational(1, 5)) - sympy.atan(sympy.Rational(1, 239))
+    assert prove_equal(left, sympy.pi / 4).holds
+    assert not prove_equal(left, sympy.pi / 4 + sympy.Rational(1, 10**25)).holds
+
+
+def test_assumption_limits_the_points():
+    assert prove_equal(abs(x - y), x - y, assume=sympy.Gt(x, y)).holds
+    assert not prove_equal(abs(x - y), x - y).holds
+    with pytest.raises(ValueError, match="no random point"):
+        prove_equal(x, y, assume=sympy.Gt(0, x))
+
+
+def test_matrices_need_the_same_shape_and_entries():
+    square = sympy.Matrix([[x, y], [y, x]])
+    assert prove_equal_matrices(square, square.T).holds
+    assert "shapes" in prove_equal_matrices(square, sympy.Matrix([[x, y]])).method
+    assert "(2, 1)" in prove_equal_matrices(square, sympy.Matrix([[x, y], [x, x]])).method

@@ -1,0 +1,55 @@
+"""The derivation as it is told, and the LaTeX document that `trimmer derive` writes."""
+
+from dataclasses import replace
+
+import pytest
+import sympy
+
+from derivations.latex import latex
+from derivations.latex_document import latex_document
+from derivations.linear_trimmer import derive_linear_trimmer
+from derivations.narrative import narrative
+from derivations.symbols import c2, k2, q1, t, u_dot
+
+
+@pytest.fixture(scope="module")
+def derivation():
+    return derive_linear_trimmer()
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (q1.diff(t), r"\dot{q}_{1}"),
+        (q1.diff(t, 2), r"\ddot{q}_{1}"),
+        (u_dot, r"\dot{u}"),
+        (q1, "q_{1}"),
+        (q1**2, "q_{1}^{2}"),
+        (q1.diff(t) ** 2, r"\dot{q}_{1}^{2}"),
+        (sympy.Add(1, k2, evaluate=False), "1 + k_{2}"),
+    ],
+)
+def test_latex_uses_dots_and_keeps_order(expression, expected):
+    assert latex(expression) == expected
+
+
+def test_every_equation_of_the_linear_model_is_told(derivation):
+    numbers = {formula.thesis for step in narrative(derivation) for formula in step.formulas}
+    assert {"2.4", "2.5", "2.6", "2.7", "2.9", "2.10", "2.12", "2.13", "2.14", "2.21"} <= numbers
+
+
+def test_a_power_balance_that_does_not_close_stops_the_story(derivation):
+    broken = replace(derivation, power=replace(derivation.power, residual=k2))
+    with pytest.raises(ValueError, match="power balance"):
+        narrative(broken)
+
+
+def test_document_has_balanced_braces_and_all_coefficients(derivation):
+    text = latex_document(derivation)
+    assert text.startswith(r"\documentclass")
+    assert text.rstrip().endswith(r"\end{document}")
+    assert text.count("{") == text.count("}")
+    assert text.count(r"\begin{dmath") == text.count(r"\end{dmath")
+    for power in range(8):
+        assert f"a_{{{power}}} = " in text
+    assert latex(c2) in text

@@ -1,0 +1,36 @@
+"""What importing may and may not pull in."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HEAVY = {"control", "matplotlib", "scipy", "sympy"}
+
+
+def modules_after(statement: str) -> set[str]:
+    """Return the heavy top-level modules that a statement imports in a fresh interpreter."""
+    code = f"import sys\n{statement}\nprint(*sys.modules)"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return HEAVY & set(ended.stdout.split())
+
+
+@pytest.mark.parametrize(
+    "statement", ["import trimmer", "import trimmer.command_line.main", "import report.command"]
+)
+def test_import_is_light(statement: str) -> None:
+    assert modules_after(statement) == set()
+
+
+def test_heavy_modules_would_be_noticed() -> None:
+    assert modules_after("import sympy") == {"sympy"}
+
+
+def test_import_contracts_hold(project_folder: Path) -> None:
+    """The contracts of pyproject.toml, with the tool that `make lint` uses."""
+    code = "from importlinter.cli import lint_imports; raise SystemExit(lint_imports(cache_dir=None))"
+    ended = subprocess.run([sys.executable, "-c", code], cwd=project_folder, capture_output=True, text=True)
+    assert ended.returncode == 0, ended.stdout

@@ -1,0 +1,39 @@
+"""A test that needs a program that is not installed is skipped and says why; in CI it fails."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = """
+import pytest
+@pytest.mark.{marker}
+def test_example(): pass
+"""
+SETTINGS = "[tool.pytest.ini_options]\nmarkers = ['browser', 'poppler']\n"
+
+
+@pytest.mark.parametrize(("marker", "package"), [("browser", "chromium"), ("poppler", "poppler-utils")])
+@pytest.mark.parametrize(("ci", "outcome"), [("", "1 skipped"), ("true", "1 error")])
+def test_missing_program(
+    tmp_path: Path, project_folder: Path, marker: str, package: str, ci: str, outcome: str
+) -> None:
+    shutil.copy(project_folder / "tests" / "conftest.py", tmp_path)
+    (tmp_path / "pyproject.toml").write_text(SETTINGS, encoding="utf-8")
+    (tmp_path / "test_example.py").write_text(EXAMPLES.format(marker=marker), encoding="utf-8")
+    variables = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST")}
+    variables |= {"CI": ci, "PATH": str(tmp_path)}
+    ended = subprocess.run(
+        [sys.executable, "-m", "pytest", "-rsE", "-p", "no:cacheprovider", "-p", "no:xdist"],
+        cwd=tmp_path,
+        env=variables,
+        capture_output=True,
+        text=True,
+    )
+    assert outcome in ended.stdout
+    assert f"(package {package})" in ended.stdout

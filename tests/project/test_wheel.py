@@ -1,0 +1,68 @@
+"""The wheel holds all that the packages need, and works from another folder."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+PACKAGES = ("derivations", "trimmer", "report")
+PIP = [sys.executable, "-I", "-m", "pip", "--disable-pip-version-check"]
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory, project_folder: Path) -> Path:
+    """The project's wheel, built with the locked backend and without network."""
+    folder = tmp_path_factory.mktemp("wheel")
+    options = ["--quiet", "--no-deps", "--no-build-isolation", "--no-index", "--wheel-dir", str(folder)]
+    subprocess.run([*PIP, "wheel", *options, str(project_folder)], check=True)
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder into which the wheel is installed without its dependencies."""
+    folder = tmp_path_factory.mktemp("installed")
+    options = ["--quiet", "--no-deps", "--no-index", "--target", str(folder)]
+    subprocess.run([*PIP, "install", *options, str(wheel)], check=True)
+    return folder
+
+
+def test_wheel_holds_every_file_of_the_packages(wheel: Path, project_folder: Path) -> None:
+    sources = {
+        path.relative_to(project_folder).as_posix()
+        for package in PACKAGES
+        for path in (project_folder / package).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    shipped = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(PACKAGES)}
+    assert sources == {name for name in shipped if ".dist-info/" not in name}
+    for folder in ("report/templates/", "report/fonts/", "trimmer/generated/"):
+        assert any(name.startswith(folder) for name in shipped), folder
+
+
+def test_wheel_holds_the_licences(wheel: Path) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert any(name.endswith(".dist-info/licenses/LICENSE") for name in names)
+    assert any("/licenses/report/fonts/" in name for name in names)
+
+
+def test_installed_command_works_from_another_folder(
+    installed: Path, tmp_path: Path, project_folder: Path
+) -> None:
+    variables = os.environ | {"PYTHONPATH": str(installed)}
+    where = (
+        "import trimmer, report, derivations; print(trimmer.__file__, report.__file__, derivations.__file__)"
+    )
+    ended = subprocess.run(
+        [sys.executable, "-c", where], cwd=tmp_path, env=variables, capture_output=True, text=True, check=True
+    )
+    assert str(project_folder) not in ended.stdout
+    command = [sys.executable, str(installed / "bin" / "trimmer"), "--help"]
+    ended = subprocess.run(command, cwd=tmp_path, env=variables, capture_output=True, text=True, check=True)
+    assert "report" in ended.stdout

@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import matplotlib
+import pytest
+
+from report.figures.block_diagrams import feedback_system, linear_system
+from report.figures.style import LINES, new_figure, style
+from report.figures.svg import to_svg
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def plot(identifier: str) -> str:
+    with style():
+        figure = new_figure(2.0)
+        axes = figure.subplots()
+        axes.plot([0, 1], [1, 2], label="$G(s)$", clip_on=True)
+        axes.plot([0, 1], [2, 1])
+        axes.fill_between([0, 1], [0, 0], [1, 1], hatch="//")
+        axes.legend()
+    return to_svg(figure, identifier, "A & B", "Two lines < that cross")
+
+
+def test_the_same_figure_gives_the_same_text() -> None:
+    assert plot("fig-5.1") == plot("fig-5.1")
+
+
+def test_two_figures_share_no_id() -> None:
+    first, second = (set(re.findall(r'\bid="([^"]+)"', plot(name))) for name in ("fig-5.1", "fig-5.2"))
+    assert first
+    assert not first & second
+
+
+def test_every_reference_has_its_target() -> None:
+    svg = plot("fig-5.1")
+    references = set(re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', svg))
+    assert {"".join(reference) for reference in references} <= set(re.findall(r'\bid="([^"]+)"', svg))
+    assert "clip-path" in svg
+
+
+def test_the_figure_is_one_element_with_a_title_and_a_description() -> None:
+    svg = plot("fig-5.1")
+    assert svg.startswith("<svg")
+    root = ElementTree.fromstring(svg)
+    assert root.get("role") == "img"
+    named = [root.find(f"{SVG}title"), root.find(f"{SVG}desc")]
+    assert [element.text for element in named] == ["A & B", "Two lines < that cross"]
+    assert root.get("aria-labelledby") == " ".join(element.get("id") for element in named)
+
+
+def test_nothing_reaches_out_of_the_figure() -> None:
+    svg = plot("fig-5.1")
+    assert "<style" not in svg
+    assert "<metadata" not in svg
+
+
+def test_the_style_leaves_matplotlib_as_it_was() -> None:
+    before = dict(matplotlib.rcParams)
+    plot("fig-5.1")
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_the_style_does_not_depend_on_what_was_set_outside() -> None:
+    before = plot("fig-5.1")
+    with matplotlib.rc_context({"lines.linewidth": 9.0, "font.size": 30.0, "svg.hashsalt": "other"}):
+        assert plot("fig-5.1") == before
+
+
+def test_lines_differ_by_more_than_their_colour() -> None:
+    assert len({line.dashes for line in LINES}) == len({line.colour for line in LINES}) == len(LINES)
+
+
+@pytest.mark.parametrize("draw", [linear_system, feedback_system])
+def test_block_diagrams_stay_inside_their_figure(draw: type) -> None:
+    figure = draw()
+    renderer = figure.canvas.get_renderer() if hasattr(figure.canvas, "get_renderer") else None
+    bounds = figure.get_tightbbox(renderer)
+    width, height = figure.get_size_inches()
+    assert 0 <= bounds.x0 < bounds.x1 <= width
+    assert 0 <= bounds.y0 < bounds.y1 <= height
+
+
+def test_the_feedback_system_has_both_blocks_and_both_signs() -> None:
+    texts = [text.get_text() for axes in feedback_system().axes for text in axes.texts]
+    assert {"$G(s)$", "$N(s)$", "$U(s)$", "$Y(s)$", "$+$", "$-$"} <= set(texts)

@@ -1,0 +1,131 @@
+"""The HTML file as it is written, without a browser."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+from report.document import Document
+from report.rendering.render import RenderedFiles
+from tests.report.rendering.sample_formulas import SPECIAL
+
+NAMESPACES = {
+    "http://www.w3.org/1998/Math/MathML",
+    "http://www.w3.org/2000/svg",
+    "http://www.w3.org/1999/xlink",
+}
+
+
+class Outline(HTMLParser):
+    """Collects all elements with their attributes, and the text of each claim's heading."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.headings: list[tuple[str, str]] = []
+        self._heading: str | None = None
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attributes)))
+        if re.fullmatch("h[1-6]", tag):
+            self._heading = tag
+            self.headings.append((tag, ""))
+
+    def handle_endtag(self, tag: str) -> None:
+        self._heading = None if tag == self._heading else self._heading
+
+    def handle_data(self, data: str) -> None:
+        if self._heading is not None:
+            tag, text = self.headings[-1]
+            self.headings[-1] = (tag, text + data)
+
+    def values(self, attribute: str) -> list[str]:
+        return [value for _, attributes in self.elements if (value := attributes.get(attribute)) is not None]
+
+
+@pytest.fixture(scope="module")
+def text(rendered: RenderedFiles) -> str:
+    return rendered.html.read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def outline(text: str) -> Outline:
+    outline = Outline()
+    outline.feed(text)
+    return outline
+
+
+def test_no_address_is_loaded(text: str, outline: Outline) -> None:
+    targets = [target for name in ("src", "href", "xlink:href") for target in outline.values(name)]
+    assert targets
+    assert all(target.startswith(("#", "data:")) for target in targets)
+    assert set(re.findall(r"\bhttps?://[^\s\"'<)]+", text)) <= NAMESPACES
+    assert set(re.findall(r"url\(\"?([a-z]+):", text)) == {"data"}
+
+
+def test_the_file_is_small(text: str) -> None:
+    assert len(text.encode()) < 1_000_000
+
+
+def test_ids_are_unique_and_every_inner_link_has_its_target(outline: Outline) -> None:
+    ids = outline.values("id")
+    assert len(ids) == len(set(ids))
+    links = {target[1:] for target in outline.values("href") if target.startswith("#")}
+    assert links <= set(ids)
+
+
+def test_every_claim_can_be_linked_to(outline: Outline, document: Document) -> None:
+    articles = [attributes for tag, attributes in outline.elements if tag == "article"]
+    assert [article["id"] for article in articles] == [finding.id for finding in document.findings]
+    assert [article["data-verdict"] for article in articles] == [
+        finding.verdict.value for finding in document.findings
+    ]
+
+
+def test_headings_are_nested_without_a_gap(outline: Outline) -> None:
+    levels = [int(tag[1]) for tag, _ in outline.headings]
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
+
+
+def test_plain_text_is_shown_as_it_is(outline: Outline) -> None:
+    assert f"Equation 2.8: velocity of the pin {SPECIAL}" in [text for _, text in outline.headings]
+
+
+def test_the_page_has_landmarks_and_scoped_table_heads(outline: Outline) -> None:
+    tags = [tag for tag, _ in outline.elements]
+    assert all(tag in tags for tag in ("header", "nav", "main", "figure", "figcaption", "table"))
+    heads = [attributes.get("scope") for tag, attributes in outline.elements if tag == "th"]
+    assert set(heads) == {"col", "row"}
+
+
+def test_figures_are_inside_the_page_and_described(outline: Outline, document: Document) -> None:
+    drawings = [attributes for tag, attributes in outline.elements if tag == "svg"]
+    assert len(drawings) == len(document.figures)
+    assert all(drawing["role"] == "img" and drawing["aria-labelledby"] for drawing in drawings)
+    assert "img" not in [tag for tag, _ in outline.elements]
+
+
+def test_every_formula_offers_its_latex(text: str, document: Document) -> None:
+    for step in document.derivation:
+        for number, _ in enumerate(step.equations, 1):
+            assert f"<figcaption>step {step.id}, equation {number}</figcaption>" in text
+    assert "<figcaption>eq-2.12, as derived</figcaption>" in text
+
+
+def test_a_verdict_is_said_in_words_and_by_a_symbol(text: str) -> None:
+    assert '<span class="badge erratum"><span aria-hidden="true">✗</span> erratum</span>' in text
+
+
+def test_sides_that_are_the_same_are_shown_once(text: str) -> None:
+    article = text[text.index('<article class="claim" id="eq-2.8"') :].partition("</article>")[0]
+    assert "As printed and as derived" in article
+    assert article.count('display="block"') == 1
+
+
+def test_the_thesis_number_stands_beside_its_equation(text: str) -> None:
+    assert '<span class="thesis-number">(2.12)</span>' in text

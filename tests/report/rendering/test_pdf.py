@@ -1,0 +1,96 @@
+"""The PDF, as poppler reads it."""
+
+from __future__ import annotations
+
+import dataclasses
+import subprocess
+
+import pytest
+
+from report.document import DerivationStep, Document, Equation
+from report.rendering.markdown import to_markdown
+from report.rendering.pdf import TypesettingError, to_pdf, to_typst
+from report.rendering.render import RenderedFiles
+
+
+def poppler(tool: str, *arguments: str) -> str:
+    return subprocess.run([tool, *arguments], capture_output=True, check=True, text=True).stdout
+
+
+@pytest.fixture(scope="module")
+def text(rendered: RenderedFiles) -> str:
+    return poppler("pdftotext", "-layout", str(rendered.pdf), "-")
+
+
+@pytest.mark.poppler
+def test_the_pdf_has_its_title_size_and_date(rendered: RenderedFiles, document: Document) -> None:
+    lines = poppler("pdfinfo", "-isodates", str(rendered.pdf)).splitlines()
+    information = {key: value.strip() for key, _, value in (line.partition(":") for line in lines)}
+    assert information["Title"] == document.title
+    assert "A4" in information["Page size"]
+    assert information["CreationDate"].startswith("2026-05-04T08:11:12")
+
+
+@pytest.mark.poppler
+def test_every_claim_and_section_is_in_the_text(text: str, document: Document) -> None:
+    assert all(finding.id in text for finding in document.findings)
+    assert all(step.title in text for step in document.derivation)
+    assert "9 of 253 statements" in text
+
+
+@pytest.mark.poppler
+def test_pages_are_numbered_and_have_a_running_head(text: str) -> None:
+    pages = text.split("\f")[:-1]
+    assert len(pages) > 3
+    for number, page in enumerate(pages, 1):
+        assert page.replace(" ", "").endswith(f"\n{number}/{len(pages)}\n")
+    assert pages[1].lstrip().startswith("The linear trimmer & its claims")
+
+
+@pytest.mark.poppler
+def test_only_the_fonts_that_typst_carries_are_used(rendered: RenderedFiles) -> None:
+    rows = poppler("pdffonts", str(rendered.pdf)).splitlines()[2:]
+    families = {row.split()[0].partition("+")[2].partition("-")[0] for row in rows}
+    assert families <= {"LibertinusSerif", "NewCMMath", "DejaVuSansMono"}
+    assert "NewCMMath" in families
+
+
+@pytest.mark.poppler
+def test_claims_can_be_reached_from_the_outline_and_by_links(rendered: RenderedFiles) -> None:
+    raw = poppler("pdfinfo", "-dests", str(rendered.pdf))
+    assert '"eq-2.8"' in raw
+    assert '"txt-5.2.1-impulse-1e-8"' in raw
+    assert b"/Outlines" in rendered.pdf.read_bytes()
+
+
+def with_equation(document: Document, latex: str) -> Document:
+    return dataclasses.replace(document, derivation=(DerivationStep("wide", "Wide", "", (Equation(latex),)),))
+
+
+def test_bars_enclose_instead_of_relating(document: Document) -> None:
+    with_bars = with_equation(document, r"|G| \gg |N|")
+    source = to_typst(with_bars, to_markdown(with_bars))
+    assert "lr(|G|)" in source.replace(" ", "")
+    assert "lr(|N|)" in source.replace(" ", "")
+
+
+def fraction(terms: int) -> str:
+    return rf"\frac{{{' + '.join(f'a_{{{i}}}' for i in range(terms))}}}{{2}}"
+
+
+def test_a_formula_that_cannot_fit_stops_the_build_and_is_named(document: Document) -> None:
+    wide = with_equation(document, fraction(80))
+    with pytest.raises(TypesettingError, match="step wide, equation 1"):
+        to_pdf(wide, to_markdown(wide))
+
+
+@pytest.mark.poppler
+def test_a_formula_that_is_a_little_too_wide_is_set_smaller(
+    document: Document, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    wide = with_equation(document, fraction(30))
+    path = tmp_path_factory.mktemp("wide") / "wide.pdf"
+    path.write_bytes(to_pdf(wide, to_markdown(wide)))
+    boxes = poppler("pdftotext", "-bbox", str(path), "-")
+    right_ends = [float(piece.partition('"')[0]) for piece in boxes.split('xMax="')[1:]]
+    assert max(right_ends) < 595.3 - 59

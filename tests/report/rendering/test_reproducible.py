@@ -1,0 +1,37 @@
+"""Two renderings of one document, in two processes and two folders."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from report.rendering.render import RenderedFiles
+
+PROGRAM = """
+import sys
+from pathlib import Path
+from report.rendering.render import render
+from tests.report.rendering.sample import sample
+render(sample(), Path(sys.argv[1]))
+"""
+
+
+def test_the_same_document_gives_the_same_bytes(
+    rendered: RenderedFiles, tmp_path: Path, project_folder: Path
+) -> None:
+    elsewhere = tmp_path / "another folder"
+    environment = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "PYTHONPATH": str(project_folder)}
+    subprocess.run([sys.executable, "-c", PROGRAM, str(elsewhere)], cwd=tmp_path, env=environment, check=True)
+    for path in (rendered.html, rendered.pdf, rendered.claims):
+        assert (elsewhere / path.name).read_bytes() == path.read_bytes(), path.name
+
+
+def test_importing_the_rendering_loads_no_converter() -> None:
+    program = (
+        "import sys; import report.rendering.render; "
+        "print(*({'pypandoc', 'typst', 'matplotlib', 'sympy', 'numpy'} & set(sys.modules)))"
+    )
+    finished = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert finished.stdout.strip() == ""

@@ -1,0 +1,67 @@
+from __future__ import annotations
+
+from report.claim import Finding, Impact, JudgedPart, Kind, Number, Verdict
+from report.document import Document
+from report.rendering import summary
+
+
+def part(label: str, method: str, slip: str = "") -> JudgedPart:
+    return JudgedPart(label, Verdict.REPRODUCED, Number("1"), Number("1"), method, slip)
+
+
+def finding(id: str, kind: Kind) -> Finding:
+    return Finding(id, kind, "5.1.2", "", Verdict.REPRODUCED, "", "", Impact.NONE, "", (part("", ""),))
+
+
+def test_counts_add_up_by_chapter_and_by_verdict(document: Document) -> None:
+    *chapters, total = summary.count_table(document)
+    assert [row.total for row in chapters] == [len(chapter.findings) for chapter in document.chapters]
+    assert total.total == len(document.findings)
+    for index, verdict in enumerate(Verdict):
+        numbers = [row.counts[index].number for row in chapters]
+        assert sum(numbers) == total.counts[index].number
+        assert total.counts[index].number == sum(one.verdict is verdict for one in document.findings)
+
+
+def test_every_verdict_and_impact_has_its_words() -> None:
+    assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(Verdict)
+    assert len(set(summary.SYMBOLS.values())) == len(Verdict)
+    assert set(summary.REACHES) == set(Impact)
+
+
+def test_a_claim_is_named_as_a_reader_would() -> None:
+    named = {
+        summary.reference(finding(id, kind))
+        for id, kind in (
+            ("eq-2.8", Kind.EQUATION),
+            ("lst-A.1", Kind.LISTING),
+            ("txt-5.1.2-order", Kind.STATEMENT),
+        )
+    }
+    assert named == {"Equation 2.8", "Listing A.1", "Statement in section 5.1.2"}
+
+
+def test_a_method_that_all_parts_share_is_said_once() -> None:
+    assert summary.methods((part("a", "by hand"), part("b", "by hand"))) == (("", "by hand"),)
+
+
+def test_methods_that_differ_name_their_parts() -> None:
+    parts = (part("a", "by hand"), part("b", "by proof"), part("c", "by hand"))
+    assert summary.methods(parts) == (("a, c", "by hand"), ("b", "by proof"))
+
+
+def test_many_parts_are_counted_instead_of_named() -> None:
+    parts = (*(part(label, "by hand") for label in "abcd"), part("e", "by proof"))
+    assert summary.methods(parts) == (("4 parts", "by hand"), ("e", "by proof"))
+
+
+def test_parts_without_a_slip_are_not_named() -> None:
+    assert summary.slips((part("a", ""), part("b", "", "a sign is lost"))) == (("b", "a sign is lost"),)
+
+
+def test_a_sentence_ends_with_one_full_stop() -> None:
+    assert (
+        summary.sentence("b is half the gap")
+        == summary.sentence("b is half the gap.")
+        == "b is half the gap."
+    )

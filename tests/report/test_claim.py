@@ -1,0 +1,91 @@
+"""Judging: verdicts, slips, confirmations, with a comparison of plain numbers."""
+
+from dataclasses import replace
+
+import pytest
+
+from report.claim import (
+    Claim,
+    Confirmation,
+    ContradictionError,
+    Entry,
+    Kind,
+    Part,
+    Slip,
+    Uncheckable,
+    Verdict,
+    Words,
+    judge,
+)
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import PrintedDigits
+
+ENTRY = Entry("eq-9.9", Kind.EQUATION, "9.9", "a subject")
+RIGHT = Part("right", PrintedDigits("1.25", 1.2501))
+WRONG = Part("wrong", PrintedDigits("1.25", 2.5))
+REPEATED = replace(WRONG, label="repeated", slip=Slip("a factor of two", 1.25, Verdict.EXPLAINED))
+MISSING = Uncheckable("missing", Words("0.3 mm"), "the raw data of the experiment")
+
+
+def claim(*parts):
+    return Claim(id="eq-9.9", parts=parts, explanation="It is so.", source="derivations/energies.py")
+
+
+@pytest.mark.parametrize(
+    ("parts", "verdict"),
+    [
+        ((RIGHT,), Verdict.REPRODUCED),
+        ((RIGHT, REPEATED), Verdict.EXPLAINED),
+        ((RIGHT, REPEATED, MISSING), Verdict.NOT_CHECKABLE),
+        ((MISSING, WRONG, RIGHT), Verdict.ERRATUM),
+    ],
+)
+def test_worst_part_decides(parts, verdict):
+    finding = judge(claim(*parts), ENTRY)
+    assert finding.verdict is verdict
+    assert (finding.kind, finding.section, finding.title) == (Kind.EQUATION, "9.9", "a subject")
+
+
+def test_slip_is_named_only_where_it_gives_the_print():
+    (judged,) = judge(claim(REPEATED), ENTRY).parts
+    assert judged.slip == "a factor of two"
+    other = replace(REPEATED, slip=Slip("a factor of three", 0.83, Verdict.EXPLAINED))
+    (judged,) = judge(claim(other), ENTRY).parts
+    assert (judged.verdict, judged.slip) == (Verdict.ERRATUM, "")
+
+
+def test_a_slip_never_turns_right_into_wrong():
+    assert (
+        judge(claim(replace(RIGHT, slip=Slip("none", 7.0, Verdict.ERRATUM))), ENTRY).verdict
+        is Verdict.REPRODUCED
+    )
+
+
+def test_contradiction_stops_the_judgement():
+    contradicted = replace(RIGHT, confirmation=Confirmation("another way", PrintedDigits("3.0", 1.25)))
+    with pytest.raises(ContradictionError, match=r"eq-9\.9, right: .* another way"):
+        judge(claim(contradicted), ENTRY)
+
+
+def test_claim_without_parts_is_refused():
+    with pytest.raises(ValueError, match="no part"):
+        judge(claim(), ENTRY)
+
+
+def test_missing_data_are_shown():
+    (judged,) = judge(claim(MISSING), ENTRY).parts
+    assert str(judged.derived) == "the raw data of the experiment"
+
+
+def test_forms_replace_what_is_shown():
+    (judged,) = judge(claim(replace(RIGHT, printed_form=Words("as printed"))), ENTRY).parts
+    assert str(judged.printed) == "as printed"
+    assert str(judged.derived) == "1.25010"
+
+
+def test_assertion_and_its_denial():
+    said = Assertion("it holds", derived=True, evidence="seen", method="looked at")
+    assert said.compare().agrees
+    assert not replace(said, asserted=False).compare().agrees
+    assert str(replace(said, asserted=False).printed_shown) == "Not so: it holds"
+    assert replace(said, derived=False).corrected().compare().agrees

@@ -1,0 +1,117 @@
+"""Every claim: its reviewed verdict, and that it can fail.
+
+For each part of each claim the printed side is changed in the ways a slip of the pen would change it, and the
+outcome has to change too.
+"""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from report.claim import ContradictionError, Impact, Part, Verdict, judge
+from report.inventory import PATH, read_inventory
+
+REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
+IN_SCOPE = ("2.2.1", "2.2.2", "2.2.3", "5.1.1", "5.1.2", "5.1.3", "A.1", "A.2", "D")
+FIGURES_IN_SCOPE = ("fig-2.3", "fig-2.4", "fig-5.1", "fig-5.2", "fig-5.3", "fig-5.4")
+
+
+def reviewed_verdicts():
+    with REVIEWED.open(encoding="utf-8", newline="") as file:
+        return {row["id"]: row["verdict"] for row in csv.DictReader(file)}
+
+
+CLAIM_IDS = sorted(reviewed_verdicts())
+
+
+def outcome(part):
+    """What judging says of a part, without its confirmation: the verdict, and the slip that explains it."""
+    claim = _claim_of(replace(part, confirmation=None))
+    (judged,) = judge(claim, next(iter(read_inventory().values()))).parts
+    return judged.verdict, judged.slip
+
+
+def _claim_of(part):
+    from report.claim import Claim
+
+    return Claim(id="any", parts=(part,), explanation="", source="")
+
+
+def test_every_statement_in_scope_is_judged_once(claims, inventory):
+    expected = {entry.id for entry in inventory.values() if entry.section in IN_SCOPE} | set(FIGURES_IN_SCOPE)
+    assert set(claims) >= expected
+    assert set(claims) == set(CLAIM_IDS)
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_verdict_is_the_reviewed_one(claim_id, claims, inventory):
+    assert judge(claims[claim_id], inventory[claim_id]).verdict.value == reviewed_verdicts()[claim_id]
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_a_changed_print_changes_the_outcome(claim_id, claims):
+    for part in claims[claim_id].parts:
+        before = outcome(part)
+        mutations = list(part.comparison.mutations())
+        assert mutations, f"{claim_id}, {part.label}: nothing to change"
+        if before == (Verdict.ERRATUM, ""):
+            continue  # wrong in a way that no slip explains: a further change leaves it wrong
+        for description, changed in mutations:
+            assert outcome(replace(part, comparison=changed)) != before, f"{part.label}: {description}"
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_the_corrected_print_is_reproduced_and_any_change_of_it_is_not(claim_id, claims):
+    for part in claims[claim_id].parts:
+        corrected = part.comparison.corrected()
+        assert corrected.compare().agrees, part.label
+        for description, changed in corrected.mutations():
+            assert not changed.compare().agrees, f"{part.label}: {description}"
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_what_is_called_wrong_is_confirmed_or_explained(claim_id, claims, inventory):
+    """Nothing is called wrong without a second derivation, a slip that gives it, or a counterexample."""
+    claim = claims[claim_id]
+    finding = judge(claim, inventory[claim_id])
+    for part, judged in zip(claim.parts, finding.parts, strict=True):
+        if judged.verdict in (Verdict.ERRATUM, Verdict.EXPLAINED):
+            assert part.confirmation or judged.slip or judged.method, part.label
+    if finding.verdict is Verdict.REPRODUCED:
+        assert finding.impact is Impact.NONE
+    else:
+        assert finding.impact is not Impact.NONE
+        assert finding.consequence
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_explanations_are_short_plain_sentences(claim_id, claims):
+    claim = claims[claim_id]
+    assert 1 <= claim.explanation.count(". ") + 1 <= 5
+    assert claim.explanation.count("$") % 2 == 0
+    assert (Path(__file__).parents[2] / claim.source).is_file(), claim.source
+
+
+def test_a_wrong_derivation_is_noticed(evidence, inventory, claims):
+    from report.claims import section_2_2_1_lagrangian
+
+    derivation = evidence.derivation
+    wrong_sign = replace(derivation, potential_energy=-derivation.potential_energy)
+    altered = section_2_2_1_lagrangian.claims(replace(evidence, derivation=wrong_sign))
+    (energy,) = (claim for claim in altered if claim.id == "eq-2.5")
+    with pytest.raises(ContradictionError, match=r"eq-2\.5"):
+        judge(energy, inventory["eq-2.5"])
+
+
+def test_a_wrong_stiffness_is_noticed(evidence, inventory):
+    from report.claims import section_5_1_3
+    from report.linear_numbers import solve_linear
+
+    parameters = replace(evidence.numbers.parameters, k2=30.1e3)
+    numbers = solve_linear(evidence.derivation, parameters)
+    altered = section_5_1_3.claims(replace(evidence, numbers=numbers))
+    (eigenvalues,) = (claim for claim in altered if claim.id == "eq-5.2")
+    assert judge(eigenvalues, inventory["eq-5.2"]).verdict is Verdict.ERRATUM
+    assert isinstance(eigenvalues.parts[0], Part)

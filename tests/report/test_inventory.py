@@ -1,0 +1,46 @@
+"""The inventory of statements, and that claims keep to it."""
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from report.claims.all_claims import ClaimIdError, require_known_once
+from report.inventory import PATH, InventoryError, read_inventory
+
+HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
+
+
+def test_it_lists_every_statement_once():
+    inventory = read_inventory()
+    assert len(inventory) == 253
+    assert Counter(entry.kind.value for entry in inventory.values())["equation"] == 92
+
+
+def test_it_is_the_one_handed_over():
+    if not HANDED_OVER.is_file():
+        pytest.skip("the inventory that was handed over is not beside this checkout")
+    assert PATH.read_text(encoding="utf-8") == HANDED_OVER.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("eq-1,equation,1,a\neq-1,equation,1,b\n", r"line 3: the id eq-1 stands there twice"),
+        ("eq-1,poem,1,a\n", r"line 2: unknown kind 'poem'"),
+    ],
+)
+def test_faults_are_named_by_line(tmp_path, rows, message):
+    path = tmp_path / "inventory.csv"
+    path.write_text("id,kind,section,subject\n" + rows, encoding="utf-8")
+    with pytest.raises(InventoryError, match=message):
+        read_inventory(path)
+
+
+def test_unknown_and_repeated_ids_are_errors():
+    inventory = read_inventory()
+    require_known_once(["eq-2.1", "eq-2.2"], inventory)
+    with pytest.raises(ClaimIdError, match=r"eq-9\.99 is not in the inventory"):
+        require_known_once(["eq-9.99"], inventory)
+    with pytest.raises(ClaimIdError, match=r"eq-2\.1 stands 2 times"):
+        require_known_once(["eq-2.1", "eq-2.1"], inventory)

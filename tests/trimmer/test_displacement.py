@@ -1,0 +1,46 @@
+from __future__ import annotations
+
+from itertools import permutations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement, DisplacementError
+
+EVERY = [*map(Displacement, Body), *(Displacement(*pair) for pair in permutations(Body, 2))]
+
+
+def test_the_thesis_output_is_cutter_relative_to_guard() -> None:
+    assert CUTTER_RELATIVE_TO_GUARD.label == "q2-q4"
+    assert CUTTER_RELATIVE_TO_GUARD.row == (0.0, 1.0, 0.0, -1.0)  # equation 2.14
+
+
+@pytest.mark.parametrize("displacement", EVERY, ids=lambda displacement: displacement.label)
+def test_labels_read_back(displacement: Displacement) -> None:
+    assert Displacement.parse(displacement.label) == displacement
+
+
+@pytest.mark.parametrize("text", ["q2-q4", " Q2 - q4 ", "q2 -Q4"])
+def test_spaces_and_capitals_do_not_matter(text: str) -> None:
+    assert Displacement.parse(text) == CUTTER_RELATIVE_TO_GUARD
+
+
+@pytest.mark.parametrize("text", ["", "q", "q0", "q5", "q2-", "-q2", "q2+q4", "q2-q4-q1", "2", "q2−q4", "q²"])
+def test_what_is_no_displacement_is_refused_with_what_to_write(text: str) -> None:
+    with pytest.raises(DisplacementError, match=r"q2-q4.*q1 motor, q2 cutter, q3 housing, q4 guard"):
+        Displacement.parse(text)
+
+
+def test_a_body_relative_to_itself_is_refused() -> None:
+    with pytest.raises(DisplacementError, match="q3-q3 is zero"):
+        Displacement(Body.HOUSING, Body.HOUSING)
+
+
+@given(st.text(max_size=12))
+def test_any_text_is_read_or_refused(text: str) -> None:
+    try:
+        displacement = Displacement.parse(text)
+    except DisplacementError:
+        return
+    assert displacement in EVERY

@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import subprocess
+import sys
+from importlib import import_module, metadata
+from pathlib import Path
+
+import pytest
+
+import trimmer
+
+HEAVY = ("control", "matplotlib", "numpy", "scipy", "sympy")
+
+
+def modules_after(statement: str, folder: Path) -> set[str]:
+    code = f"{statement}\nimport sys\nprint(*sys.modules, file=sys.stderr)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder
+    )
+    return set(done.stderr.split())
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.write_whole",
+        "from trimmer.command_line.main import main\ntry: main(['--help'])\nexcept SystemExit: pass",
+        "from trimmer.command_line.main import main\ntry: main(['linear', '-h'])\nexcept SystemExit: pass",
+    ],
+)
+def test_heavy_libraries_are_not_imported_before_they_are_needed(
+    statement: str, project_folder: Path
+) -> None:
+    loaded = modules_after(statement, project_folder)
+    assert "trimmer" in loaded
+    assert loaded.isdisjoint(HEAVY)
+
+
+def test_the_linear_model_needs_no_sympy(project_folder: Path) -> None:
+    statement = "import trimmer; trimmer.summarise(trimmer.TrimmerParameters.thesis())"
+    loaded = modules_after(statement, project_folder)
+    assert "control" in loaded
+    assert "sympy" not in loaded
+    assert not any(name.startswith("derivations") for name in loaded)
+
+
+@pytest.mark.parametrize("name", sorted(set(trimmer.__all__) - {"__version__"}))
+def test_every_public_name_comes_from_its_module(name: str) -> None:
+    value = getattr(trimmer, name)
+    assert name in dir(trimmer)
+    if hasattr(value, "__module__") and callable(value):
+        assert getattr(import_module(value.__module__), name) is value
+
+
+def test_no_module_hides_a_public_name() -> None:
+    """Importing trimmer.x sets the attribute x of the package; a function x would then be out of reach."""
+    modules = {path.stem for path in Path(trimmer.__file__).parent.glob("*.py")}
+    assert modules.isdisjoint(trimmer.__all__)
+
+
+def test_type_checkers_see_the_public_names() -> None:
+    source = Path(trimmer.__file__).read_text(encoding="utf-8")
+    for name in set(trimmer.__all__) - {"__version__"}:
+        assert f" import {name} as {name}\n" in source
+
+
+def test_star_import_gives_the_public_names() -> None:
+    names: dict[str, object] = {}
+    exec("from trimmer import *", names)
+    assert set(trimmer.__all__) <= set(names)
+
+
+def test_an_unknown_name_is_told() -> None:
+    with pytest.raises(AttributeError, match="module 'trimmer' has no attribute 'linaer_model'"):
+        trimmer.linaer_model  # noqa: B018
+
+
+def test_the_version_is_that_of_the_installed_distribution(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(metadata, "version", {"trimmer": "1.2.3"}.__getitem__)
+    assert trimmer.__version__ == "1.2.3"
+
+
+def test_without_an_installed_distribution_the_version_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
+    def not_found(name: str) -> str:
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(metadata, "version", not_found)
+    assert trimmer.__version__ == "unknown (not installed)"

@@ -1,0 +1,139 @@
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
+
+TEMPLATE = TrimmerParameters.thesis().to_toml()
+
+
+def written(folder: Path, text: str | bytes) -> Path:
+    path = folder / "mine.toml"
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
+    return path
+
+
+def with_line(key: str, line: str) -> str:
+    """The template with the line of one key replaced."""
+    text, count = re.subn(rf"^{key} = .*$", lambda match: line, TEMPLATE, flags=re.MULTILINE)
+    assert count == 1
+    return text
+
+
+def message_for(path: Path) -> str:
+    with pytest.raises(ParameterError) as raised:
+        TrimmerParameters.from_toml(path)
+    assert str(raised.value).startswith(f"{path}: ")
+    return str(raised.value)
+
+
+def test_the_template_reads_back_equal(tmp_path: Path) -> None:
+    assert TrimmerParameters.from_toml(written(tmp_path, TEMPLATE)) == TrimmerParameters.thesis()
+
+
+def test_the_template_tells_meaning_and_unit_of_each_key() -> None:
+    lines = TEMPLATE.splitlines()
+    for parameter in parameter_table():
+        line = next(line for line in lines if line.startswith(f"{parameter.symbol} = "))
+        assert line.endswith(f"# {parameter.unit}, {parameter.meaning}")
+
+
+def test_a_path_may_be_text(tmp_path: Path) -> None:
+    assert TrimmerParameters.from_toml(str(written(tmp_path, TEMPLATE))) == TrimmerParameters.thesis()
+
+
+@pytest.mark.parametrize(
+    ("line", "shown", "reason"),
+    [
+        ('m2 = "3e-3"', "m2 = '3e-3'", "give a number in kg, without quotation marks"),
+        ('m2 = "1+1"', "m2 = '1+1'", "text is not evaluated"),
+        ("m2 = \"__import__('os').getcwd()\"", "m2 = ", "text is not evaluated"),
+        ("m2 = true", "m2 = True", "give a number in kg"),
+        ("m2 = [0.003]", "m2 = [0.003]", "give a number in kg"),
+        ("m2 = 2020-01-01", "m2 = ", "give a number in kg"),
+        ("m2 = nan", "m2 = nan", "must be finite"),
+        ("m2 = inf", "m2 = inf", "must be finite"),
+        ("m2 = -inf", "m2 = -inf", "must be finite"),
+        ("m2 = 0", "m2 = 0", "greater than zero"),
+        ("m2 = -0.0", "m2 = -0.0", "greater than zero"),
+        ("m2 = -0.003", "m2 = -0.003", "greater than zero"),
+        ("m2 = 1" + "0" * 400, "m2 = 1000", "too large for a floating-point number"),
+        ("m2 = 0x1" + "0" * 9000, "m2 = an integer of thousands of digits", "too large"),
+    ],
+)
+def test_an_unusable_value_is_named_with_its_key_and_reason(
+    tmp_path: Path, line: str, shown: str, reason: str
+) -> None:
+    message = message_for(written(tmp_path, with_line("m2", line)))
+    assert shown in message
+    assert reason in message
+    assert len(message.splitlines()[1]) < 160
+
+
+@pytest.mark.parametrize(("key", "quantity"), [("k3", "stiffness"), ("c4", "damping")])
+def test_negative_stiffness_and_damping_are_refused(tmp_path: Path, key: str, quantity: str) -> None:
+    message = message_for(written(tmp_path, with_line(key, f"{key} = -1.5")))
+    assert f"{key} = -1.5: {quantity} must not be negative" in message
+
+
+@pytest.mark.parametrize(
+    ("line", "advice"),
+    [
+        ("M1 = 1", "M1 = 1: unknown key; did you mean m1?"),
+        ("k55 = 2.0", "k55 = 2.0: unknown key; did you mean k5?"),
+        ("colour = 'red'", "colour = 'red': unknown key; known keys: m1, m2,"),
+        ("[masses]\nm1 = 1", "[masses]: tables are not used"),
+    ],
+)
+def test_an_unknown_key_is_named_with_the_nearest_known_one(tmp_path: Path, line: str, advice: str) -> None:
+    assert advice in message_for(written(tmp_path, f"{TEMPLATE}\n{line}\n"))
+
+
+def test_a_missing_key_is_named_with_meaning_and_unit(tmp_path: Path) -> None:
+    message = message_for(written(tmp_path, with_line("c2", "")))
+    assert "c2: missing; add 'c2 = NUMBER' (N s/m, damping of the driving bridge)" in message
+
+
+def test_all_problems_of_a_file_are_told_at_once(tmp_path: Path) -> None:
+    text = with_line("m1", "m9 = 1").replace("k1 = 200000.0", "k1 = -1")
+    message = message_for(written(tmp_path, text))
+    assert "3 problems" in message
+    for problem in ("m9 = 1: unknown key", "m1: missing", "k1 = -1: stiffness must not be negative"):
+        assert f"\n  {problem}" in message
+
+
+def test_an_empty_file_lacks_every_key(tmp_path: Path) -> None:
+    assert "13 problems" in message_for(written(tmp_path, ""))
+
+
+def test_a_missing_file_is_told_with_how_to_get_one(tmp_path: Path) -> None:
+    assert "no such file; 'trimmer parameters --output FILE' writes one" in message_for(
+        tmp_path / "none.toml"
+    )
+
+
+def test_a_folder_is_told(tmp_path: Path) -> None:
+    assert "is a folder" in message_for(tmp_path)
+
+
+def test_text_that_is_not_utf8_is_told_with_the_place(tmp_path: Path) -> None:
+    assert "not UTF-8 text (byte 3)" in message_for(written(tmp_path, b"# \n\xff"))
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("m1 = 0.035\nm2 : 0.003\n", "line 2"),
+        ("m1 = 1\nm1 = 2\n", "line 2"),
+        ("m1 = 3e\n", "line 1"),
+        ("m1 = " + "[" * 100_000, "not valid TOML"),
+        ("m1 = 1" + "0" * 5000, "not valid TOML"),
+    ],
+)
+def test_a_syntax_error_is_told_with_its_line(tmp_path: Path, text: str, place: str) -> None:
+    message = message_for(written(tmp_path, text))
+    assert "not valid TOML" in message
+    assert place in message

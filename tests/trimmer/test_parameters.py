@@ -1,0 +1,86 @@
+from __future__ import annotations
+
+import dataclasses
+import math
+import tomllib
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from derivations.symbols import PARAMETERS
+from tests.trimmer.trimmers import DAMPINGS, MASSES, STIFFNESSES, trimmers
+from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
+
+THESIS = TrimmerParameters.thesis()
+
+
+def test_thesis_values_are_those_of_listing_a1() -> None:
+    assert THESIS.values() == (
+        *(0.035, 0.003, 0.005, 0.030),
+        *(200e3, 30e3, 150e3, 100e3, 1e3),
+        *(3.5, 0.4, 1.0, 4.0),
+    )
+
+
+def test_meanings_and_units_are_those_of_the_derivation() -> None:
+    derived = [(str(q.symbol).replace("_", ""), q.meaning, q.unit.text) for q in PARAMETERS]
+    assert [(p.symbol, p.meaning, p.unit) for p in parameter_table()] == derived
+
+
+def test_integers_and_numpy_numbers_become_floats() -> None:
+    parameters = dataclasses.replace(THESIS, k1=200_000, c1=np.float32(3.5), m1=np.int64(1))
+    assert [type(value) for value in parameters.values()] == [float] * 13
+    assert (parameters.k1, parameters.c1, parameters.m1) == (200e3, 3.5, 1.0)
+
+
+@pytest.mark.parametrize("symbol", MASSES)
+@pytest.mark.parametrize("value", [0, 0.0, -0.001])
+def test_masses_must_be_positive(symbol: str, value: float) -> None:
+    with pytest.raises(ParameterError, match=rf"^{symbol} = {value!r}: a mass must be greater than zero$"):
+        dataclasses.replace(THESIS, **{symbol: value})
+
+
+@pytest.mark.parametrize("symbol", STIFFNESSES + DAMPINGS)
+def test_stiffness_and_damping_may_be_zero_but_not_negative(symbol: str) -> None:
+    assert getattr(dataclasses.replace(THESIS, **{symbol: 0.0}), symbol) == 0.0
+    with pytest.raises(
+        ParameterError, match=rf"^{symbol} = -1e-09: (stiffness|damping) must not be negative$"
+    ):
+        dataclasses.replace(THESIS, **{symbol: -1e-9})
+
+
+@pytest.mark.parametrize(
+    ("value", "reason"),
+    [
+        (math.nan, "must be finite"),
+        (math.inf, "must be finite"),
+        (-math.inf, "must be finite"),
+        (10**400, "too large for a floating-point number"),
+        (True, "give a number in kg"),
+        (None, "give a number in kg"),
+        ("0.035", "give a number in kg"),
+        (0.035 + 0j, "give a number in kg"),
+        (np.array([1.0, 2.0]), "give a number in kg"),
+        ([0.035], "give a number in kg"),
+    ],
+)
+def test_what_is_not_a_finite_number_is_refused(value: object, reason: str) -> None:
+    with pytest.raises(ParameterError, match=reason) as raised:
+        dataclasses.replace(THESIS, m1=value)  # type: ignore[arg-type]
+    assert str(raised.value).startswith("m1 = ")
+
+
+def test_every_unusable_value_is_named() -> None:
+    with pytest.raises(ParameterError, match=r"m1 = 0: .*; k2 = -1: .*; c4 = nan: "):
+        dataclasses.replace(THESIS, m1=0, k2=-1, c4=math.nan)
+
+
+def test_parameters_cannot_be_changed() -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        THESIS.m1 = 1.0  # type: ignore[misc]
+
+
+@given(trimmers())
+def test_toml_text_reads_back_equal(parameters: TrimmerParameters) -> None:
+    assert TrimmerParameters(**tomllib.loads(parameters.to_toml())) == parameters

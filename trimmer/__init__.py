@@ -1,0 +1,122 @@
+"""Vibration of a hair trimmer: its linear model, and what can be computed from it.
+
+Names are imported from their modules when they are first used, so importing the package costs nothing:
+
+    >>> from trimmer import TrimmerParameters, pin_model, resonance_peaks
+    >>> peaks = resonance_peaks(pin_model(TrimmerParameters.thesis()))
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from trimmer.crossings import RealAxisCrossing as RealAxisCrossing
+    from trimmer.crossings import gain_crossings as gain_crossings
+    from trimmer.crossings import real_axis_crossings as real_axis_crossings
+    from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD
+    from trimmer.displacement import Body as Body
+    from trimmer.displacement import Displacement as Displacement
+    from trimmer.displacement import DisplacementError as DisplacementError
+    from trimmer.errors import TrimmerError as TrimmerError
+    from trimmer.extrema import Extremum as Extremum
+    from trimmer.extrema import dips as dips
+    from trimmer.extrema import resonance_peaks as resonance_peaks
+    from trimmer.files import FileWriteError as FileWriteError
+    from trimmer.files import write_whole as write_whole
+    from trimmer.frequency_domain import UnsupportedSystemError as UnsupportedSystemError
+    from trimmer.frequency_domain import frequency_response as frequency_response
+    from trimmer.linear import InputChannels as InputChannels
+    from trimmer.linear import linear_model as linear_model
+    from trimmer.linear import pin_model as pin_model
+    from trimmer.linear import transfer_function as transfer_function
+    from trimmer.linear_summary import LinearSummary as LinearSummary
+    from trimmer.linear_summary import summarise as summarise
+    from trimmer.low_pass import asymptotic_roll_off as asymptotic_roll_off
+    from trimmer.low_pass import bandwidth as bandwidth
+    from trimmer.low_pass import bandwidth_crossings as bandwidth_crossings
+    from trimmer.low_pass import filtering_ratio as filtering_ratio
+    from trimmer.low_pass import local_slope as local_slope
+    from trimmer.modal_analysis import Mode as Mode
+    from trimmer.modal_analysis import UndampedMode as UndampedMode
+    from trimmer.modal_analysis import modes as modes
+    from trimmer.modal_analysis import undamped_modes as undamped_modes
+    from trimmer.nyquist import PointOnLocusError as PointOnLocusError
+    from trimmer.nyquist import encirclements as encirclements
+    from trimmer.parameters import ParameterError as ParameterError
+    from trimmer.parameters import TrimmerParameters as TrimmerParameters
+    from trimmer.parameters import parameter_table as parameter_table
+    from trimmer.time_domain import SteadyState as SteadyState
+    from trimmer.time_domain import TimeResponse as TimeResponse
+    from trimmer.time_domain import steady_state as steady_state
+    from trimmer.time_domain import time_response as time_response
+    from trimmer.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
+
+    __version__: str
+
+_MODULES = {
+    "CUTTER_RELATIVE_TO_GUARD": "displacement",
+    "Body": "displacement",
+    "Displacement": "displacement",
+    "DisplacementError": "displacement",
+    "Extremum": "extrema",
+    "FileWriteError": "files",
+    "InputChannels": "linear",
+    "LinearSummary": "linear_summary",
+    "Mode": "modal_analysis",
+    "ParameterError": "parameters",
+    "PointOnLocusError": "nyquist",
+    "RealAxisCrossing": "crossings",
+    "SteadyState": "time_domain",
+    "TimeResponse": "time_domain",
+    "TrimmerError": "errors",
+    "TrimmerParameters": "parameters",
+    "UndampedMode": "modal_analysis",
+    "UnsupportedSystemError": "frequency_domain",
+    "ZeroPoleGain": "zero_pole_gain",
+    "asymptotic_roll_off": "low_pass",
+    "bandwidth": "low_pass",
+    "bandwidth_crossings": "low_pass",
+    "dips": "extrema",
+    "encirclements": "nyquist",
+    "filtering_ratio": "low_pass",
+    "frequency_response": "frequency_domain",
+    "gain_crossings": "crossings",
+    "linear_model": "linear",
+    "local_slope": "low_pass",
+    "modes": "modal_analysis",
+    "parameter_table": "parameters",
+    "pin_model": "linear",
+    "real_axis_crossings": "crossings",
+    "resonance_peaks": "extrema",
+    "steady_state": "time_domain",
+    "summarise": "linear_summary",
+    "time_response": "time_domain",
+    "transfer_function": "linear",
+    "undamped_modes": "modal_analysis",
+    "write_whole": "files",
+}
+
+__all__ = ["__version__", *_MODULES]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return _version()
+    if name not in _MODULES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("trimmer")
+    except PackageNotFoundError:
+        return "unknown (not installed)"

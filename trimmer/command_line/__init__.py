@@ -1,0 +1,1 @@
+"""The ``trimmer`` command: one module per subcommand, put together in ``main``."""

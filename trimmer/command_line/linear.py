@@ -1,0 +1,53 @@
+"""``trimmer linear``: what the linear model says about a trimmer, for people and for machines."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from trimmer.command_line.command import Command
+
+_CHANNELS = ("displacement", "both")
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--parameters",
+        metavar="FILE",
+        type=Path,
+        help="TOML file with the trimmer's parameters (default: the thesis's trimmer)",
+    )
+    parser.add_argument(
+        "--output",
+        metavar="DISPLACEMENT",
+        default="q2-q4",
+        help="displacement to follow, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
+    )
+    parser.add_argument(
+        "--channels",
+        choices=_CHANNELS,
+        default=_CHANNELS[1],
+        help="whether the pin acts by its displacement alone, as in the thesis, or by its velocity too "
+        "(default: both)",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.linear_text import as_json, as_text
+    from trimmer.displacement import Displacement
+    from trimmer.linear import InputChannels
+    from trimmer.linear_summary import summarise
+    from trimmer.parameters import TrimmerParameters
+
+    output = Displacement.parse(arguments.output)
+    chosen = arguments.parameters
+    parameters = TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
+    summary = summarise(parameters, output, InputChannels(arguments.channels))
+    print(as_json(summary) if arguments.json else as_text(summary))
+    return 0
+
+
+COMMAND = Command(
+    "linear", "modes, resonances, bandwidth and stability of the linear trimmer", _configure, _run
+)

@@ -1,0 +1,164 @@
+"""The summary of the linear model as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+
+from trimmer.displacement import Body
+from trimmer.linear import InputChannels
+from trimmer.linear_summary import CRITICAL_POINT, LinearSummary
+from trimmer.modal_analysis import Mode
+
+_CHANNELS = {
+    InputChannels.DISPLACEMENT_ONLY: "displacement only",
+    InputChannels.DISPLACEMENT_AND_VELOCITY: "displacement and velocity",
+}
+
+Rows = Iterable[tuple[str, ...]]
+
+
+def as_text(summary: LinearSummary) -> str:
+    """Lay the summary out as short tables."""
+    sections = (
+        [
+            f"Linear trimmer: output {summary.output.label}, pin acts by {_CHANNELS[summary.channels]}, "
+            f"{'stable' if _is_stable(summary) else 'not asymptotically stable'}"
+        ],
+        _table(
+            "Modes",
+            ("Hz", "rad/s", "damping ratio", "eigenvalue, 1/s", *(f"|{body.coordinate}|" for body in Body)),
+            _mode_rows(summary.modes),
+        ),
+        _table("Poles and zeros, rad/s", ("poles", "zeros"), _root_rows(summary)),
+        _table("Gain", ("quantity", "value"), _gain_rows(summary)),
+        _table(
+            "Extrema of |G|",
+            ("kind", "rad/s", "Hz", "|G|", "dB"),
+            _extremum_rows(summary),
+        ),
+        _table(
+            "Crossings of the real axis",
+            ("rad/s", "Hz", "G"),
+            (
+                (_number(c.omega), _number(_hertz(c.omega)), _number(c.value))
+                for c in summary.real_axis_crossings
+            ),
+        ),
+    )
+    return "\n\n".join("\n".join(lines) for lines in sections)
+
+
+def as_json(summary: LinearSummary) -> str:
+    """Give the summary as JSON: full precision, SI units, complex numbers as [real, imaginary].
+
+    What is infinite or not defined is null.
+    """
+    content = {
+        "parameters": asdict(summary.parameters),
+        "output": summary.output.label,
+        "channels": summary.channels.value,
+        "stable": _is_stable(summary),
+        "modes": [
+            {
+                "eigenvalue": _pair(mode.eigenvalue),
+                "omega_natural": mode.omega_natural,
+                "omega_damped": mode.omega_damped,
+                "frequency": mode.frequency,
+                "damping_ratio": mode.damping_ratio,
+                "shape": [_pair(entry) for entry in mode.shape],
+            }
+            for mode in summary.modes
+        ],
+        "poles": [_pair(pole) for pole in summary.factored.poles],
+        "zeros": [_pair(zero) for zero in summary.factored.zeros],
+        "static_gain": _finite(summary.factored.static_gain),
+        "gain_crossings": summary.gain_crossings,
+        "real_axis_crossings": [{"omega": c.omega, "value": c.value} for c in summary.real_axis_crossings],
+        "bandwidth": _finite(summary.low_pass.bandwidth) if summary.low_pass else None,
+        "bandwidth_crossings": summary.low_pass.crossings if summary.low_pass else None,
+        "peaks": [{"omega": e.omega, "magnitude": _finite(e.magnitude)} for e in summary.peaks],
+        "dips": [{"omega": e.omega, "magnitude": e.magnitude} for e in summary.dips],
+        "roll_off": summary.roll_off,
+        "encirclements": summary.encirclements,
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _mode_rows(modes: Sequence[Mode]) -> Rows:
+    for mode in modes:
+        numbers = (mode.frequency, mode.omega_natural, mode.damping_ratio)
+        shape = (f"{abs(entry):.3g}" for entry in mode.shape)
+        yield (*map(_number, numbers), _complex(mode.eigenvalue), *shape)
+
+
+def _root_rows(summary: LinearSummary) -> Rows:
+    poles, zeros = (
+        [_complex(root) for root in roots if root.imag >= 0]
+        for roots in (summary.factored.poles, summary.factored.zeros)
+    )
+    for row in range(max(len(poles), len(zeros))):
+        yield tuple(column[row] if row < len(column) else "" for column in (poles, zeros))
+
+
+def _gain_rows(summary: LinearSummary) -> Rows:
+    yield "G(0)", _number(summary.factored.static_gain)
+    yield "|G| = 1 (0 dB) at", _frequencies(summary.gain_crossings)
+    if summary.low_pass is None:
+        yield "bandwidth", "not defined: G(0) is zero or infinite"
+    else:
+        yield "bandwidth (-3 dB from G(0))", _frequencies((summary.low_pass.bandwidth,))
+        yield "-3 dB from G(0) at", _frequencies(summary.low_pass.crossings)
+    yield "roll-off", f"{_number(summary.roll_off)} dB per decade"
+    count = "not defined: on the locus" if summary.encirclements is None else str(summary.encirclements)
+    yield f"clockwise encirclements of {CRITICAL_POINT:g}", count
+
+
+def _extremum_rows(summary: LinearSummary) -> Rows:
+    for extremum in sorted(summary.peaks + summary.dips, key=lambda extremum: extremum.omega):
+        kind = "peak" if extremum in summary.peaks else "dip"
+        values = (extremum.omega, _hertz(extremum.omega), extremum.magnitude, _decibels(extremum.magnitude))
+        yield (kind, *map(_number, values))
+
+
+def _table(title: str, heads: tuple[str, ...], rows: Rows) -> list[str]:
+    listed = [heads, *rows]
+    if len(listed) == 1:
+        return [title, "  none"]
+    widths = [max(len(row[column]) for row in listed) for column in range(len(heads))]
+    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in listed)
+    return [title, *(f"  {line}" for line in lines)]
+
+
+def _frequencies(omegas: Sequence[float]) -> str:
+    return ", ".join(map(_number, omegas)) + " rad/s" if omegas else "no frequency"
+
+
+def _number(value: float) -> str:
+    return f"{value:.6g}"
+
+
+def _complex(value: complex) -> str:
+    return f"{value.real:.6g}" if value.imag == 0 else f"{value.real:.6g} ± {value.imag:.6g}j"
+
+
+def _pair(value: complex) -> tuple[float, float]:
+    return (value.real, value.imag)
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _hertz(omega: float) -> float:
+    return omega / (2 * math.pi)
+
+
+def _decibels(magnitude: float) -> float:
+    return 20 * math.log10(magnitude) if magnitude > 0 else -math.inf
+
+
+def _is_stable(summary: LinearSummary) -> bool:
+    return all(mode.eigenvalue.real < 0 for mode in summary.modes)

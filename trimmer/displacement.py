@@ -1,0 +1,88 @@
+"""Displacements of the trimmer that can be an output: of a body, absolute or relative to another body."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import Enum
+from typing import Self
+
+from trimmer.errors import TrimmerError
+
+
+class DisplacementError(TrimmerError, ValueError):
+    """A displacement that does not exist, with what to write instead."""
+
+
+class Body(Enum):
+    """A body of the trimmer; the value is the number of its coordinate, as in q1."""
+
+    MOTOR = 1
+    CUTTER = 2
+    HOUSING = 3
+    GUARD = 4
+
+    @property
+    def coordinate(self) -> str:
+        """Name of the coordinate: q1 to q4."""
+        return f"q{self.value}"
+
+    @property
+    def index(self) -> int:
+        """Place of the coordinate in a vector that counts from 0."""
+        return self.value - 1
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """Displacement of a body, m; ``relative_to`` is the body it is measured from, None for the ground.
+
+    Raises:
+        DisplacementError: if both bodies are the same.
+    """
+
+    of: Body
+    relative_to: Body | None = None
+
+    def __post_init__(self) -> None:
+        if self.of is self.relative_to:
+            raise DisplacementError(
+                f"{self.label} is zero: a displacement relative to a body needs another body"
+            )
+
+    @classmethod
+    def parse(cls, text: str) -> Self:
+        """Read a displacement such as ``q2`` or ``q2-q4``; spaces and capitals do not matter.
+
+        Raises:
+            DisplacementError: if the text is neither.
+        """
+        match = re.fullmatch(r"\s*[qQ]([1-4])\s*(?:-\s*[qQ]([1-4])\s*)?", text, flags=re.ASCII)
+        if match is None:
+            meanings = ", ".join(f"{body.coordinate} {body.name.lower()}" for body in Body)
+            raise DisplacementError(
+                f"{text!r} is not a displacement: write a coordinate (q2) or a difference of two (q2-q4); "
+                f"coordinates: {meanings}"
+            )
+        of, relative_to = match.groups()
+        return cls(Body(int(of)), Body(int(relative_to)) if relative_to else None)
+
+    @property
+    def label(self) -> str:
+        """Short name, such as ``q2-q4``; ``parse`` reads it back."""
+        if self.relative_to is None:
+            return self.of.coordinate
+        return f"{self.of.coordinate}-{self.relative_to.coordinate}"
+
+    @property
+    def row(self) -> tuple[float, float, float, float]:
+        """Factors of q1 to q4 in this displacement."""
+        factors = [0.0] * len(Body)
+        factors[self.of.index] += 1.0
+        if self.relative_to is not None:
+            factors[self.relative_to.index] -= 1.0
+        return (factors[0], factors[1], factors[2], factors[3])
+
+
+CUTTER_RELATIVE_TO_GUARD = Displacement(Body.CUTTER, Body.GUARD)
+"""The output of the thesis, y = q2 - q4 (equation 2.14)."""
