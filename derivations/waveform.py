@@ -1,0 +1,59 @@
+"""A periodic signal given piece by piece over one period, and its Fourier coefficients."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+
+THETA = sympy.Symbol("theta", real=True)
+"""Phase of the input A sin θ, rad."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """The output between two phases: ``value`` is an expression in ``THETA``."""
+
+    start: sympy.Expr
+    end: sympy.Expr
+    value: sympy.Expr
+
+
+@dataclass(frozen=True)
+class Waveform:
+    """Segments that follow one another over a whole period of 2π."""
+
+    segments: tuple[Segment, ...]
+
+    def jumps(self) -> tuple[sympy.Expr, ...]:
+        """Return by how much the output jumps where one segment ends and the next begins, simplified."""
+        following = (*self.segments[1:], self.segments[0])
+        return tuple(
+            sympy.simplify(
+                after.value.subs(THETA, after.start) - before.value.subs(THETA, before.end)
+            )
+            for before, after in zip(self.segments, following, strict=True)
+        )
+
+    def cosine_coefficient(self, harmonic: int = 1) -> sympy.Expr:
+        """Return a_n = (1/π) ∫ y cos nθ dθ over the period (thesis, equation 2.29)."""
+        return self._coefficient(sympy.cos(harmonic * THETA))
+
+    def sine_coefficient(self, harmonic: int = 1) -> sympy.Expr:
+        """Return b_n = (1/π) ∫ y sin nθ dθ over the period (thesis, equation 2.29)."""
+        return self._coefficient(sympy.sin(harmonic * THETA))
+
+    def _coefficient(self, weight: sympy.Expr) -> sympy.Expr:
+        return sympy.Add(*(segment_integral(segment, weight) for segment in self.segments)) / sympy.pi
+
+
+def segment_integral(segment: Segment, weight: sympy.Expr) -> sympy.Expr:
+    """Return the integral of a segment times a weight, by its antiderivative."""
+    primitive = sympy.integrate(sympy.expand(segment.value * weight), THETA)
+    return primitive.subs(THETA, segment.end) - primitive.subs(THETA, segment.start)
+
+
+def describing_function(waveform: Waveform, amplitude: sympy.Expr, harmonic: int = 1) -> sympy.Expr:
+    """Return N_n = (b_n + j a_n) / A (thesis, equation 2.35, for harmonic n)."""
+    cosine, sine = waveform.cosine_coefficient(harmonic), waveform.sine_coefficient(harmonic)
+    return (sine + sympy.I * cosine) / amplitude
