@@ -34,14 +34,16 @@ class _MechanicsPrinter(LatexPrinter):
         return str(super()._print_Integral(expr)).replace(r"\int\limits", r"\int")
 
     def _print_Mul(self, expr: sympy.Mul) -> str:
-        if not any(factor.is_Mul for factor in expr.args):
-            expr = sympy.Mul(*expr.as_ordered_factors(), evaluate=False)
+        # SymPy sends a power with a negative exponent here too, to be set as a fraction.
+        if expr.is_Mul and not any(factor.is_Mul for factor in expr.args):
+            expr = sympy.Mul(*sorted(expr.args, key=lambda factor: factor.sort_key()), evaluate=False)
         return str(super()._print_Mul(expr))
 
 
 def latex(expression: sympy.Basic) -> str:
     """Return LaTeX of an expression, its terms in the order in which they are held."""
     settings = {
+        "imaginary_unit": "j",
         "inv_trig_style": "power",
         "order": "none",
         "mat_delim": "(",

@@ -29,9 +29,7 @@ class Waveform:
         """Return by how much the output jumps where one segment ends and the next begins, simplified."""
         following = (*self.segments[1:], self.segments[0])
         return tuple(
-            sympy.simplify(
-                after.value.subs(THETA, after.start) - before.value.subs(THETA, before.end)
-            )
+            sympy.simplify(after.value.subs(THETA, after.start) - before.value.subs(THETA, before.end))
             for before, after in zip(self.segments, following, strict=True)
         )
 

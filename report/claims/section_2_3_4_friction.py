@@ -1,0 +1,317 @@
+"""Claims of section 2.3.4 on friction-controlled backlash, and appendix B.1 (2.36 to 2.41, B.1, B.2).
+
+The thesis's b is half of the total gap in these places.
+"""
+
+from __future__ import annotations
+
+import sympy
+
+from derivations.backlash import friction_waveform
+from derivations.symbols import A, omega
+from derivations.waveform import THETA, Segment, segment_integral
+from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import product, total
+from report.claims.quadrature import coefficient, confirm, integral
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
+from report.comparisons.expression import SameExpression
+from report.evidence import Evidence
+
+SOURCE = "derivations/backlash.py"
+b = sympy.Symbol("b", positive=True)
+REACHED = sympy.Gt(A, b)
+VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
+WAVEFORM = friction_waveform(2 * b)
+CONTACT = sympy.asin(1 - 2 * b / A)
+LINES = ("first", "second", "third", "fourth")
+SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
+
+
+def claims(_: Evidence) -> tuple[Claim, ...]:
+    """Return the claims in thesis order."""
+    return (
+        _waveform(),
+        _first_segment(),
+        _contact_angle(),
+        _cosine_integrals(),
+        _cosine_coefficient("eq-2.38"),
+        _sine_integrals(),
+        _sine_coefficient(),
+        _describing_function(),
+        _frequency_independent(),
+        _appendix_integrals(),
+        _cosine_coefficient("eq-B.2"),
+    )
+
+
+def printed_cosine_coefficient() -> sympy.Expr:
+    """Return a1 of equations 2.38, 2.41 and B.2."""
+    return 4 * b / sympy.pi * (b / A - 1)
+
+
+def printed_sine_coefficient() -> sympy.Expr:
+    """Return b1 of equations 2.40 and 2.41."""
+    ratio = 2 * b / A - 1
+    return product(
+        A / sympy.pi, total(sympy.pi / 2, -sympy.asin(ratio), product(-1, ratio, sympy.sqrt(1 - ratio**2)))
+    )
+
+
+def _waveform() -> Claim:
+    printed = (-(A - b), total(A * SINE, b), A - b, total(A * SINE, -b))
+    slip = "the signs of the two constant pieces are exchanged"
+    jump = 2 * (A - b)
+    return Claim(
+        id="eq-2.36",
+        parts=tuple(
+            Part(
+                f"{line} piece",
+                SameExpression(value, segment.value, left=sympy.Symbol("y"), assume=REACHED),
+                _stays_within_the_gap(segment),
+                Slip(slip, -segment.value, Verdict.ERRATUM),
+            )
+            for line, value, segment in zip(LINES, printed, WAVEFORM.segments, strict=True)
+        ),
+        explanation=(
+            "After its peak at $\\omega t = \\pi/2$ the pin lets go and the bridge stays where it is, at "
+            "$+(A - b)$; after the trough it stays at $-(A - b)$. The printed signs are exchanged, so the "
+            f"output would jump by ${sympy.latex(jump)}$ at the start of contact, and the bridge would leave "
+            "the gap. The moving pieces and all limits are right."
+        ),
+        consequence=(
+            "The same signs stand in the integrals of equation 2.37, whose values are nevertheless those of "
+            "the right waveform; the describing function is not touched."
+        ),
+        impact=Impact.LOCAL,
+        source=SOURCE,
+    )
+
+
+def _stays_within_the_gap(segment: Segment) -> Confirmation:
+    """Confirm a piece: it begins where the piece before it ends."""
+    index = WAVEFORM.segments.index(segment)
+    before = WAVEFORM.segments[index - 1]
+    end, start = (
+        complex(piece.value.subs(THETA, phase).subs(VALUES).evalf(20))
+        for piece, phase in ((before, before.end), (segment, segment.start))
+    )
+    return Confirmation("continuity at the start of the piece", CloseNumbers(end, start))
+
+
+def _first_segment() -> Claim:
+    derived = WAVEFORM.segments[0].value
+    return Claim(
+        id="txt-2.3.4-first-segment-value",
+        parts=(
+            Part(
+                "",
+                SameExpression(-(A - b), derived, assume=REACHED),
+                _stays_within_the_gap(WAVEFORM.segments[0]),
+                Slip("the sign is that of the third piece", -derived, Verdict.ERRATUM),
+            ),
+        ),
+        explanation=(
+            "Figure 2.9's first piece follows the pin's peak, where the bridge is at its highest, $+(A - "
+            "b)$. The text gives it a minus sign, and the third piece a plus sign."
+        ),
+        consequence="Equation 2.36 repeats it.",
+        impact=Impact.LOCAL,
+        source=SOURCE,
+    )
+
+
+def _contact_angle() -> Claim:
+    meeting = sympy.Symbol("s", real=True)
+    derived = sympy.asin(sympy.solve(A * meeting + b - (A - b), meeting)[0])
+    return Claim(
+        id="txt-2.3.4-contact-angle",
+        parts=(Part("", SameExpression(CONTACT, derived, left=sympy.Symbol("gamma"), assume=REACHED)),),
+        explanation=(
+            "The bridge, at rest at $A - b$, is met by the other side of the pin where $A\\sin\\omega t + b "
+            "= A - b$; that is at $\\pi - \\gamma$ with the printed $\\gamma$. Here $b$ is half of the total "
+            "gap."
+        ),
+        source=SOURCE,
+    )
+
+
+def _integral_parts(
+    integrands: tuple[sympy.Expr, ...], values: tuple[sympy.Expr, ...], weight: sympy.Expr, slip: str
+) -> list[Part]:
+    parts = []
+    for line, integrand, value, segment in zip(LINES, integrands, values, WAVEFORM.segments, strict=True):
+        parts.append(
+            Part(
+                f"{line} integrand",
+                SameExpression(integrand, segment.value * weight, assume=REACHED),
+                slip=Slip(slip, -segment.value * weight, Verdict.ERRATUM),
+            )
+        )
+        derived = sympy.simplify(segment_integral(segment, weight))
+        numeric = integral(segment, weight, VALUES)
+        parts.append(
+            Part(
+                f"{line} value",
+                SameExpression(sympy.sympify(value), derived, assume=REACHED),
+                confirm(derived, numeric, VALUES),
+            )
+        )
+    return parts
+
+
+def _held_value() -> sympy.Expr:
+    return 2 * b * (b - A) / A
+
+
+def _cosine_integrals() -> Claim:
+    integrands = (
+        product(-1, A - b, COSINE),
+        product(total(A * SINE, b), COSINE),
+        product(A - b, COSINE),
+        product(total(A * SINE, -b), COSINE),
+    )
+    values = (_held_value(), 0, _held_value(), 0)
+    slip = "the signs of the two constant pieces are exchanged"
+    return Claim(
+        id="eq-2.37",
+        parts=tuple(_integral_parts(integrands, values, COSINE, slip)),
+        explanation=(
+            "The first and the third integrand have the exchanged signs of equation 2.36. The values under "
+            "the braces are those of the right integrands, so two lines do not give what is printed below "
+            "them; appendix B.1 has the right signs."
+        ),
+        consequence="None: the coefficient in equation 2.38 uses the values.",
+        impact=Impact.LOCAL,
+        source=SOURCE,
+    )
+
+
+def _appendix_integrals() -> Claim:
+    integrands = (
+        product(A - b, COSINE),
+        product(total(A * SINE, b), COSINE),
+        product(-1, A - b, COSINE),
+        product(total(A * SINE, -b), COSINE),
+    )
+    values = (_held_value(), 0, _held_value(), 0)
+    return Claim(
+        id="eq-B.1",
+        parts=tuple(_integral_parts(integrands, values, COSINE, "sign")),
+        explanation="Integrands and values are right, with the signs that equation 2.37 has exchanged.",
+        source=SOURCE,
+    )
+
+
+def _cosine_coefficient(claim_id: str) -> Claim:
+    derived = sympy.simplify(WAVEFORM.cosine_coefficient())
+    numeric = coefficient(WAVEFORM, COSINE, VALUES)
+    return Claim(
+        id=claim_id,
+        parts=(
+            Part(
+                "",
+                SameExpression(
+                    printed_cosine_coefficient(), derived, left=sympy.Symbol("a_1"), assume=REACHED
+                ),
+                confirm(derived, numeric, VALUES),
+            ),
+        ),
+        explanation=(
+            "The coefficient of the right waveform, with $b$ half of the total gap. It is negative for $A > "
+            "b$."
+        ),
+        source=SOURCE,
+    )
+
+
+def _sine_integrals() -> Claim:
+    integrands = (
+        product(A - b, SINE),
+        product(total(A * SINE, b), SINE),
+        product(-1, A - b, SINE),
+        product(total(A * SINE, -b), SINE),
+    )
+    root = sympy.sqrt(b * (A - b) / A**2)
+    held = 2 * (A - b) * root
+    moving = A / 4 * (-4 * root + 2 * sympy.asin(1 - 2 * b / A) + sympy.pi)
+    return Claim(
+        id="eq-2.39",
+        parts=tuple(_integral_parts(integrands, (held, moving, held, moving), SINE, "sign")),
+        explanation=(
+            "All four integrands and values are right. The signs of the constant pieces are the right ones "
+            "here, other than in equations 2.36 and 2.37."
+        ),
+        source=SOURCE,
+    )
+
+
+def _sine_coefficient() -> Claim:
+    derived = WAVEFORM.sine_coefficient()
+    numeric = coefficient(WAVEFORM, SINE, VALUES)
+    return Claim(
+        id="eq-2.40",
+        parts=(
+            Part(
+                "",
+                SameExpression(printed_sine_coefficient(), derived, left=sympy.Symbol("b_1"), assume=REACHED),
+                confirm(derived, numeric, VALUES),
+            ),
+        ),
+        explanation="The coefficient of the right waveform, with $b$ half of the total gap.",
+        source=SOURCE,
+    )
+
+
+def _describing_function() -> Claim:
+    parts = []
+    rows = (
+        ("a_1", printed_cosine_coefficient(), WAVEFORM.cosine_coefficient(), COSINE),
+        ("b_1", printed_sine_coefficient(), WAVEFORM.sine_coefficient(), SINE),
+    )
+    for name, printed, derived, weight in rows:
+        numeric = coefficient(WAVEFORM, weight, VALUES)
+        parts.append(
+            Part(
+                f"${name}$",
+                SameExpression(printed, sympy.simplify(derived), left=sympy.Symbol(name), assume=REACHED),
+                confirm(derived, numeric, VALUES),
+            )
+        )
+    return Claim(
+        id="eq-2.41",
+        parts=tuple(parts),
+        explanation=(
+            "Both coefficients are right when $b$ is half of the total gap, as here. The listings use the "
+            "same letter for the total gap; whoever mixes the two is wrong by a factor of two in the "
+            "amplitude."
+        ),
+        source=SOURCE,
+    )
+
+
+def _frequency_independent() -> Claim:
+    coefficients = (WAVEFORM.cosine_coefficient(), WAVEFORM.sine_coefficient())
+    free = set().union(*(each.free_symbols for each in coefficients))
+    return Claim(
+        id="txt-2.3.4-friction-frequency-independent",
+        parts=(
+            Part(
+                "",
+                Assertion(
+                    statement="the describing function does not depend on frequency",
+                    derived=omega not in free and free == {A, b},
+                    evidence=(
+                        "contact angle and output depend on the phase alone, so amplitude and gap are all "
+                        "that is left"
+                    ),
+                    method="symbols of the derived coefficients",
+                ),
+            ),
+        ),
+        explanation=(
+            "Without inertia the bridge's position depends on the path of the pin and not on how fast it is "
+            "run through."
+        ),
+        source=SOURCE,
+    )

@@ -1,0 +1,94 @@
+"""Claims of section 2.3.6: harmonic balance in two equations (equations 2.53 to 2.56)."""
+
+from __future__ import annotations
+
+import sympy
+
+from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import product, total
+from report.comparisons.digits import CloseNumbers
+from report.comparisons.expression import SameExpression
+from report.evidence import Evidence
+
+SOURCE = "report/claims/section_2_3_6.py"
+REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real=True)
+LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
+POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
+
+
+def claims(_: Evidence) -> tuple[Claim, ...]:
+    """Return the claims in thesis order."""
+    return (_real_part(), _imaginary_part(), _graphical("eq-2.55"), _graphical("eq-2.56"))
+
+
+def _numeric_loop() -> complex:
+    return complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
+
+
+def _real_part() -> Claim:
+    printed = total(product(REAL_N, REAL_G), product(-1, IMAGINARY_N, IMAGINARY_G))
+    derived = sympy.re(LOOP)
+    return Claim(
+        id="eq-2.53",
+        parts=(
+            Part(
+                "left side, equal to $-1$",
+                SameExpression(printed, derived),
+                Confirmation(
+                    "complex numbers", CloseNumbers(_numeric_loop().real, complex(derived.subs(POINT)))
+                ),
+            ),
+        ),
+        explanation="The real part of $NG$.",
+        source=SOURCE,
+    )
+
+
+def _imaginary_part() -> Claim:
+    printed = total(product(IMAGINARY_N, IMAGINARY_G), product(IMAGINARY_N, REAL_G))
+    derived = sympy.im(LOOP)
+    return Claim(
+        id="eq-2.54",
+        parts=(
+            Part(
+                "left side, equal to zero",
+                SameExpression(printed, derived),
+                Confirmation(
+                    "complex numbers", CloseNumbers(_numeric_loop().imag, complex(derived.subs(POINT)))
+                ),
+                Slip(
+                    "the first factor is the imaginary part of N instead of the real one",
+                    derived - REAL_N * IMAGINARY_G + IMAGINARY_N * IMAGINARY_G,
+                    Verdict.ERRATUM,
+                ),
+            ),
+        ),
+        explanation=(
+            "The imaginary part of $NG$ is $\\mathrm{Re}N\\,\\mathrm{Im}G + \\mathrm{Im}N\\,\\mathrm{Re}G$. "
+            "As printed the amplitude drops out: for $\\mathrm{Im}N \\ne 0$ it asks for $\\mathrm{Re}G = "
+            "-\\mathrm{Im}G$, whatever the nonlinearity."
+        ),
+        consequence="None: Listing A.9, lines 22 to 25, has the right form.",
+        impact=Impact.LOCAL,
+        source=SOURCE,
+    )
+
+
+def _graphical(claim_id: str) -> Claim:
+    linear, nonlinear = sympy.symbols("G N")
+    derived = sympy.solve(1 + nonlinear * linear, linear)[0]
+    return Claim(
+        id=claim_id,
+        parts=(Part("", SameExpression(-1 / nonlinear, derived, left=linear)),),
+        explanation=(
+            "The condition of harmonic balance solved for $G$. "
+            + (
+                "For a describing function of two variables it is a family of curves, one for each "
+                "frequency, and only the point of equal frequency on both curves counts."
+                if claim_id == "eq-2.55"
+                else "Without dependence on frequency one curve serves all frequencies. Coulomb friction is "
+                "of this kind for either choice of its input."
+            )
+        ),
+        source=SOURCE,
+    )

@@ -1,0 +1,284 @@
+"""Claims of sections 2.3.1 to 2.3.3: harmonic balance, Fourier series, definition (2.25 to 2.35)."""
+
+from __future__ import annotations
+
+import sympy
+
+from derivations.symbols import A, omega, t
+from derivations.waveform import THETA, Segment, Waveform
+from report.claim import Claim, Confirmation, Impact, Mathematics, Part, Slip, Verdict
+from report.claims.printed import total
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
+from report.comparisons.expression import SameExpression
+from report.evidence import Evidence
+from trimmer import filtering_ratio
+
+SOURCE = "derivations/waveform.py"
+LIMIT_CYCLE_OMEGA = 4607.7
+COSINE_PART = sympy.Symbol("a_1", real=True)
+SINE_PART = sympy.Symbol("b_1", positive=True)
+MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:4"), sympy.symbols("b_1:4")
+
+
+def claims(evidence: Evidence) -> tuple[Claim, ...]:
+    """Return the claims in thesis order."""
+    return (
+        _harmonic_balance(),
+        _filtering_hypothesis(evidence),
+        _sinusoid("eq-2.27"),
+        _sinusoid("txt-2.3.3-df-definition"),
+        _fourier_series(),
+        _fourier_coefficients(),
+        _fundamental_coefficients(),
+        _first_harmonic(),
+        _magnitude(),
+        _phase(),
+        _ratio_of_signals(),
+        _describing_function(),
+    )
+
+
+def _harmonic_balance() -> Claim:
+    linear, nonlinear, signal = sympy.symbols("G N Y")
+    loop = sympy.expand((signal - linear * (-nonlinear * signal)) / signal)
+    return Claim(
+        id="eq-2.25",
+        parts=(Part("", SameExpression(total(nonlinear * linear, 1), loop)),),
+        explanation=(
+            "Round the loop with negative feedback a sinusoid $Y$ comes back as $-NGY$. It sustains itself "
+            "with a nonzero amplitude exactly if $1 + NG = 0$."
+        ),
+        source="derivations/stability.py",
+    )
+
+
+def _filtering_hypothesis(evidence: Evidence) -> Claim:
+    system = evidence.numbers.displacement_only
+    ratios = [float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, n)) for n in range(2, 20)]
+    return Claim(
+        id="eq-2.26",
+        parts=(
+            Part(
+                "at the predicted limit cycle",
+                Assertion(
+                    statement="the linear part passes every harmonic less than the fundamental",
+                    derived=max(ratios) < 1,
+                    evidence=(
+                        f"at {LIMIT_CYCLE_OMEGA} rad/s the second is passed {ratios[0]:.3f}, the third "
+                        f"{ratios[1]:.3f} times as well"
+                    ),
+                    method="frequency response at the harmonics",
+                ),
+                printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
+            ),
+        ),
+        explanation=(
+            "As a condition this is the usual one. It is stricter than needed: a nonlinearity that is odd "
+            "makes no even harmonics, and what counts is the ratio times the nonlinearity's own harmonic. "
+            "Whether it is met depends on the frequency; see section 5.1.2."
+        ),
+        source="trimmer/low_pass.py",
+    )
+
+
+def _sinusoid(claim_id: str) -> Claim:
+    exponential = A * sympy.exp(sympy.I * omega * t)
+    return Claim(
+        id=claim_id,
+        parts=(
+            Part(
+                "$A\\sin(\\omega t) = Ae^{j\\omega t}$",
+                SameExpression(exponential, A * sympy.sin(omega * t), left=sympy.Symbol("u")),
+                Confirmation(
+                    "Euler's formula", SameExpression(sympy.im(exponential), A * sympy.sin(omega * t))
+                ),
+                Slip("the imaginary part is not taken", exponential, Verdict.ERRATUM),
+            ),
+        ),
+        explanation=(
+            "A real sine is not a complex exponential: it is its imaginary part, $A\\sin\\omega t = "
+            "\\mathrm{Im}\\,Ae^{j\\omega t}$. What is meant is the phasor that stands for the sine."
+        ),
+        consequence="None: the ratio of phasors in equation 2.35 is right.",
+        impact=Impact.NOTATION,
+        source=SOURCE,
+    )
+
+
+def _series() -> sympy.Expr:
+    harmonics = (
+        a * sympy.cos(n * THETA) + b * sympy.sin(n * THETA)
+        for n, (a, b) in enumerate(zip(COSINES, SINES, strict=True), start=1)
+    )
+    return total(MEAN / 2, *harmonics)
+
+
+def _over_period(signal: sympy.Expr) -> Waveform:
+    return Waveform((Segment(-sympy.pi, sympy.pi, signal),))
+
+
+def _fourier_series() -> Claim:
+    wave = _over_period(_series())
+    rebuilt = wave.cosine_coefficient(0) / 2 + sympy.Add(
+        *(
+            wave.cosine_coefficient(n) * sympy.cos(n * THETA)
+            + wave.sine_coefficient(n) * sympy.sin(n * THETA)
+            for n in (1, 2, 3)
+        )
+    )
+    form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
+    return Claim(
+        id="eq-2.28",
+        parts=(
+            Part(
+                "up to $n = 3$",
+                SameExpression(_series(), sympy.expand(rebuilt)),
+                printed_form=form,
+                derived_form=form,
+            ),
+        ),
+        explanation=(
+            "A signal of three harmonics is rebuilt from its coefficients by the printed series, with half "
+            "of $a_0$."
+        ),
+        source=SOURCE,
+    )
+
+
+def _fourier_coefficients() -> Claim:
+    wave = _over_period(_series())
+    rows = (
+        ("$a_0$", wave.cosine_coefficient(0), MEAN),
+        *((f"$a_{n}$", wave.cosine_coefficient(n), COSINES[n - 1]) for n in (1, 2, 3)),
+        *((f"$b_{n}$", wave.sine_coefficient(n), SINES[n - 1]) for n in (1, 2, 3)),
+    )
+    return Claim(
+        id="eq-2.29",
+        parts=tuple(
+            Part(label, SameExpression(sympy.simplify(integral), symbol)) for label, integral, symbol in rows
+        ),
+        explanation=(
+            "The printed integrals, over a signal of three harmonics, give back each of its coefficients."
+        ),
+        source=SOURCE,
+    )
+
+
+def _fundamental_coefficients() -> Claim:
+    wave = _over_period(_series())
+    return Claim(
+        id="eq-2.30",
+        parts=(
+            Part("$a_1$", SameExpression(sympy.simplify(wave.cosine_coefficient()), COSINES[0])),
+            Part("$b_1$", SameExpression(sympy.simplify(wave.sine_coefficient()), SINES[0])),
+        ),
+        explanation="Equation 2.29 for $n = 1$.",
+        source=SOURCE,
+    )
+
+
+def _modulus_and_angle() -> tuple[sympy.Expr, sympy.Expr]:
+    return sympy.sqrt(COSINE_PART**2 + SINE_PART**2), sympy.atan(COSINE_PART / SINE_PART)
+
+
+def _first_harmonic() -> Claim:
+    modulus, angle = _modulus_and_angle()
+    shifted = sympy.expand_trig(modulus * sympy.sin(THETA + angle))
+    printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
+    return Claim(
+        id="eq-2.31",
+        parts=(
+            Part(
+                "with $M$ and $\\phi$ of equations 2.32 and 2.33",
+                SameExpression(printed, sympy.simplify(shifted)),
+                derived_form=Mathematics(r"M \sin(\omega t + \phi)"),
+            ),
+        ),
+        explanation=(
+            "The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$."
+        ),
+        source=SOURCE,
+    )
+
+
+def _magnitude() -> Claim:
+    modulus, _ = _modulus_and_angle()
+    phasor = SINE_PART + sympy.I * COSINE_PART
+    return Claim(
+        id="eq-2.32",
+        parts=(Part("", SameExpression(modulus, sympy.Abs(phasor), left=sympy.Symbol("M"))),),
+        explanation="The magnitude of $b_1 + ja_1$.",
+        source=SOURCE,
+    )
+
+
+def _phase() -> Claim:
+    _, angle = _modulus_and_angle()
+    derived = sympy.atan2(COSINE_PART, SINE_PART)
+    return Claim(
+        id="eq-2.33",
+        parts=(Part("for $b_1 > 0$", SameExpression(angle, derived, left=sympy.Symbol("phi"))),),
+        explanation=(
+            "The angle of $b_1 + ja_1$ as long as $b_1 > 0$, as for every backlash. The arctangent of a "
+            "ratio loses the quadrant: for $b_1 < 0$ it is off by half a turn, and Coulomb friction driven "
+            "by a displacement has $b_1 = 0$."
+        ),
+        source=SOURCE,
+    )
+
+
+def _ratio_of_signals() -> Claim:
+    modulus, angle = sympy.symbols("M phi", positive=True)
+    printed = modulus * sympy.sin(omega * t + angle) / (A * sympy.sin(omega * t))
+    derived = modulus / A * sympy.exp(sympy.I * angle)
+    values = {modulus: 1, A: 1, angle: sympy.pi / 3, omega: 1}
+    early, late = (complex(printed.subs(values).subs(t, instant)) for instant in (sympy.Rational(1, 2), 1))
+    phasors = modulus * sympy.exp(sympy.I * (omega * t + angle)) / (A * sympy.exp(sympy.I * omega * t))
+    return Claim(
+        id="eq-2.34",
+        parts=(
+            Part(
+                "",
+                SameExpression(printed, derived, left=sympy.Symbol("N")),
+                Confirmation("the ratio of the phasors", SameExpression(sympy.simplify(phasors), derived)),
+                Slip(
+                    "the ratio of the signals is taken, not that of their phasors", printed, Verdict.ERRATUM
+                ),
+            ),
+        ),
+        explanation=(
+            f"The ratio of two sines depends on time (for $\\phi = 60$ degrees it is {early.real:.2f} at "
+            f"$\\omega t = 0.5$ and {late.real:.2f} at $\\omega t = 1$) and is infinite at every zero of the "
+            "input. The describing function is the ratio of the phasors, a complex constant."
+        ),
+        consequence="None: equation 2.35 takes the ratio of the phasors.",
+        impact=Impact.NOTATION,
+        source=SOURCE,
+    )
+
+
+def _describing_function() -> Claim:
+    modulus, angle = _modulus_and_angle()
+    printed = (SINE_PART + sympy.I * COSINE_PART) / A
+    derived = modulus / A * sympy.exp(sympy.I * angle)
+    point = {A: 2, COSINE_PART: -0.7, SINE_PART: 1.3}
+    return Claim(
+        id="eq-2.35",
+        parts=(
+            Part(
+                "",
+                SameExpression(
+                    printed, sympy.simplify(sympy.expand_complex(derived)), left=sympy.Symbol("N")
+                ),
+                Confirmation(
+                    "numbers", CloseNumbers(complex(printed.subs(point)), complex(derived.subs(point)))
+                ),
+            ),
+        ),
+        explanation=(
+            "Output phasor over input phasor, for the convention that $a$ goes with the cosine and $b$ with "
+            "the sine."
+        ),
+        source=SOURCE,
+    )
