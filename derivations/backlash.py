@@ -9,6 +9,7 @@ Functions (1968), section 2.3; the derivation is from mechanics.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 
@@ -31,6 +32,7 @@ def contact_force(side: int) -> sympy.Expr:
     return GAMMA * load.diff(THETA, 2) + load.diff(THETA)
 
 
+@cache
 def separation_angle() -> sympy.Expr:
     """Return the phase in (0, π/2) at which the pushing force of the rising contact reaches zero."""
     tangent = sympy.Symbol("tangent", positive=True)
@@ -39,6 +41,7 @@ def separation_angle() -> sympy.Expr:
     return sympy.atan(sympy.solve(sympy.expand(in_tangent), tangent)[0])
 
 
+@cache
 def free_flight() -> sympy.Expr:
     """Return the load's position after separation, from γ y'' + y' = 0 and the pin's state at separation."""
     position = sympy.Function("y")
@@ -51,11 +54,12 @@ def free_flight() -> sympy.Expr:
     return sympy.dsolve(equation, position(THETA), ics=conditions).rhs
 
 
+@cache
 def contact_ratio() -> sympy.Expr:
     """Return g/A as a function of the contact angle: the flight ends where it meets the falling wall."""
     meeting = free_flight().subs(THETA, CONTACT) - (A * sympy.sin(CONTACT) + GAP / 2)
-    (gap,) = sympy.solve(meeting, GAP)
-    return sympy.simplify(gap / A)
+    gap = -meeting.subs(GAP, 0) / meeting.diff(GAP)
+    return sympy.expand(gap / A)
 
 
 def general_waveform() -> Waveform:
@@ -107,8 +111,8 @@ def inertia_contact_ratio() -> sympy.Expr:
     """Return g/A of inertia-controlled backlash as a function of the contact angle."""
     flight, follow = inertia_waveform().segments[:2]
     meeting = (flight.value - follow.value).subs(THETA, CONTACT)
-    (gap,) = sympy.solve(meeting, GAP)
-    return sympy.simplify(gap / A)
+    gap = -meeting.subs(GAP, 0) / meeting.diff(GAP)
+    return sympy.expand(gap / A)
 
 
 @dataclass(frozen=True)

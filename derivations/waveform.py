@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 
@@ -45,13 +46,30 @@ class Waveform:
         return sympy.Add(*(segment_integral(segment, weight) for segment in self.segments)) / sympy.pi
 
 
+@cache
 def segment_integral(segment: Segment, weight: sympy.Expr) -> sympy.Expr:
     """Return the integral of a segment times a weight, by its antiderivative."""
     primitive = sympy.integrate(sympy.expand(segment.value * weight), THETA)
     return primitive.subs(THETA, segment.end) - primitive.subs(THETA, segment.start)
 
 
+@cache
 def describing_function(waveform: Waveform, amplitude: sympy.Expr, harmonic: int = 1) -> sympy.Expr:
     """Return N_n = (b_n + j a_n) / A (thesis, equation 2.35, for harmonic n)."""
     cosine, sine = waveform.cosine_coefficient(harmonic), waveform.sine_coefficient(harmonic)
     return (sine + sympy.I * cosine) / amplitude
+
+
+@cache
+def simplified_describing_function(
+    waveform: Waveform, amplitude: sympy.Expr, gap: tuple[sympy.Expr, sympy.Expr] | None = None
+) -> sympy.Expr:
+    """Return N = (b1 + j a1) / A with real and imaginary part each simplified by itself.
+
+    ``gap`` is a pair of a symbol and what to put for it first, such as the gap in terms of a contact angle.
+    """
+    sine, cosine = waveform.sine_coefficient(), waveform.cosine_coefficient()
+    if gap is not None:
+        sine, cosine = sine.subs(*gap), cosine.subs(*gap)
+    real, imaginary = (sympy.simplify(coefficient / amplitude) for coefficient in (sine, cosine))
+    return sympy.Add(real, sympy.Mul(sympy.I, imaginary, evaluate=False), evaluate=False)

@@ -20,7 +20,7 @@ from derivations.backlash import (
 from derivations.friction import FORCE
 from derivations.friction import friction_waveform as coulomb_waveform
 from derivations.symbols import A, omega
-from derivations.waveform import THETA, describing_function
+from derivations.waveform import THETA, describing_function, simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.quadrature import coefficient, confirm
 from report.claims.section_2_3_4_viscous import (
@@ -71,7 +71,7 @@ def _friction_expression() -> sympy.Expr:
 
 
 def _formula_part() -> Part:
-    derived = sympy.simplify(describing_function(FRICTION, A))
+    derived = simplified_describing_function(FRICTION, A)
     sine, cosine = (coefficient(FRICTION, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
     return Part(
         "formula, with $b$ the total gap",
@@ -131,7 +131,7 @@ def _inertia(claim_id: str) -> Claim:
     printed = (
         sympy.pi + 2 * sympy.sin(nested) - CONTACT - sympy.sin(nested) * sympy.cos(nested)
     ) / sympy.pi - sympy.I * (1 - sympy.cos(nested)) ** 2 / sympy.pi
-    derived = sympy.simplify(describing_function(inertia_waveform(), A).subs(GAP, A * ratio))
+    derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * ratio))
     one, two = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0)
     angle = float(sympy.nsolve(CONTACT - sympy.sin(CONTACT) - 1, 1.9))
     right = complex(derived.subs(CONTACT, angle))
@@ -174,7 +174,7 @@ def _viscous() -> Claim:
     root = sympy.sqrt(1 + GAMMA**2)
     flight = GAMMA**2 / root * sympy.exp((separation_angle() - CONTACT) / GAMMA)
     printed = sympy.sqrt(1 - GAMMA**2) - sympy.sin(CONTACT) - flight
-    derived = sympy.simplify(contact_ratio().subs(SEPARATION, separation_angle()))
+    derived = contact_ratio().subs(SEPARATION, separation_angle())
     general = general_describing_function()
     return Claim(
         id="lst-A.5",

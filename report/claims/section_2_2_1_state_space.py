@@ -26,7 +26,7 @@ from derivations.symbols import (
 )
 from report.claim import Claim, Confirmation, Mathematics, Part
 from report.claims import trimmer_printed
-from report.claims.printed import over, total
+from report.claims.printed import over, product, total
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
 
@@ -52,6 +52,8 @@ def _newton_rates(evidence: Evidence) -> sympy.ImmutableMatrix:
 
 def _general_form(evidence: Evidence) -> Claim:
     space = evidence.derivation.space
+    output = output_row(of=1, relative_to=3, size=len(coordinates))
+    feedthrough = sympy.zeros(1, INPUT.rows)
     form = Mathematics("\\dot q(t) = A q(t) + B u(t), \\quad y(t) = C q(t) + D u(t)")
     return Claim(
         id="eq-2.10",
@@ -59,6 +61,14 @@ def _general_form(evidence: Evidence) -> Claim:
             Part(
                 "$A q + B u$ with the derived matrices",
                 SameMatrix(space.a * STATE + space.b * INPUT, _newton_rates(evidence)),
+                printed_form=form,
+                derived_form=form,
+            ),
+            Part(
+                "$C q + D u$ with the row of cutter and guard",
+                SameExpression(
+                    (output * STATE)[0] + (feedthrough * INPUT)[0], coordinates[1] - coordinates[3]
+                ),
                 printed_form=form,
                 derived_form=form,
             ),
@@ -72,14 +82,19 @@ def _general_form(evidence: Evidence) -> Claim:
     )
 
 
+def _minus(coefficient: sympy.Expr, state: sympy.Symbol) -> sympy.Expr:
+    """Return minus a coefficient times a state, the coefficient kept in its brackets."""
+    return product(-1, coefficient, state)
+
+
 def _first_order_equations(evidence: Evidence) -> Claim:
     x = sympy.symbols("x_1:9", real=True)
     x1, x2, x3, x4, x5, x6, x7, x8 = x
     printed = (
         *(x5, x6, x7, x8),
-        over(total(-(c1 + c2) * x5, c2 * x6, -(k1 + k2) * x1, k2 * x2, -k2 * u, -c2 * u_dot), m1),
-        over(total(c2 * x5, -c2 * x6, k2 * x1, -(k2 + k5) * x2, k5 * x3, k2 * u, c2 * u_dot), m2),
-        over(total(-(c3 + c4) * x7, c4 * x8, k5 * x2, -(k3 + k4 + k5) * x3, k4 * x4), m3),
+        over(total(_minus(c1 + c2, x5), c2 * x6, _minus(k1 + k2, x1), k2 * x2, -k2 * u, -c2 * u_dot), m1),
+        over(total(c2 * x5, -c2 * x6, k2 * x1, _minus(k2 + k5, x2), k5 * x3, k2 * u, c2 * u_dot), m2),
+        over(total(_minus(c3 + c4, x7), c4 * x8, k5 * x2, _minus(k3 + k4 + k5, x3), k4 * x4), m3),
         over(total(c4 * x7, -c4 * x8, k4 * x3, -k4 * x4), m4),
     )
     named = dict(zip(STATE, x, strict=True))

@@ -51,10 +51,16 @@ def _settled_gain(numbers: LinearNumbers) -> complex:
 
 
 def _magnitude(gain: float, settled: complex) -> Claim:
+    form = Mathematics("\\left|\\frac{A_y}{A_u}\\right| = |G(j\\omega)|")
     return Claim(
         id="eq-2.15",
         parts=(
-            Part("at 100 Hz: $|G(j\\omega)|$ against a simulation", CloseNumbers(gain, abs(settled), 1e-4)),
+            Part(
+                f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {abs(settled):.5f}",
+                CloseNumbers(gain, abs(settled), 1e-4),
+                printed_form=form,
+                derived_form=form,
+            ),
         ),
         explanation=(
             "The trimmer, simulated until its transients are gone, answers a sine with a sine whose "
@@ -66,10 +72,18 @@ def _magnitude(gain: float, settled: complex) -> Claim:
 
 
 def _phase(response: complex, settled: complex) -> Claim:
-    comparison = CloseNumbers(cmath.phase(response), cmath.phase(settled), 1e-3)
+    phase, simulated = cmath.phase(response), cmath.phase(settled)
+    form = Mathematics("\\angle G(j\\omega) = \\phi(j\\omega) = \\phi")
     return Claim(
         id="eq-2.16",
-        parts=(Part("at 100 Hz: $\\angle G(j\\omega)$ in rad against a simulation", comparison),),
+        parts=(
+            Part(
+                f"at 100 Hz: the phase is {phase:.6f} rad, a simulation gives {simulated:.6f} rad",
+                CloseNumbers(phase, simulated, 1e-3),
+                printed_form=form,
+                derived_form=form,
+            ),
+        ),
         explanation=(
             "The same simulation shows the phase of $G(j\\omega)$ between input and output. The symbol "
             "$\\phi$ stands for a function of $\\omega$ and for its value at once; nothing depends on it."
@@ -205,9 +219,10 @@ def _trimmer_instance(evidence: Evidence) -> CloseNumbers:
 
 def _block_diagram(evidence: Evidence) -> Claim:
     block, signal = sympy.symbols("G U")
-    gain = evidence.transformed.output / evidence.general.input_transform
+    system = evidence.general
+    named = {block: transfer_formula(evidence), signal: system.input_transform}
     form = Mathematics("Y = G\\,U")
-    comparison = SameExpression((block * signal).subs(block, gain), evidence.transformed.output)
+    comparison = SameExpression((block * signal).subs(named), evidence.transformed.output)
     return Claim(
         id="fig-2.3",
         parts=(Part("", comparison, printed_form=form, derived_form=form),),

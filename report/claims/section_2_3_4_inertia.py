@@ -13,7 +13,7 @@ from derivations.backlash import (
     limits,
 )
 from derivations.symbols import A
-from derivations.waveform import THETA, describing_function
+from derivations.waveform import THETA, simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import product, total
 from report.claims.quadrature import coefficient, confirm
@@ -113,10 +113,9 @@ def _describing_function() -> Claim:
             1 / sympy.pi,
             total(sympy.pi, 2 * sympy.sin(angle), -angle, product(-1, sympy.sin(angle), sympy.cos(angle))),
         ),
-        product(-sympy.I / sympy.pi, (1 - sympy.cos(angle)) ** 2),
+        product(-1, sympy.I / sympy.pi * (1 - sympy.cos(angle)) ** 2),
     )
-    gap = A * inertia_contact_ratio()
-    derived = sympy.simplify(describing_function(inertia_waveform(), A).subs(GAP, gap))
+    derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * inertia_contact_ratio()))
     values = {A: sympy.Integer(1), CONTACT: ANGLE, GAP: inertia_contact_ratio().subs(CONTACT, ANGLE)}
     wave = inertia_waveform()
     numeric = coefficient(wave, sympy.sin(THETA), values) + 1j * coefficient(wave, sympy.cos(THETA), values)

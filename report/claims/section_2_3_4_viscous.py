@@ -109,7 +109,7 @@ def _contact_equation() -> Claim:
     flight = product(GAMMA**2 / ROOT, sympy.exp((sympy.atan(1 / GAMMA) - CONTACT) / GAMMA))
     printed_gap = sympy.sqrt(1 - GAMMA**2) - SINE - flight
     slip = ROOT - SINE - flight
-    derived = sympy.simplify(contact_ratio().subs(SEPARATION, separation_angle()))
+    derived = _gap_over_amplitude()
     meeting = (free_flight() - A * sympy.sin(THETA)).subs(
         {THETA: CONTACT, SEPARATION: separation_angle(), GAP: GAMMA * 0}
     )
@@ -190,7 +190,7 @@ def _numeric() -> complex:
 
 
 def _gap_over_amplitude() -> sympy.Expr:
-    return sympy.simplify(contact_ratio().subs(SEPARATION, separation_angle()))
+    return contact_ratio().subs(SEPARATION, separation_angle())
 
 
 def in_phase_part(label: str, derived: sympy.Expr) -> Part:

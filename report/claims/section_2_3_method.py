@@ -156,7 +156,7 @@ def _fourier_coefficients() -> Claim:
     return Claim(
         id="eq-2.29",
         parts=tuple(
-            Part(label, SameExpression(sympy.simplify(integral), symbol)) for label, integral, symbol in rows
+            Part(label, SameExpression(sympy.expand(integral), symbol)) for label, integral, symbol in rows
         ),
         explanation=(
             "The printed integrals, over a signal of three harmonics, give back each of its coefficients."
@@ -170,8 +170,8 @@ def _fundamental_coefficients() -> Claim:
     return Claim(
         id="eq-2.30",
         parts=(
-            Part("$a_1$", SameExpression(sympy.simplify(wave.cosine_coefficient()), COSINES[0])),
-            Part("$b_1$", SameExpression(sympy.simplify(wave.sine_coefficient()), SINES[0])),
+            Part("$a_1$", SameExpression(sympy.expand(wave.cosine_coefficient()), COSINES[0])),
+            Part("$b_1$", SameExpression(sympy.expand(wave.sine_coefficient()), SINES[0])),
         ),
         explanation="Equation 2.29 for $n = 1$.",
         source=SOURCE,

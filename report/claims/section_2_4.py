@@ -9,7 +9,7 @@ from derivations.dimensions import FORCE, LENGTH, NUMBER, TIME, Dimension, dimen
 from derivations.friction import FORCE as COULOMB
 from derivations.friction import relay_waveform
 from derivations.symbols import DIMENSIONS, A, omega
-from derivations.waveform import THETA, describing_function
+from derivations.waveform import THETA, describing_function, simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import product, total
 from report.claims.quadrature import coefficient, confirm
@@ -87,7 +87,7 @@ def printed_backlash_part(claim_id: str) -> Claim:
         parts=(
             Part(
                 "",
-                SameExpression(printed, sympy.simplify(derived), left=r"N_r", assume=REACHED),
+                SameExpression(printed, simplified_describing_function(wave, A), left=r"N_r", assume=REACHED),
                 confirm(derived, numeric, values),
                 Slip(
                     "the factor A/pi of b1 is lost",
