@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from derivations.laplace import GeneralSystem, TransformedSystem, general_system, transform
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
+from report.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
 from report.linear_numbers import LinearNumbers, solve_linear
 from trimmer import TrimmerParameters
 
@@ -27,6 +28,7 @@ class Evidence:
     general: GeneralSystem
     transformed: TransformedSystem
     numbers: LinearNumbers
+    cycles: LimitCycleNumbers
 
 
 def derive() -> Derived:
@@ -38,7 +40,8 @@ def derive() -> Derived:
 def solve(derived: Derived) -> Evidence:
     """Solve the thesis's trimmer with the derived equations."""
     numbers = solve_linear(derived.trimmer, TrimmerParameters.thesis())
-    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers)
+    cycles = solve_limit_cycles(numbers)
+    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers, cycles)
 
 
 def gather() -> Evidence:

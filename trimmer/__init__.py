@@ -12,6 +12,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from trimmer.balance.errors import FrequencyRangeError as FrequencyRangeError
+    from trimmer.balance.errors import UndecidedWarning as UndecidedWarning
+    from trimmer.balance.limit_cycle import Certificate as Certificate
+    from trimmer.balance.limit_cycle import HarmonicBalance as HarmonicBalance
+    from trimmer.balance.limit_cycle import LimitCycle as LimitCycle
+    from trimmer.balance.limit_cycle import UndecidedRegion as UndecidedRegion
+    from trimmer.balance.solve import harmonic_balance as harmonic_balance
+    from trimmer.balance.solve import limit_cycles as limit_cycles
     from trimmer.crossings import RealAxisCrossing as RealAxisCrossing
     from trimmer.crossings import gain_crossings as gain_crossings
     from trimmer.crossings import real_axis_crossings as real_axis_crossings
@@ -19,6 +27,19 @@ if TYPE_CHECKING:
     from trimmer.displacement import Body as Body
     from trimmer.displacement import Displacement as Displacement
     from trimmer.displacement import DisplacementError as DisplacementError
+    from trimmer.elements.coulomb_friction import CoulombFriction as CoulombFriction
+    from trimmer.elements.element import Derivatives as Derivatives
+    from trimmer.elements.element import Element as Element
+    from trimmer.elements.element import Sensitivity as Sensitivity
+    from trimmer.elements.element import Variation as Variation
+    from trimmer.elements.element_at_frequency import ElementAtFrequency as ElementAtFrequency
+    from trimmer.elements.friction_backlash import FrictionBacklash as FrictionBacklash
+    from trimmer.elements.inertia_backlash import InertiaBacklash as InertiaBacklash
+    from trimmer.elements.relay import Relay as Relay
+    from trimmer.elements.scaled_element import ScaledElement as ScaledElement
+    from trimmer.elements.sum_of_elements import SumOfElements as SumOfElements
+    from trimmer.elements.viscous_backlash import ViscousBacklash as ViscousBacklash
+    from trimmer.elements.viscous_friction import ViscousFriction as ViscousFriction
     from trimmer.errors import TrimmerError as TrimmerError
     from trimmer.extrema import Extremum as Extremum
     from trimmer.extrema import dips as dips
@@ -58,22 +79,41 @@ if TYPE_CHECKING:
 _MODULES = {
     "CUTTER_RELATIVE_TO_GUARD": "displacement",
     "Body": "displacement",
+    "Certificate": "balance.limit_cycle",
+    "CoulombFriction": "elements.coulomb_friction",
+    "Derivatives": "elements.element",
     "Displacement": "displacement",
     "DisplacementError": "displacement",
+    "Element": "elements.element",
+    "ElementAtFrequency": "elements.element_at_frequency",
     "Extremum": "extrema",
     "FileWriteError": "files",
+    "FrequencyRangeError": "balance.errors",
+    "FrictionBacklash": "elements.friction_backlash",
+    "HarmonicBalance": "balance.limit_cycle",
+    "InertiaBacklash": "elements.inertia_backlash",
     "InputChannels": "linear",
+    "LimitCycle": "balance.limit_cycle",
     "LinearSummary": "linear_summary",
     "Mode": "modal_analysis",
     "ParameterError": "parameters",
     "PointOnLocusError": "nyquist",
     "RealAxisCrossing": "crossings",
+    "Relay": "elements.relay",
+    "ScaledElement": "elements.scaled_element",
+    "Sensitivity": "elements.element",
     "SteadyState": "time_domain",
+    "SumOfElements": "elements.sum_of_elements",
     "TimeResponse": "time_domain",
     "TrimmerError": "errors",
     "TrimmerParameters": "parameters",
     "UndampedMode": "modal_analysis",
+    "UndecidedRegion": "balance.limit_cycle",
+    "UndecidedWarning": "balance.errors",
     "UnsupportedSystemError": "frequency_domain",
+    "Variation": "elements.element",
+    "ViscousBacklash": "elements.viscous_backlash",
+    "ViscousFriction": "elements.viscous_friction",
     "ZeroPoleGain": "zero_pole_gain",
     "asymptotic_roll_off": "low_pass",
     "bandwidth": "low_pass",
@@ -83,6 +123,8 @@ _MODULES = {
     "filtering_ratio": "low_pass",
     "frequency_response": "frequency_domain",
     "gain_crossings": "crossings",
+    "harmonic_balance": "balance.solve",
+    "limit_cycles": "balance.solve",
     "linear_model": "linear",
     "local_slope": "low_pass",
     "modes": "modal_analysis",

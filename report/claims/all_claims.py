@@ -25,6 +25,11 @@ from report.claims import (
     section_5_1_2,
     section_5_1_2_low_pass,
     section_5_1_3,
+    section_5_2_1,
+    section_5_2_1_measures,
+    section_5_2_2,
+    section_5_2_3,
+    section_5_2_4,
 )
 from report.evidence import Evidence
 
@@ -44,6 +49,11 @@ SECTIONS = (
     section_5_1_2,
     section_5_1_2_low_pass,
     section_5_1_3,
+    section_5_2_1,
+    section_5_2_1_measures,
+    section_5_2_2,
+    section_5_2_3,
+    section_5_2_4,
     appendix_a,
     appendix_a_elements,
     appendix_d,

@@ -15,6 +15,7 @@ from report.claim import Claim, Confirmation, Impact, Mathematics, Part
 from report.claims import trimmer_printed
 from report.claims.printed import product
 from report.claims.section_2_2_2 import transfer_formula
+from report.claims.section_5_1_2_low_pass import LIMIT_CYCLE_OMEGA
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression, SameMatrix
@@ -22,7 +23,6 @@ from report.evidence import Evidence
 from trimmer import frequency_response
 
 LAPLACE = "derivations/laplace.py"
-LIMIT_CYCLE_FREQUENCY = 733.3
 b = sympy.Symbol("b", positive=True)
 tau = sympy.Symbol("t", real=True)
 
@@ -116,8 +116,9 @@ def _integral(
             ),
         ),
         explanation=(
-            "The integral has the printed value for every $A > b$. It belongs to appendix B, where the "
-            "describing function of backlash is derived, not below the transfer function."
+            "The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It "
+            "belongs to equation B.1, where the describing function of backlash is derived, not below the "
+            "transfer function."
         ),
         source="report/claims/appendix_a.py",
     )
@@ -137,9 +138,8 @@ def _quadrature(
 
 def _listing(evidence: Evidence) -> Claim:
     space, numbers = evidence.derivation.space, evidence.numbers
-    omega = 2 * math.pi * LIMIT_CYCLE_FREQUENCY
     kept, whole = (
-        complex(frequency_response(system, omega))
+        complex(frequency_response(system, LIMIT_CYCLE_OMEGA))
         for system in (numbers.displacement_only, numbers.both_channels)
     )
     lead = math.degrees(math.atan2((whole / kept).imag, (whole / kept).real))
@@ -162,28 +162,27 @@ def _listing(evidence: Evidence) -> Claim:
                     derived=same,
                     evidence=(
                         "the pin moves with a velocity too, so the response is $G_1 + sG_2$; at "
-                        f"{LIMIT_CYCLE_FREQUENCY} Hz it is {100 * (abs(whole / kept) - 1):.2f} % larger than "
+                        f"{LIMIT_CYCLE_OMEGA} rad/s it is {100 * (abs(whole / kept) - 1):.2f} % larger than "
                         f"$G_1$ and leads it by {lead:.2f} degrees"
                     ),
                     method="both transfer functions evaluated",
                 ),
                 Confirmation(
                     "$G_1 + sG_2 = (1 + s\\,c_2/k_2)\\,G_1$",
-                    CloseNumbers(kept * (1 + 1j * omega * ratio), whole),
+                    CloseNumbers(kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio), whole),
                 ),
             ),
         ),
         explanation=(
-            "The matrices are typed correctly and the parameters are those of the whole study. Line 58 then "
-            "keeps the first column of the input alone. The text gives the choice of output as the reason; "
-            "an output cannot decide which inputs act. The columns belong to displacement and velocity of "
-            "the pin, not to a relative motion of the trimmer."
+            "The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line "
+            "58 keeps the first input alone. The text gives the choice of output as the reason, but an "
+            "output cannot decide which inputs act: they are displacement and velocity of the pin, not a "
+            "relative motion of the trimmer. Section 5.1.1 calls the model single-input for the same reason."
         ),
         consequence=(
             "Every later prediction uses the pin's displacement alone. The neglected factor $1 + "
-            f"s\\,c_2/k_2$ adds phase: the loop's phase margin is {margins[0]:.2f} degrees without it and "
-            f"{margins[1]:.2f} with it. Limit cycles that rest on a near miss of $-1$ depend on just that "
-            "margin."
+            f"s\\,c_2/k_2$ adds phase: at unit gain the loop's phase margin is {margins[0]:.2f} degrees "
+            f"without it and {margins[1]:.2f} with it. The predicted limit cycles depend on this margin."
         ),
         impact=Impact.DOWNSTREAM,
         source="trimmer/linear.py",

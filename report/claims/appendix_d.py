@@ -94,8 +94,7 @@ def _slope_of_lagrangian(evidence: Evidence) -> Claim:
             "into pushing ones."
         ),
         consequence=(
-            "None downstream: the resulting equation D.5 has the right signs, so the slip was made on paper "
-            "after the sign had been used."
+            "None downstream: equation D.5, which should follow from this line, has the right signs."
         ),
         impact=Impact.LOCAL,
         source=SOURCE,

@@ -51,9 +51,9 @@ def _transfer_function(numbers: LinearNumbers) -> Claim:
         ),
         explanation=(
             "The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - "
-            "q_4$ of equation 2.14: the sign in $C$ was plus when this line was made. Powers of ten are set "
-            "as powers of the coefficient, and in the coefficient of $s^6$ below the fraction bar the "
-            "exponent 7 has slipped behind the digits 7.076."
+            "q_4$ of equation 2.14; the first three are the same for both. Powers of ten are set as powers "
+            "of the coefficient, and in the coefficient of $s^6$ below the fraction bar the exponent 7 "
+            "stands behind the digits 7.076."
         ),
         consequence=(
             f"The printed function has a static gain of {static_gain[1]:.4f} instead of "
@@ -112,6 +112,8 @@ def _order(numbers: LinearNumbers) -> Claim:
         for coefficients in (numbers.numerator, numbers.denominator)
     )
     minimal = below.degree() - sympy.gcd(above, below).degree()
+    poles, zeros = numbers.displacement_only.poles(), numbers.displacement_only.zeros()
+    nearest = min(abs(pole - zero) / abs(pole) for pole in poles for zero in zeros)
     seen = _eigenvalues_seen(linear_model(numbers.parameters)[0, 0])
     return Claim(
         id="txt-5.1.2-order",
@@ -126,8 +128,8 @@ def _order(numbers: LinearNumbers) -> Claim:
         ),
         explanation=(
             "Numerator and denominator have no common factor, in exact arithmetic, so all eight states "
-            "count. One pair of poles comes within 0.01 % of a pair of zeros, which hides a resonance but "
-            "keeps the order."
+            f"count. One pair of poles comes within {100 * nearest:.3f} % of a pair of zeros, which hides a "
+            "resonance but keeps the order."
         ),
         source="derivations/transfer_function.py",
     )

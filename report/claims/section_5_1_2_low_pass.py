@@ -25,7 +25,10 @@ from trimmer import (
 
 SOURCE = "trimmer/low_pass.py"
 LIMIT_CYCLE_OMEGA = 4607.7
+"""Angular frequency of the limit cycle that table 5.1 predicts at 733.33 Hz, rad/s."""
 MUCH_SMALLER = 0.1
+ROLL_OFF_FROM = 4700.0
+"""Angular frequency above which the slope of the gain is examined, rad/s."""
 HARMONICS = range(2, 40)
 SEARCHED = np.linspace(10, 2000, 8000) * 2 * math.pi
 HIGH_OMEGA = 1e8
@@ -65,8 +68,9 @@ def _cutoff(numbers: LinearNumbers) -> Claim:
             f"{crossings[-1]:.1f} rad/s, beyond the last one."
         ),
         consequence=(
-            "The number is not used again. It lies half a percent above the predicted limit cycle, because a "
-            "limit cycle of a nearly undisturbed play has $|N| \\approx 1$ and so $|G| \\approx 1$."
+            f"The number is not used again. It lies {100 * (unity / LIMIT_CYCLE_OMEGA - 1):.1f} % above the "
+            "predicted limit cycle, and not by accident: where the play is small beside the amplitude, $|N|$ "
+            "and so $|G|$ are close to one."
         ),
         impact=Impact.LOCAL,
         source=SOURCE,
@@ -78,7 +82,7 @@ def _roll_off(numbers: LinearNumbers) -> Claim:
     slope = asymptotic_roll_off(system)
     order = -slope / 20
     chord = 20 * math.log10(float(gain(numbers, 1e4) / gain(numbers, 1e3)))
-    least_steep = float(local_slope(system, np.geomspace(4700, HIGH_OMEGA, 4000)).max())
+    least_steep = float(local_slope(system, np.geomspace(ROLL_OFF_FROM, HIGH_OMEGA, 4000)).max())
     both = numbers.both_channels
     corner = numbers.parameters.k2 / numbers.parameters.c2
     far = Confirmation(
@@ -115,10 +119,10 @@ def _roll_off(numbers: LinearNumbers) -> Claim:
             ),
         ),
         explanation=(
-            "There are two poles more than zeros, so the gain falls by 40 dB per decade; above 4700 rad/s it "
-            f"never falls by less than {-least_steep:.1f} dB per decade, and just above the last resonances "
-            f"by far more. From $10^3$ to $10^4$ rad/s the curve as a whole drops by {-chord:.1f} dB, which "
-            "may have been read as the slope."
+            f"There are two poles more than zeros, so the gain falls by {-slope:.0f} dB per decade in the "
+            f"end, and above {ROLL_OFF_FROM:.0f} rad/s nowhere by less than {-least_steep:.1f}. From $10^3$ "
+            f"to $10^4$ rad/s the curve as a whole drops by {-chord:.1f} dB, which may have been read as the "
+            "slope."
         ),
         consequence=(
             "The linear part filters better than the thesis says: section 6.2 calls it on the edge of "
@@ -155,6 +159,7 @@ def _filtering(numbers: LinearNumbers) -> Claim:
         frequency: float(filtering_ratio(system, 2 * math.pi * frequency, 5))
         for frequency in (DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY)
     }
+    highest_peak = max(resonance_peaks(system), key=lambda peak: peak.magnitude).omega / (2 * math.pi)
     measured = 2 * math.pi * MEASURED_DRIVE_FREQUENCY
     exact_fifth = _exact_ratio(numbers, measured, 5)
     exact_third = _exact_ratio(numbers, LIMIT_CYCLE_OMEGA, 3)
@@ -162,7 +167,7 @@ def _filtering(numbers: LinearNumbers) -> Claim:
         id="txt-5.1.2-filtering",
         parts=(
             Part(
-                "at the predicted limit cycle, 4607.7 rad/s",
+                f"at the predicted limit cycle, {LIMIT_CYCLE_OMEGA} rad/s",
                 Assertion(
                     statement=f"every odd harmonic is passed at most {MUCH_SMALLER:g} times as well",
                     derived=third <= MUCH_SMALLER,
@@ -192,14 +197,16 @@ def _filtering(numbers: LinearNumbers) -> Claim:
         explanation=(
             "Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: "
             f"the third harmonic passes {third:.3f} times as well as the fundamental, the second "
-            f"{second:.3f} times. At the drive it does not: the fifth harmonic of {MEASURED_DRIVE_FREQUENCY} "
-            f"Hz falls on the resonance at 549.6 Hz and passes {fifth[MEASURED_DRIVE_FREQUENCY]:.0f} times "
-            f"better than the drive itself ({fifth[DRIVE_FREQUENCY]:.1f} times at {DRIVE_FREQUENCY:.0f} Hz)."
+            f"{second:.3f} times. At the drive it does not: at {DRIVE_FREQUENCY:.0f} Hz the fifth harmonic "
+            f"passes {fifth[DRIVE_FREQUENCY]:.1f} times better than the drive itself. At the measured "
+            f"{MEASURED_DRIVE_FREQUENCY} Hz it would be {fifth[MEASURED_DRIVE_FREQUENCY]:.0f} times, as it "
+            f"falls on the resonance at {highest_peak:.1f} Hz; the parameters of the measured trimmer "
+            "(table C.1) are not given."
         ),
         consequence=(
             "Predictions of limit cycles near 733 Hz keep their basis. A describing function must not be "
-            "used for the motion at the drive's frequency, and peaks near 350 Hz and 550 Hz in driven "
-            "spectra are what this gain makes of the drive's harmonics."
+            "used for the motion at the drive's frequency, and in driven spectra harmonics of the drive near "
+            f"{highest_peak:.0f} Hz stand out without any limit cycle."
         ),
         impact=Impact.DOWNSTREAM,
         source=SOURCE,

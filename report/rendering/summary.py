@@ -16,9 +16,9 @@ SYMBOLS = {
 }
 MEANINGS = {
     Verdict.REPRODUCED: "follows from the thesis's own model, to every printed digit",
-    Verdict.EXPLAINED: "does not follow, but repeating one named slip gives what is printed",
+    Verdict.EXPLAINED: "does not follow, but comes out when a named slip made earlier is repeated",
     Verdict.NOT_CHECKABLE: "needs something the thesis does not give; the finding says what",
-    Verdict.ERRATUM: "is wrong; the right form or value stands beside it",
+    Verdict.ERRATUM: "is wrong in this place; the right form or value stands beside it",
 }
 REACHES = {
     Impact.NONE: "",

@@ -56,16 +56,17 @@
 
   const choose = (text) => {
     const query = new URLSearchParams(text);
-    const chosen = query.has("verdict") ? query.get("verdict").split(",") : verdicts;
+    const named = (query.get("verdict") ?? "").split(",").filter((verdict) => verdicts.includes(verdict));
+    const chosen = named.length > 0 ? named : verdicts;
     for (const input of boxes) input.checked = chosen.includes(input.value);
     const chapter = query.get("chapter") ?? "";
     select.value = [...select.options].some((option) => option.value === chapter) ? chapter : "";
     show();
   };
 
-  // A link to a claim that the filter hides shows everything again.
+  // A link to a claim that the filter hides shows everything again; the identifiers are plain ASCII.
   const reveal = () => {
-    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const target = document.getElementById(location.hash.slice(1));
     if (target?.closest("[hidden]")) {
       choose("");
       remember();
@@ -89,8 +90,14 @@
   for (const source of document.querySelectorAll(".source")) {
     const button = element("button", { type: "button", textContent: "Copy" });
     button.addEventListener("click", async () => {
-      await navigator.clipboard.writeText(source.querySelector("code").textContent);
-      button.textContent = "Copied";
+      const code = source.querySelector("code");
+      try {
+        await navigator.clipboard.writeText(code.textContent);
+        button.textContent = "Copied";
+      } catch { // no clipboard without HTTPS, or not allowed: the reader copies the selection
+        getSelection().selectAllChildren(code);
+        button.textContent = "Selected";
+      }
       setTimeout(() => { button.textContent = "Copy"; }, 1500);
     });
     source.querySelector("figcaption").append(button);

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 
 import trimmer
-from trimmer.command_line import derive, linear, parameters
+from trimmer.command_line import derive, identify, limit_cycles, linear, parameters
 from trimmer.command_line.command import Command
 from trimmer.errors import TrimmerError
 
@@ -46,7 +46,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _commands() -> list[Command]:
-    own = [linear.COMMAND, parameters.COMMAND, derive.COMMAND]
+    own = [
+        *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
+        *(parameters.COMMAND, derive.COMMAND),
+    ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]
 

@@ -132,6 +132,15 @@ def test_an_address_with_a_filter_opens_filtered(page: Page, address: str, docum
     assert page.evaluate("document.querySelector('.filter select').value") == "2"
 
 
+@pytest.mark.parametrize("end", ["?verdict=unheard-of", "?chapter=99", "#%E0%A4%A", "?verdict="])
+def test_an_address_that_makes_no_sense_shows_everything(
+    page: Page, address: str, document: Document, end: str
+) -> None:
+    page.open(address + end)
+    assert page.evaluate(SHOWN) == [finding.id for finding in document.findings]
+    assert page.evaluate("document.querySelector('.source button') !== null")
+
+
 def test_a_filter_that_fits_nothing_hides_the_chapter_headings(page: Page, address: str) -> None:
     page.open(f"{address}?verdict=not-checkable&chapter=2")
     assert page.evaluate(SHOWN) == []
@@ -191,3 +200,13 @@ def test_latex_can_be_copied(page: Page, address: str) -> None:
     page.evaluate("document.querySelector('.source button').click()")
     source = page.evaluate("document.querySelector('.source code').textContent")
     assert source == page.evaluate("window.copied") != ""
+
+
+def test_without_a_clipboard_the_latex_is_selected(page: Page, address: str) -> None:
+    page.open(address)
+    page.evaluate("navigator.clipboard.writeText = async () => { throw new Error('not allowed'); }")
+    page.evaluate("document.querySelector('details.latex').open = true")
+    page.evaluate("document.querySelector('.source button').click()")
+    page.wait_for("document.querySelector('.source button').textContent === 'Selected'")
+    source = page.evaluate("document.querySelector('.source code').textContent")
+    assert page.evaluate("getSelection().toString()").strip() == source.strip()

@@ -1,0 +1,267 @@
+"""Claims of section 5.2.3 on predictions for viscous-controlled backlash (equations 5.9 to 5.11)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import sympy
+
+from derivations.backlash import GAMMA, limits, separation_angle
+from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import total
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers, PrintedDigits
+from report.comparisons.expression import SameExpression
+from report.evidence import Evidence
+from report.limit_cycle_numbers import TIME_CONSTANTS, inertia_by_newton
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.viscous_backlash import ViscousBacklash
+
+SOURCE = "trimmer/elements/viscous_backlash.py"
+TURN = 2 * math.pi
+ROUNDED = "the coefficients of Listing A.9, rounded to four digits, are used"
+GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
+
+
+def claims(evidence: Evidence) -> tuple[Claim, ...]:
+    """Return the claims in thesis order."""
+    return (
+        _separation(),
+        _band(evidence),
+        _harmonic_balance(),
+        _limits(),
+        _contours(),
+        _inner(evidence),
+        _only_between(evidence),
+        _identify(evidence),
+    )
+
+
+def _separation() -> Claim:
+    mass, damping, omega = sympy.symbols("M D omega", positive=True)
+    derived = separation_angle().subs(GAMMA, mass * omega / damping)
+    return Claim(
+        id="eq-5.9",
+        parts=(
+            Part(
+                "", SameExpression(sympy.atan(damping / (mass * omega)), derived, left=sympy.Symbol("phi_s"))
+            ),
+        ),
+        explanation=(
+            "Equation 2.44 with $\\gamma = M\\omega/D$ put in. A higher frequency gives an earlier "
+            "separation, as the text says."
+        ),
+        source="derivations/backlash.py",
+    )
+
+
+def _band(evidence: Evidence) -> Claim:
+    cycles = evidence.cycles
+    low, high = cycles.friction.stable, cycles.inertia.stable
+    both = (cycles.friction_both_channels.stable.frequency, cycles.inertia_both_channels.stable.frequency)
+    _, omega = inertia_by_newton(evidence.numbers, high)
+    return Claim(
+        id="eq-5.10",
+        parts=(
+            Part(
+                "lower end",
+                PrintedDigits("733", low.frequency, "Hz"),
+                slip=Slip(ROUNDED, cycles.friction_listing.stable.frequency, Verdict.EXPLAINED),
+            ),
+            Part(
+                "upper end",
+                PrintedDigits("815", high.frequency, "Hz"),
+                Confirmation("Newton's method in 30 digits", CloseNumbers(omega / TURN, high.frequency)),
+            ),
+        ),
+        explanation=(
+            f"The ends are the two limits of the load: {low.frequency:.1f} Hz without inertia and "
+            f"{high.frequency:.1f} Hz without friction. The upper one repeats the wrong prediction of "
+            "section 5.2.2."
+        ),
+        consequence=(
+            f"The band is {high.frequency - low.frequency:.0f} Hz wide instead of 82 Hz. With the pin's "
+            f"velocity as second input it runs from {both[0]:.1f} to {both[1]:.1f} Hz."
+        ),
+        impact=Impact.DOWNSTREAM,
+        source="trimmer/balance/solve.py",
+    )
+
+
+def _harmonic_balance() -> Claim:
+    element, linear = sympy.symbols("N G")
+    return Claim(
+        id="eq-5.11",
+        parts=(Part("", SameExpression(total(element * linear, 1), sympy.expand(1 - linear * (-element)))),),
+        explanation=(
+            "For a measured frequency these are two real equations for $b/A$ and $M\\omega/D$, as many as "
+            "unknowns. The driving frequency, which the text asks for, does not appear: the frequency in "
+            "$\\gamma$ is that of the limit cycle."
+        ),
+        source="derivations/stability.py",
+    )
+
+
+def _limits() -> Claim:
+    delay = sympy.Symbol("tau", positive=True)
+    friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
+    return Claim(
+        id="txt-5.2.3-limits",
+        parts=(
+            Part(
+                "$\\gamma \\to 0$, contact",
+                SameExpression(1 - sympy.cos(delay), friction.ratio, left=r"\frac{b}{A}"),
+            ),
+            Part(
+                "$\\gamma \\to \\infty$, contact",
+                SameExpression(delay - sympy.sin(delay), inertia.ratio, left=r"\frac{b}{A}"),
+            ),
+        ),
+        explanation=(
+            "Separation, flight and contact of the general element tend to those of friction-controlled "
+            "backlash for $\\gamma \\to 0$ and of inertia-controlled for $\\gamma \\to \\infty$; $\\tau$ is "
+            "the phase of flight. The figure shows it, the limits prove it."
+        ),
+        source="derivations/backlash.py",
+    )
+
+
+def _between(gamma: float) -> bool:
+    """Return whether the contour of N for one γ stays in the region between those of the two limits."""
+    from matplotlib.path import Path
+
+    ratios = np.linspace(1e-4, 1, 3000)
+    friction = FrictionBacklash(1.0).describing_function(1 / (ratios * 1.9999))
+    inertia = InertiaBacklash(1.0).describing_function(1 / (ratios * (math.pi - 1e-6)))
+    outline = np.concatenate([friction, inertia[::-1]])
+    element = ViscousBacklash(1.0, gamma)
+    contour = element.describing_function(
+        1 / (np.linspace(0.02, 0.999, 200) * float(element.domain(1.0))), 1.0
+    )
+    inside = Path(np.column_stack([outline.real, outline.imag])).contains_points(
+        np.column_stack([contour.real, contour.imag]), radius=1e-5
+    )
+    return bool(inside.all())
+
+
+def _contours() -> Claim:
+    return Claim(
+        id="txt-5.2.3-contours-bounded",
+        parts=(
+            Part(
+                "for nine values of $\\gamma$ from 0.01 to 100",
+                Assertion(
+                    statement="every viscous contour lies between those of friction and inertia",
+                    derived=all(_between(gamma) for gamma in GAMMAS),
+                    evidence="200 points of each contour lie in the region that the two limits enclose",
+                    method="right describing function, contours of $N$",
+                ),
+            ),
+        ),
+        explanation=(
+            "It is so, with the right contact equation; a proof for every $\\gamma$ is not given here. The "
+            "contours that the thesis drew, for $1 < \\gamma < 3/2$, come from complex contact angles and "
+            "could not show it."
+        ),
+        source=SOURCE,
+    )
+
+
+def _inner(evidence: Evidence) -> Claim:
+    unstable = [cycle for cycles in evidence.cycles.viscous for cycle in cycles if cycle.omega < 4000]
+    return Claim(
+        id="txt-5.2.3-unstable-inner",
+        parts=(
+            Part(
+                "",
+                Assertion(
+                    statement="all limit cycles on the inner part of the locus are unstable",
+                    derived=bool(unstable) and not any(cycle.stable for cycle in unstable),
+                    evidence=(
+                        f"{len(unstable)} of them over {len(TIME_CONSTANTS)} values of $M/D$, none stable by "
+                        "Loeb's criterion"
+                    ),
+                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+                ),
+            ),
+        ),
+        explanation=(
+            "True by Loeb's criterion. They do not merge with the stable ones, as the text has it: a motion "
+            "that starts near one decays or grows towards the stable one."
+        ),
+        source="trimmer/balance/stability.py",
+    )
+
+
+def _only_between(evidence: Evidence) -> Claim:
+    cycles = evidence.cycles
+    low, high = cycles.friction.stable.frequency, cycles.inertia.stable.frequency
+    stable = [cycle for each in cycles.viscous for cycle in each if cycle.stable]
+    frequencies = [cycle.frequency for cycle in stable]
+    amplitudes = [cycle.amplitude for cycle in stable]
+    return Claim(
+        id="txt-5.2.3-band",
+        parts=(
+            Part(
+                "",
+                Assertion(
+                    statement="stable limit cycles lie between the frequencies of the two limits",
+                    derived=low - 1e-3 <= min(frequencies)
+                    and max(frequencies) <= high + 1e-3
+                    and len(stable) == len(TIME_CONSTANTS),
+                    evidence=(
+                        f"one for each $M/D$, with a frequency that rises from {min(frequencies):.2f} to "
+                        f"{max(frequencies):.2f} Hz"
+                    ),
+                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+                ),
+            ),
+        ),
+        explanation=(
+            "For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies "
+            "between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by "
+            f"them: it reaches {max(amplitudes):.2f} gaps, where the limits have "
+            f"{cycles.friction.stable.amplitude:.2f} and {cycles.inertia.stable.amplitude:.2f}."
+        ),
+        source="trimmer/balance/solve.py",
+    )
+
+
+def _identify(evidence: Evidence) -> Claim:
+    highest = max(cycle.frequency for each in evidence.cycles.viscous for cycle in each if cycle.stable)
+    return Claim(
+        id="txt-5.2.3-identify-760",
+        parts=(
+            Part("conversion", PrintedDigits("4775", 760 * TURN, "rad/s")),
+            Part(
+                "a ratio M/D for 760 Hz",
+                Assertion(
+                    statement="a measured 760 Hz gives a ratio $M/D$",
+                    derived=highest >= 760,
+                    evidence=(
+                        "no $M/D$ has a stable limit cycle above "
+                        f"{evidence.cycles.inertia.stable.frequency:.2f} Hz"
+                    ),
+                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+                ),
+                Confirmation(
+                    "Newton's method in 30 digits, for the limit without friction",
+                    CloseNumbers(
+                        inertia_by_newton(evidence.numbers, evidence.cycles.inertia.stable)[1],
+                        evidence.cycles.inertia.stable.omega,
+                    ),
+                ),
+            ),
+        ),
+        explanation=(
+            "The conversion is right. The example lies outside of what the model can give, for any load; in "
+            "the printed band of equation 5.10 it looks possible."
+        ),
+        consequence=(
+            "The proposed experiment keeps its sense, with a band less than a quarter as wide to resolve."
+        ),
+        impact=Impact.LOCAL,
+        source="trimmer/balance/solve.py",
+    )

@@ -1,0 +1,126 @@
+"""Boxes in the plane of u = amplitude_scale/amplitude and x = ln omega."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+    Flags = NDArray[np.bool_]
+    Places = NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Cells:
+    """Closed boxes, one per entry of the four arrays of equal length.
+
+    Attributes:
+        u_lower: Smallest u.
+        u_upper: Largest u.
+        x_lower: Smallest x.
+        x_upper: Largest x.
+    """
+
+    u_lower: Reals
+    u_upper: Reals
+    x_lower: Reals
+    x_upper: Reals
+
+    @classmethod
+    def grid(cls, u_breaks: Reals, x_lower: Reals, x_upper: Reals) -> Self:
+        """Combine each interval of u with each interval of x; x varies slowest."""
+        columns, rows = x_lower.size, u_breaks.size - 1
+        return cls(
+            np.tile(u_breaks[:-1], columns),
+            np.tile(u_breaks[1:], columns),
+            np.repeat(x_lower, rows),
+            np.repeat(x_upper, rows),
+        )
+
+    @classmethod
+    def none(cls) -> Self:
+        """No box."""
+        return cls(*(np.empty(0) for _ in range(4)))
+
+    @classmethod
+    def joined(cls, groups: Sequence[Cells]) -> Cells:
+        """Put the boxes of some groups one after the other."""
+        sides = ("u_lower", "u_upper", "x_lower", "x_upper")
+        return Cells(*(np.concatenate([getattr(group, side) for group in groups]) for side in sides))
+
+    def __len__(self) -> int:
+        return self.u_lower.size
+
+    @property
+    def u_half(self) -> Reals:
+        """Half of the width in u."""
+        return 0.5 * (self.u_upper - self.u_lower)
+
+    @property
+    def x_half(self) -> Reals:
+        """Half of the width in x."""
+        return 0.5 * (self.x_upper - self.x_lower)
+
+    @property
+    def u_centre(self) -> Reals:
+        """Middle in u."""
+        return 0.5 * (self.u_lower + self.u_upper)
+
+    @property
+    def x_centre(self) -> Reals:
+        """Middle in x."""
+        return 0.5 * (self.x_lower + self.x_upper)
+
+    def take(self, which: Flags | Places) -> Cells:
+        """Keep those that are flagged, or at some places."""
+        return Cells(self.u_lower[which], self.u_upper[which], self.x_lower[which], self.x_upper[which])
+
+    def split(self, along_u: Flags, parts: int) -> Cells:
+        """Cut each box into equal parts along u where flagged, along x elsewhere."""
+        shares = np.arange(parts + 1) / parts
+        u = np.where(along_u[:, None], self.u_lower[:, None] + 2 * self.u_half[:, None] * shares, 0.0)
+        x = np.where(along_u[:, None], 0.0, self.x_lower[:, None] + 2 * self.x_half[:, None] * shares)
+        u_whole, x_whole = ~along_u[:, None], along_u[:, None]
+        return Cells(
+            np.where(u_whole, self.u_lower[:, None], u[:, :-1]).ravel(),
+            np.where(u_whole, self.u_upper[:, None], u[:, 1:]).ravel(),
+            np.where(x_whole, self.x_lower[:, None], x[:, :-1]).ravel(),
+            np.where(x_whole, self.x_upper[:, None], x[:, 1:]).ravel(),
+        )
+
+    def inflated(self, factor: float, limits: Cells) -> Cells:
+        """Widen about the middle, but not beyond a single enclosing box."""
+        u, x = factor * self.u_half, factor * self.x_half
+        return Cells(
+            np.maximum(self.u_centre - u, limits.u_lower),
+            np.minimum(self.u_centre + u, limits.u_upper),
+            np.maximum(self.x_centre - x, limits.x_lower),
+            np.minimum(self.x_centre + x, limits.x_upper),
+        )
+
+    def contains(self, u: Reals, x: Reals) -> Flags:
+        """Whether each box contains the point of the same place."""
+        inside_u = (self.u_lower <= u) & (u <= self.u_upper)
+        return np.asarray(inside_u & (self.x_lower <= x) & (x <= self.x_upper))
+
+    def hold_any_of(self, u: Reals, x: Reals) -> Flags:
+        """Whether each box contains any one of some points."""
+        inside_u = (self.u_lower <= u[:, None]) & (u[:, None] <= self.u_upper)
+        inside = inside_u & (self.x_lower <= x[:, None]) & (x[:, None] <= self.x_upper)
+        return np.asarray(inside.any(axis=0))
+
+    def lie_within(self, others: Cells) -> Flags:
+        """Whether each box lies within any one of some others."""
+        inside = (
+            (others.u_lower[:, None] <= self.u_lower)
+            & (self.u_upper <= others.u_upper[:, None])
+            & (others.x_lower[:, None] <= self.x_lower)
+            & (self.x_upper <= others.x_upper[:, None])
+        )
+        return np.asarray(inside.any(axis=0))

@@ -1,0 +1,49 @@
+"""How far the harmonics of an element get round the loop: the filtering hypothesis as numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.frequency_domain import frequency_response
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.elements.element import Element
+
+HARMONICS = (3, 5, 7)
+"""The first harmonics that an odd element makes."""
+
+
+def harmonic_leakage(
+    G: control.lti.LTI, element: Element, cycle: LimitCycle, harmonics: Sequence[int] = HARMONICS
+) -> tuple[float, ...]:
+    """Compare each harmonic that comes back to the element's input with the fundamental there.
+
+    The ratio |N_n G(j n omega)| / |N_1 G(j omega)| is what harmonic balance drops (equation 2.26 of the thesis
+    weighted with the element's own harmonic); it is small where the filtering hypothesis holds.
+
+    Args:
+        G: The linear system of the loop.
+        element: The nonlinear element.
+        cycle: A limit cycle of that loop.
+        harmonics: Numbers n >= 1.
+
+    Returns:
+        One ratio per harmonic, without unit.
+
+    Raises:
+        UnsupportedSystemError: see ``trimmer.frequency_domain.require_siso``.
+        ValueError: if a harmonic is not an integer >= 1.
+    """
+
+    def returned(harmonic: int) -> float:
+        gain = element.describing_function(cycle.amplitude, cycle.omega, harmonic)
+        return float(np.abs(gain * frequency_response(G, harmonic * cycle.omega)))
+
+    fundamental = returned(1)
+    return tuple(returned(harmonic) / fundamental for harmonic in harmonics)

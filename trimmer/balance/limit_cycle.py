@@ -1,0 +1,97 @@
+"""What harmonic balance gives: limit cycles, and how far it is certain that there are no others."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+NEAR_TANGENCY = math.radians(5.0)
+"""Crossing angle, rad, below which a limit cycle is reported as near tangency."""
+
+
+@dataclass(frozen=True)
+class LimitCycle:
+    """A solution of 1 + N(A, omega) G(j omega) = 0 (equation 2.25 of the thesis).
+
+    Attributes:
+        amplitude: Half of peak to peak at the input of the element, in the unit of that input.
+        omega: Angular frequency, rad/s.
+        stable: Whether a small change of amplitude dies out: Loeb's criterion holds, and all other poles of the
+            loop with N frozen lie in the left half plane. See ``trimmer.balance.stability`` for what that
+            does not cover.
+        residual: |1 + N G| as computed.
+        crossing_angle: Angle between the curves N (rising amplitude) and -1/G (rising frequency), rad, from 0
+            to pi/2, with N taken as it changes with frequency too.
+        other_unstable_poles: Number of poles of the loop with N frozen that lie in the right half plane at
+            positive frequencies, without the pair of the limit cycle itself.
+    """
+
+    amplitude: float
+    omega: float
+    stable: bool
+    residual: float
+    crossing_angle: float
+    other_unstable_poles: int
+
+    @property
+    def frequency(self) -> float:
+        """Frequency, Hz."""
+        return self.omega / (2.0 * math.pi)
+
+    @property
+    def near_tangency(self) -> bool:
+        """Whether the curves nearly touch: neither existence nor stability can then be trusted.
+
+        The harmonics that harmonic balance drops move the curves by more than what parts them.
+        """
+        return self.crossing_angle < NEAR_TANGENCY
+
+
+@dataclass(frozen=True)
+class UndecidedRegion:
+    """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
+
+    Attributes:
+        amplitudes: Smallest and largest amplitude.
+        omegas: Smallest and largest angular frequency, rad/s.
+    """
+
+    amplitudes: tuple[float, float]
+    omegas: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """How far it is certain that no limit cycle was missed.
+
+    Attributes:
+        method: How it was ascertained, in words.
+        omegas: Angular frequencies that were searched, rad/s.
+        outside_excluded: Whether it is proven too that no limit cycle has a frequency outside that range.
+        boxes: Number of boxes examined.
+        undecided: Regions about which nothing is proven.
+    """
+
+    method: str
+    omegas: tuple[float, float]
+    outside_excluded: bool
+    boxes: int
+    undecided: tuple[UndecidedRegion, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Whether every part of the range that was searched is decided."""
+        return not self.undecided
+
+
+@dataclass(frozen=True)
+class HarmonicBalance:
+    """All limit cycles of a loop, and the certificate.
+
+    Attributes:
+        limit_cycles: In order of frequency, then of amplitude.
+        certificate: How far it is certain that there are no others.
+    """
+
+    limit_cycles: tuple[LimitCycle, ...]
+    certificate: Certificate

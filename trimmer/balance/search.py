@@ -1,0 +1,201 @@
+"""All solutions of N(u, x) + 1/G(x) = 0 in a box, by exclusion, subdivision and a test of uniqueness.
+
+A box is dropped when disks that hold N and 1/G on it prove that their sum is not zero there. A box on which the
+bounds of the two derivatives prove that no two points give the same sum holds at most one solution, and Newton's
+method finds it. All others are cut into smaller ones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import GainDisks
+from trimmer.balance.response import Enclosure
+from trimmer.balance.uniqueness import distinct_values, newton
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.balance.element_curve import ElementCurve
+    from trimmer.balance.response import Response
+
+    Reals = NDArray[np.float64]
+    Flags = NDArray[np.bool_]
+
+_FIRST_ROWS = 64
+"""Intervals of u to begin with."""
+
+_FIRST_COLUMNS = 48
+"""Intervals of x to begin with."""
+
+_FIRST_SPREAD = 0.1
+"""Relative change of 1/G below which an interval of x is no longer cut before it meets u."""
+
+_MOST_PARTS = 32
+"""Into how many parts an interval of x is cut at most."""
+
+_PARTS = 3
+"""Into how many parts a box is cut."""
+
+_MARGIN = 3.0
+"""How much wider than a box the region is on which uniqueness is tested, so that neighbours share a solution."""
+
+
+@dataclass(frozen=True)
+class SearchLimits:
+    """What is looked for, and when a box is given up as undecided.
+
+    Attributes:
+        smallest_gain: Solutions with |N| below this are not looked for.
+        largest_gain: Upper bound of |N|.
+        resolution: Radii of the disks, relative to |N|, below which a box is given up.
+        boxes: Number of boxes at one level above which all of them are given up.
+    """
+
+    smallest_gain: float
+    largest_gain: float
+    resolution: float = 1e-7
+    boxes: int = 40_000
+
+
+@dataclass(frozen=True)
+class SearchResult:
+    """What a search has found.
+
+    Attributes:
+        u: Solutions, their u.
+        x: Solutions, their x.
+        undecided: Boxes that may hold any number of solutions beside those.
+        examined: Number of boxes looked at.
+    """
+
+    u: Reals
+    x: Reals
+    undecided: Cells
+    examined: int
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is searched, as all steps need it.
+
+    Attributes:
+        response: 1/G, or what stands for it.
+        curve: N.
+        box: The one box that is searched.
+        limits: What is looked for.
+    """
+
+    response: Response
+    curve: ElementCurve
+    box: Cells
+    limits: SearchLimits
+
+
+@dataclass(frozen=True)
+class _Solutions:
+    """Solutions, each with a region in which it is the only one."""
+
+    u: Reals
+    x: Reals
+    regions: Cells
+
+
+def find_all(problem: Problem) -> SearchResult:
+    """Find all solutions in the box of a problem."""
+    cells, disks, enclosure = _first_cells(problem)
+    found = _Solutions(np.empty(0), np.empty(0), Cells.none())
+    undecided = [Cells.none()]
+    examined = 0
+    while len(cells):
+        examined += len(cells)
+        remaining = np.flatnonzero(_may_hold_a_solution(disks, enclosure, problem.limits))
+        cells, disks, enclosure = cells.take(remaining), disks.take(remaining), enclosure.take(remaining)
+        found, settled = _settled(problem, cells, enclosure, found)
+        radius = disks.radius + enclosure.radius
+        finest = problem.limits.resolution * np.maximum(np.abs(disks.centre), problem.limits.smallest_gain)
+        given_up = ~settled & ((radius <= finest) | (len(cells) > problem.limits.boxes))
+        undecided.append(cells.take(given_up))
+        keep = ~(settled | given_up)
+        along_u = disks.u_share >= radius - disks.u_share
+        cells = cells.take(keep).split(along_u[keep], _PARTS)
+        disks = problem.curve.disks(cells)
+        enclosure = problem.response.enclose(cells.x_lower, cells.x_upper)
+    return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
+
+
+def _first_cells(problem: Problem) -> tuple[Cells, GainDisks, Enclosure]:
+    """Cut the box into intervals of x on which 1/G changes little, and rows of u; enclose N and 1/G on them."""
+    lower, upper, enclosure = _first_intervals(problem)
+    rows = np.linspace(problem.box.u_lower[0], problem.box.u_upper[0], _FIRST_ROWS + 1)
+    cells = Cells.grid(rows, lower, upper)
+    if problem.curve.depends_on_x or len(cells) == 0:
+        disks = problem.curve.disks(cells)
+    else:
+        every_row = np.arange(_FIRST_ROWS)
+        disks = problem.curve.disks(cells.take(every_row)).take(np.tile(every_row, lower.size))
+    return cells, disks, enclosure.take(np.repeat(np.arange(lower.size), _FIRST_ROWS))
+
+
+def _first_intervals(problem: Problem) -> tuple[Reals, Reals, Enclosure]:
+    """Intervals of x on which 1/G changes little and is of the size of N."""
+    limits = problem.limits
+    breaks = np.linspace(problem.box.x_lower[0], problem.box.x_upper[0], _FIRST_COLUMNS + 1)
+    lower, upper = breaks[:-1], breaks[1:]
+    done: list[tuple[Reals, Reals]] = []
+    enclosures: list[Enclosure] = []
+    while lower.size:
+        enclosure = problem.response.enclose(lower, upper)
+        possible = (enclosure.smallest <= limits.largest_gain) & (enclosure.largest >= limits.smallest_gain)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            excess = np.log1p(enclosure.radius / np.abs(enclosure.centre)) / _FIRST_SPREAD
+        small = np.flatnonzero(possible & (excess <= 1.0))
+        done.append((lower[small], upper[small]))
+        enclosures.append(enclosure.take(small))
+        coarse = possible & ~(excess <= 1.0)
+        parts = np.fmin(np.ceil(excess[coarse]), _MOST_PARTS).astype(int)
+        lower, upper = _cut(lower[coarse], upper[coarse], parts)
+    lower, upper = (np.concatenate(side) for side in zip(*done, strict=True))
+    return lower, upper, Enclosure.joined(enclosures)
+
+
+def _cut(lower: Reals, upper: Reals, parts: NDArray[np.intp]) -> tuple[Reals, Reals]:
+    """Cut each interval into a number of equal parts."""
+    start, width = np.repeat(lower, parts), np.repeat((upper - lower) / parts, parts)
+    place = np.arange(start.size) - np.repeat(np.cumsum(parts) - parts, parts)
+    return start + place * width, start + (place + 1) * width
+
+
+def _may_hold_a_solution(disks: GainDisks, enclosure: Enclosure, limits: SearchLimits) -> Flags:
+    """Whether the sum of a point of one disk and a point of the other can be zero, and is looked for."""
+    size = np.abs(disks.centre)
+    apart = np.abs(disks.centre + enclosure.centre) > disks.radius + enclosure.radius
+    too_large = enclosure.smallest > size + disks.radius
+    too_small = enclosure.largest < np.maximum(size - disks.radius, limits.smallest_gain)
+    return np.asarray(disks.exists & ~(apart | too_large | too_small))
+
+
+def _settled(
+    problem: Problem, cells: Cells, enclosure: Enclosure, found: _Solutions
+) -> tuple[_Solutions, Flags]:
+    """Find the solutions of cells that hold at most one; flag the cells of which nothing is left to know."""
+    settled = cells.lie_within(found.regions)
+    regions = cells.inflated(_MARGIN, problem.box)
+    tried = np.flatnonzero(~settled & distinct_values(problem.response, problem.curve, regions))
+    if tried.size == 0:
+        return found, settled
+    tried_regions = regions.take(tried)
+    u, x, converged = newton(problem.response, problem.curve, tried_regions)
+    for place in np.flatnonzero(converged):
+        if not found.regions.contains(u[place], x[place]).any():
+            found = _Solutions(
+                np.append(found.u, u[place]),
+                np.append(found.x, x[place]),
+                Cells.joined([found.regions, tried_regions.take(np.array([place]))]),
+            )
+    settled[tried] |= tried_regions.hold_any_of(found.u, found.x)
+    return found, settled | cells.lie_within(found.regions)

@@ -1,0 +1,35 @@
+"""``trimmer identify``: the load's time constant from the frequency of a measured limit cycle."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.loop_options import OptionError, add_loop_options, linear_part
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument("--gap", type=float, metavar="M", required=True, help="total clearance, m")
+    parser.add_argument(
+        "--frequency", type=float, metavar="HZ", required=True, help="frequency of the limit cycle, Hz"
+    )
+    add_loop_options(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.limit_cycles_text import identified_as_json, identified_as_text
+    from trimmer.identification import identify_time_constant
+
+    G = linear_part(arguments)
+    try:
+        found = identify_time_constant(G, arguments.gap, arguments.frequency)
+    except ValueError as error:
+        raise OptionError(str(error)) from error
+    print((identified_as_json if arguments.json else identified_as_text)(found))
+    return 0
+
+
+COMMAND = Command(
+    "identify", "time constant M/D of the load behind a backlash, from a measured frequency", _configure, _run
+)

@@ -1,0 +1,55 @@
+"""``trimmer limit-cycles``: the limit cycles that harmonic balance predicts for a trimmer."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.loop_options import (
+    add_element_options,
+    add_loop_options,
+    chosen_element,
+    linear_part,
+)
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_element_options(parser)
+    add_loop_options(parser)
+    parser.add_argument(
+        "--omega-range",
+        nargs=2,
+        type=float,
+        metavar=("LOWEST", "HIGHEST"),
+        help="angular frequencies to search, rad/s (default: all)",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    parser.add_argument(
+        "--plot",
+        type=Path,
+        metavar="FILE",
+        help="draw G and -1/N with the intersections into an .svg, .png or .pdf file",
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.balance.solve import harmonic_balance
+    from trimmer.command_line.limit_cycles_text import as_json, as_text
+    from trimmer.command_line.locus_picture import check_format, draw
+    from trimmer.files import write_whole
+
+    element = chosen_element(arguments)
+    if arguments.plot is not None:
+        check_format(arguments.plot)
+    G = linear_part(arguments)
+    balance = harmonic_balance(G, element, arguments.omega_range and tuple(arguments.omega_range))
+    if arguments.plot is not None:
+        write_whole(arguments.plot, draw(G, element, balance, arguments.plot.suffix[1:].lower()))
+    print((as_json if arguments.json else as_text)(G, element, balance))
+    return 0
+
+
+COMMAND = Command(
+    "limit-cycles", "limit cycles by harmonic balance: amplitude, frequency, stability", _configure, _run
+)

@@ -1,0 +1,124 @@
+"""Limit cycles as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from trimmer.balance.leakage import HARMONICS, harmonic_leakage
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle, UndecidedRegion
+    from trimmer.elements.element import Element
+    from trimmer.identification import IdentifiedTimeConstant
+
+_HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
+
+
+def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
+    """Lay limit cycles out as a table, followed by what is certain."""
+    certificate = balance.certificate
+    rows = [
+        (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
+        for cycle in balance.limit_cycles
+    ]
+    lines = [f"Limit cycles of {element!r}", *_table(_HEADS, rows)]
+    lowest, highest = certificate.omegas
+    others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
+    outside = "; none exist outside" if certificate.outside_excluded else ""
+    lines.append(f"searched from {lowest:.6g} to {highest:.6g} rad/s: {others}{outside}")
+    lines += [
+        f"undecided: {_range(region.omegas)} rad/s, amplitude {_range(region.amplitudes)}"
+        for region in certificate.undecided
+    ]
+    if any(cycle.near_tangency for cycle in balance.limit_cycles):
+        lines.append("an angle below 5 degrees: the curves nearly touch, so existence and stability are uncertain")
+    return "\n".join(lines)
+
+
+def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
+    """Give limit cycles as JSON: full precision, SI units; what is infinite is null."""
+    certificate = balance.certificate
+    content = {
+        "element": repr(element),
+        "limit_cycles": [
+            {
+                **_cycle(cycle),
+                "harmonic_leakage": dict(
+                    zip(map(str, HARMONICS), harmonic_leakage(G, element, cycle), strict=True)
+                ),
+            }
+            for cycle in balance.limit_cycles
+        ],
+        "certificate": {
+            "method": certificate.method,
+            "omegas": certificate.omegas,
+            "outside_excluded": certificate.outside_excluded,
+            "complete": certificate.complete,
+            "boxes": certificate.boxes,
+            "undecided": [_region(region) for region in certificate.undecided],
+        },
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
+    """Lay time constants out as a table."""
+    if not found:
+        return "no M/D gives a limit cycle at this frequency"
+    rows = [(f"{each.time_constant:.6g}", *_cycle_row(each.limit_cycle)) for each in found]
+    return "\n".join(["Time constants M/D", *_table(("M/D, s", *_HEADS[:5]), rows)])
+
+
+def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
+    """Give time constants as JSON; an infinite one, which is inertia-controlled backlash, is null."""
+    content = [
+        {"time_constant": _finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)} for each in found
+    ]
+    return json.dumps({"time_constants": content}, indent=2, allow_nan=False)
+
+
+def _cycle(cycle: LimitCycle) -> dict[str, float | bool]:
+    return {
+        "amplitude": cycle.amplitude,
+        "omega": cycle.omega,
+        "frequency": cycle.frequency,
+        "stable": cycle.stable,
+        "residual": cycle.residual,
+        "crossing_angle": cycle.crossing_angle,
+        "near_tangency": cycle.near_tangency,
+        "other_unstable_poles": cycle.other_unstable_poles,
+    }
+
+
+def _cycle_row(cycle: LimitCycle) -> tuple[str, ...]:
+    numbers = (cycle.amplitude, cycle.omega, cycle.frequency)
+    stable = "yes" if cycle.stable else "no"
+    return (*(f"{number:.6g}" for number in numbers), stable, f"{math.degrees(cycle.crossing_angle):.3g}")
+
+
+def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
+    return {
+        "amplitudes": [_finite(end) for end in region.amplitudes],
+        "omegas": [_finite(end) for end in region.omegas],
+    }
+
+
+def _table(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
+    if not rows:
+        return ["  none"]
+    listed = [heads, *rows]
+    widths = [max(len(row[column]) for row in listed) for column in range(len(heads))]
+    return ["  " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in listed]
+
+
+def _range(ends: tuple[float, float]) -> str:
+    return f"{ends[0]:.9g} to {ends[1]:.9g}"
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None

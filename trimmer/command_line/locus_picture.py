@@ -1,0 +1,89 @@
+"""The picture of harmonic balance: G(j omega) and -1/N in the complex plane, with the intersections marked."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from trimmer.command_line.loop_options import OptionError
+from trimmer.frequency_domain import frequency_response
+
+if TYPE_CHECKING:
+    import control
+    from numpy.typing import NDArray
+
+    from trimmer.balance.limit_cycle import HarmonicBalance
+    from trimmer.elements.element import Element
+
+FORMATS = ("svg", "png", "pdf")
+
+_POINTS = 4000
+_SIZE = (6.4, 5.0)
+_DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
+"""Metadata that make the same picture the same bytes."""
+
+
+def check_format(path: Path) -> None:
+    """Check that a picture can be written to a file of this name.
+
+    Raises:
+        OptionError: if the name does not end in one of ``FORMATS``.
+    """
+    if path.suffix[1:].lower() not in FORMATS:
+        raise OptionError(f"--plot {path}: the name must end in .{', .'.join(FORMATS)}")
+
+
+def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_format: str) -> bytes:
+    """Draw the two curves and mark the limit cycles, and give the file's content.
+
+    An element that depends on frequency has one curve per limit cycle, at its frequency.
+    """
+    figure = Figure(figsize=_SIZE, layout="constrained")
+    axes = figure.add_subplot()
+    omega = np.geomspace(*balance.certificate.omegas, _POINTS)
+    response = frequency_response(G, omega)
+    axes.plot(response.real, response.imag, label="G(jω)")
+    for label, curve in _element_curves(element, balance):
+        axes.plot(curve.real, curve.imag, label=label)
+    for cycle in balance.limit_cycles:
+        point = complex(frequency_response(G, cycle.omega))
+        kind = "stable" if cycle.stable else "unstable"
+        text = f"{cycle.frequency:.4g} Hz, {cycle.amplitude:.4g} ({kind})"
+        axes.plot(point.real, point.imag, "o", color="black", fillstyle="full" if cycle.stable else "none", label=text)
+    _frame(axes, response)
+    axes.set_xlabel("real part")
+    axes.set_ylabel("imaginary part")
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize="small")
+    content = io.BytesIO()
+    with rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
+        figure.savefig(content, format=file_format, metadata=_DATELESS[file_format])
+    return content.getvalue()
+
+
+def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, NDArray[np.complex128]]]:
+    """The curves -1/N over amplitude, from large amplitudes to the smallest the element allows."""
+    if not element.depends_on_frequency:
+        return [("-1/N(A)", _inverse(element, None))]
+    omegas = [cycle.omega for cycle in balance.limit_cycles] or [np.sqrt(np.prod(balance.certificate.omegas))]
+    return [(f"-1/N(A) at {omega:.5g} rad/s", _inverse(element, omega)) for omega in omegas]
+
+
+def _inverse(element: Element, omega: float | None) -> NDArray[np.complex128]:
+    largest = min(float(element.domain(omega)), 1e6)
+    u = largest * np.concatenate([np.geomspace(1e-6, 0.5, _POINTS), 1.0 - np.geomspace(0.5, 1e-9, _POINTS)])
+    gain = element.describing_function(element.amplitude_scale / u, omega)
+    return np.asarray(-1.0 / gain[gain != 0])
+
+
+def _frame(axes: object, response: NDArray[np.complex128]) -> None:
+    """Show G, whatever -1/N does outside."""
+    for axis, part in (("x", response.real), ("y", response.imag)):
+        lowest, highest = min(float(part.min()), -1.0 if axis == "x" else 0.0), max(float(part.max()), 0.0)
+        margin = 0.06 * (highest - lowest or 1.0)
+        getattr(axes, f"set_{axis}lim")(lowest - margin, highest + margin)

@@ -1,0 +1,147 @@
+"""Options of the commands that close a loop: which trimmer, and which nonlinear element."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trimmer.errors import TrimmerError
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.elements.element import Element
+
+CHANNELS = ("displacement", "both")
+
+
+class OptionError(TrimmerError, ValueError):
+    """An option that is missing, not used, or has a value that cannot be used."""
+
+
+@dataclass(frozen=True)
+class ElementChoice:
+    """An element by the word that selects it.
+
+    Attributes:
+        name: The word.
+        options: The options it needs, in the order in which ``make`` takes their values.
+        make: Makes the element.
+    """
+
+    name: str
+    options: tuple[str, ...]
+    make: Callable[..., Element]
+
+
+def _friction(gap: float) -> Element:
+    from trimmer.elements.friction_backlash import FrictionBacklash
+
+    return FrictionBacklash(gap)
+
+
+def _inertia(gap: float) -> Element:
+    from trimmer.elements.inertia_backlash import InertiaBacklash
+
+    return InertiaBacklash(gap)
+
+
+def _viscous(gap: float, time_constant: float) -> Element:
+    from trimmer.elements.viscous_backlash import ViscousBacklash
+
+    return ViscousBacklash(gap, time_constant)
+
+
+def _coulomb(force: float) -> Element:
+    from trimmer.elements.coulomb_friction import CoulombFriction
+
+    return CoulombFriction(force)
+
+
+def _relay(force: float) -> Element:
+    from trimmer.elements.relay import Relay
+
+    return Relay(force)
+
+
+ELEMENTS = (
+    ElementChoice("friction", ("gap",), _friction),
+    ElementChoice("inertia", ("gap",), _inertia),
+    ElementChoice("viscous", ("gap", "time_constant"), _viscous),
+    ElementChoice("coulomb", ("force",), _coulomb),
+    ElementChoice("relay", ("force",), _relay),
+)
+
+
+def add_loop_options(parser: ArgumentParser) -> None:
+    """Add the options that choose the linear part."""
+    parser.add_argument(
+        "--parameters",
+        metavar="FILE",
+        type=Path,
+        help="TOML file with the trimmer's parameters (default: the thesis's trimmer)",
+    )
+    parser.add_argument(
+        "--output",
+        metavar="DISPLACEMENT",
+        default="q2-q4",
+        help="displacement that is fed back, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
+    )
+    parser.add_argument(
+        "--channels",
+        choices=CHANNELS,
+        default=CHANNELS[1],
+        help="whether the pin acts by its displacement alone, as in the thesis, or by its velocity too "
+        "(default: both)",
+    )
+
+
+def add_element_options(parser: ArgumentParser) -> None:
+    """Add the options that choose the element."""
+    parser.add_argument(
+        "--element",
+        choices=[choice.name for choice in ELEMENTS],
+        required=True,
+        help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; ideal relay",
+    )
+    parser.add_argument("--gap", type=float, metavar="M", help="total clearance of the backlash, m")
+    parser.add_argument("--time-constant", type=float, metavar="S", help="M/D of the load, s (viscous)")
+    parser.add_argument(
+        "--force", type=float, metavar="N", help="Coulomb friction, or level of the relay, N (coulomb, relay)"
+    )
+
+
+def linear_part(arguments: Namespace) -> control.StateSpace:
+    """Build the linear part that the options choose.
+
+    Raises:
+        TrimmerError: if the output or the parameter file cannot be used.
+    """
+    from trimmer.displacement import Displacement
+    from trimmer.linear import InputChannels, pin_model
+    from trimmer.parameters import TrimmerParameters
+
+    chosen = arguments.parameters
+    parameters = TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
+    return pin_model(parameters, Displacement.parse(arguments.output), InputChannels(arguments.channels))
+
+
+def chosen_element(arguments: Namespace) -> Element:
+    """Make the element that the options choose.
+
+    Raises:
+        OptionError: if an option is missing, has no use for the element, or has an unusable value.
+    """
+    choice = next(choice for choice in ELEMENTS if choice.name == arguments.element)
+    for option in ("gap", "time_constant", "force"):
+        given = getattr(arguments, option) is not None
+        if given != (option in choice.options):
+            verb = "does not use" if given else "needs"
+            raise OptionError(f"--element {choice.name} {verb} --{option.replace('_', '-')}")
+    try:
+        return choice.make(*(getattr(arguments, option) for option in choice.options))
+    except ValueError as error:
+        raise OptionError(f"--element {choice.name}: {error}") from error

@@ -1,0 +1,78 @@
+"""Checks of what is given to an element: fields, amplitudes, frequencies, harmonics."""
+
+from __future__ import annotations
+
+import math
+import operator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Reals = NDArray[np.float64]
+
+
+def require_positive(field: str, value: float, unit: str) -> None:
+    """Check that a field of an element is a positive, finite number.
+
+    Raises:
+        ValueError: if it is not; the message names field, value and unit.
+    """
+    if not (math.isfinite(value) and value > 0):
+        raise ValueError(f"{field} must be positive and finite ({unit}), not {value!r}")
+
+
+def require_not_negative(field: str, value: float, unit: str) -> None:
+    """Check that a field of an element is zero, positive or infinite, and not NaN.
+
+    Raises:
+        ValueError: if it is not; the message names field, value and unit.
+    """
+    if not value >= 0:
+        raise ValueError(f"{field} must not be negative ({unit}), not {value!r}")
+
+
+def odd_or_even(harmonic: int) -> int:
+    """Return the number of a harmonic as an int.
+
+    Raises:
+        ValueError: if it is not an integer, or less than 1.
+    """
+    try:
+        number = operator.index(harmonic)
+    except TypeError:
+        number = 0
+    if number < 1 or isinstance(harmonic, bool):
+        raise ValueError(f"harmonic must be an integer from 1 on, not {harmonic!r}")
+    return number
+
+
+def positive_amplitudes(amplitude: ArrayLike) -> Reals:
+    """Return amplitudes as an array; infinity and NaN pass.
+
+    Raises:
+        ValueError: if one is zero or negative.
+    """
+    return _positive("amplitude", amplitude, "half of peak to peak, in the unit of the input")
+
+
+def positive_omegas(omega: ArrayLike) -> Reals:
+    """Return angular frequencies as an array; NaN passes.
+
+    Raises:
+        ValueError: if one is zero, negative or infinite.
+    """
+    omegas = _positive("omega", omega, "rad/s")
+    if np.isinf(omegas).any():
+        raise ValueError("omega must be finite (rad/s), not inf")
+    return omegas
+
+
+def _positive(name: str, values: ArrayLike, unit: str) -> Reals:
+    array = np.asarray(values, dtype=float)
+    wrong = array[array <= 0]
+    if wrong.size:
+        raise ValueError(f"{name} must be positive ({unit}), not {float(wrong[0])!r}")
+    return array

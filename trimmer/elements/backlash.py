@@ -1,0 +1,105 @@
+"""What friction-, inertia- and viscous-controlled backlash share."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.elements.arguments import require_positive
+from trimmer.elements.backlash_bounds import BacklashBox
+from trimmer.elements.backlash_frequency import slope_by_log_gamma
+from trimmer.elements.backlash_harmonics import harmonic_of
+from trimmer.elements.backlash_motion import (
+    SLOPE_BY_RATIO,
+    BacklashMotion,
+    complex_of,
+    fundamental,
+    position,
+    slope_by_ratio,
+)
+from trimmer.elements.bounds import range_shape
+from trimmer.elements.contact_equation import largest_ratio, steady_motion
+from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Backlash(Element):
+    """Backlash in front of a load M v' + D v = 0; u = gap / amplitude.
+
+    Attributes:
+        gap: Total clearance, > 0, in the unit of the input (m).
+    """
+
+    gap: float
+
+    def __post_init__(self) -> None:
+        require_positive("gap", self.gap, "m")
+
+    @property
+    def amplitude_scale(self) -> float:
+        """The gap."""
+        return self.gap
+
+    @abstractmethod
+    def gamma(self, omega: Reals) -> Reals:
+        """Return omega M/D at each omega, limited to ``GAMMA_LIMITS``."""
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return the largest gap/amplitude: (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+        return largest_ratio(self.gamma(self._omegas(omega)))[()]
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return 2/π, which is |dN/du| everywhere, and a bound that follows from the longest flight."""
+        shape = range_shape(u_range, omega_range)
+        by_u = np.full(shape, SLOPE_BY_RATIO)[()]
+        if not self.depends_on_frequency:
+            return Sensitivity(by_u, np.zeros(shape)[()])
+        with np.errstate(all="ignore"):
+            bounds = self._box(shape, u_range, omega_range).slope_by_log_gamma()
+        return Sensitivity(by_u, bounds.reshape(shape)[()])
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return bounds that follow from the range of the impact's phase."""
+        shape = range_shape(u_range, omega_range)
+        box = self._box(shape, u_range, omega_range)
+        with np.errstate(all="ignore"):
+            by_u = box.change_of_slope_by_ratio().reshape(shape)[()]
+            if not self.depends_on_frequency:
+                return Variation(by_u, np.zeros(shape)[()])
+            return Variation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
+
+    def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:
+        gammas = (
+            self.gamma(self._omegas(limit))
+            for limit in ((None, None) if omega_range is None else omega_range)
+        )
+        ratios = (np.asarray(limit, dtype=float) for limit in u_range)
+        return BacklashBox(*(np.broadcast_to(values, shape).ravel() for values in (*ratios, *gammas)))
+
+    def _motion(self, amplitude: Reals, omega: Reals) -> BacklashMotion:
+        """Find the steady motion at arrays of one dimension and equal size; NaN where there is none."""
+        return steady_motion(self.gap, amplitude, self.gamma(omega))
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        motion = self._motion(amplitude, omega)
+        return fundamental(motion) if harmonic == 1 else harmonic_of(motion, harmonic)
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return position(self._motion(amplitude, omega), phase, amplitude, self.gap)
+
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        motion = self._motion(amplitude, omega)
+        if self.depends_on_frequency:
+            return Derivatives(slope_by_ratio(motion), slope_by_log_gamma(motion))
+        return Derivatives(slope_by_ratio(motion), complex_of(0.0 * motion.flight, 0.0 * motion.flight))

@@ -1,0 +1,40 @@
+"""Domains and bounds that do not depend on amplitude and frequency, in the shape that was asked for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.elements.element import Sensitivity, Variation
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+
+
+def unlimited_domain(omega: Reals) -> Reals:
+    """Return infinity in the shape of omega."""
+    return np.full(omega.shape, np.inf)[()]
+
+
+def constant_sensitivity(
+    by_u: float, by_log_omega: float, u_range: Range, omega_range: Range | None
+) -> Sensitivity:
+    """Return bounds that hold everywhere, in the shape of the ranges."""
+    shape = range_shape(u_range, omega_range)
+    return Sensitivity(np.full(shape, by_u)[()], np.full(shape, by_log_omega)[()])
+
+
+def no_variation(u_range: Range, omega_range: Range | None) -> Variation:
+    """Return zeros, in the shape of the ranges: the derivatives are constant."""
+    shape = range_shape(u_range, omega_range)
+    return Variation(np.zeros(shape)[()], np.zeros(shape)[()])
+
+
+def range_shape(u_range: Range, omega_range: Range | None) -> tuple[int, ...]:
+    """Return the shape that the limits of both ranges broadcast to."""
+    return np.broadcast_shapes(*(np.shape(limit) for limit in (*u_range, *(omega_range or ()))))

@@ -1,0 +1,250 @@
+"""The interface of a nonlinear element: describing function, waveform, and what a solver needs of them."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
+
+import numpy as np
+
+from trimmer.elements.arguments import odd_or_even, positive_amplitudes, positive_omegas
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element_at_frequency import ElementAtFrequency
+    from trimmer.elements.scaled_element import ScaledElement
+    from trimmer.elements.sum_of_elements import SumOfElements
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+    Range = tuple[ArrayLike, ArrayLike]
+
+
+Number = TypeVar("Number", np.float64, np.complex128)
+
+BLOCK = 16384
+"""Entries that are computed together: few enough for the processor's cache, enough to make calls cheap."""
+
+
+class Derivatives(NamedTuple):
+    """Derivatives of the first harmonic's N, with u = amplitude_scale / amplitude.
+
+    Attributes:
+        by_u: dN/du at constant omega.
+        by_log_omega: dN/d(ln omega) at constant amplitude.
+    """
+
+    by_u: Complexes
+    by_log_omega: Complexes
+
+
+class Sensitivity(NamedTuple):
+    """Upper bounds of the moduli of ``Derivatives`` on a box of u and omega.
+
+    Attributes:
+        by_u: Bound of |dN/du|.
+        by_log_omega: Bound of |dN/d(ln omega)|.
+    """
+
+    by_u: Reals
+    by_log_omega: Reals
+
+
+class Variation(NamedTuple):
+    """Upper bounds of how much ``Derivatives`` differ between two points of a box of u and omega.
+
+    Attributes:
+        by_u: Bound of the change of dN/du.
+        by_log_omega: Bound of the change of dN/d(ln omega).
+    """
+
+    by_u: Reals
+    by_log_omega: Reals
+
+
+class Element(ABC):
+    """A nonlinear element with input x = A sin θ, θ = omega t, and a steady output that repeats with it.
+
+    The describing function of harmonic n is N_n = (b_n + j a_n) / A with the Fourier coefficients a_n of
+    cos nθ and b_n of sin nθ of the output (equation 2.35 of the thesis for n = 1). All elements are odd,
+    y(θ + π) = -y(θ), so even harmonics are zero. A is half of peak to peak.
+
+    Where an element has no steady output (an amplitude too small for its gap) it returns NaN; ``domain``
+    tells where that is. NaN in gives NaN out. ``describing_function(A)`` is what python-control calls, so
+    an element that does not depend on frequency is accepted by ``control.describing_function_plot`` and
+    ``control.describing_function_response``; freeze another with ``at``.
+
+    Elements add, subtract, and take a factor: ``a + b``, ``a - b``, ``2.0 * a``, ``-a``.
+    """
+
+    @property
+    @abstractmethod
+    def depends_on_frequency(self) -> bool:
+        """Whether N depends on omega; if so, omega must be given."""
+
+    @property
+    @abstractmethod
+    def amplitude_scale(self) -> float:
+        """Natural unit of amplitude; u = amplitude_scale / amplitude has no unit."""
+
+    def describing_function(
+        self, amplitude: ArrayLike, omega: ArrayLike | None = None, harmonic: int = 1
+    ) -> Complexes:
+        """Evaluate N_n.
+
+        Args:
+            amplitude: A > 0, of any shape; infinity gives the limit.
+            omega: Angular frequency, rad/s, > 0, of a shape that broadcasts with the amplitude. Needed if
+                ``depends_on_frequency``.
+            harmonic: n >= 1.
+
+        Returns:
+            N_n in the unit of output over input, of the broadcast shape; NaN outside the domain.
+
+        Raises:
+            ValueError: if an amplitude or omega is not positive, omega is infinite or missing, or the
+                harmonic is no integer >= 1.
+        """
+        number = odd_or_even(harmonic)
+        amplitudes, omegas = self._inputs(amplitude, omega)
+        missing = np.isnan(amplitudes) | np.isnan(omegas)
+        values: Complexes = np.empty(amplitudes.size, dtype=complex)
+        flat_amplitudes, flat_omegas = amplitudes.ravel(), omegas.ravel()
+        with np.errstate(all="ignore"):
+            for start in range(0, values.size, BLOCK):
+                block = slice(start, start + BLOCK)
+                # An even harmonic is zero wherever the first one exists.
+                values[block] = self._describing_function(
+                    flat_amplitudes[block], flat_omegas[block], number if number % 2 else 1
+                )
+        values = values.reshape(amplitudes.shape)
+        values[missing] = np.nan
+        if number % 2 == 0:
+            values[~np.isnan(values)] = 0.0
+        return _scalar_if_0d(values)
+
+    def waveform(self, phase: ArrayLike, amplitude: ArrayLike, omega: ArrayLike | None = None) -> Reals:
+        """Evaluate the steady output for the input A sin θ.
+
+        Args:
+            phase: θ, rad, any real number; the output has period 2π.
+            amplitude: A > 0, finite.
+            omega: Angular frequency, rad/s, > 0. Needed if ``depends_on_frequency``.
+
+        Returns:
+            Output, of the shape that phase, amplitude and omega broadcast to; NaN outside the domain.
+
+        Raises:
+            ValueError: as for ``describing_function``, and for an infinite amplitude.
+        """
+        amplitudes, omegas = self._inputs(amplitude, omega)
+        if np.isinf(amplitudes).any():
+            raise ValueError("amplitude must be finite for a waveform, not inf")
+        phases, amplitudes, omegas = np.broadcast_arrays(np.asarray(phase, dtype=float), amplitudes, omegas)
+        with np.errstate(all="ignore"):
+            values = self._waveform(phases.ravel(), amplitudes.ravel(), omegas.ravel())
+        values = values.reshape(phases.shape)
+        values[np.isnan(phases) | np.isnan(amplitudes) | np.isnan(omegas)] = np.nan
+        return _scalar_if_0d(values)
+
+    def derivatives(self, amplitude: ArrayLike, omega: ArrayLike | None = None) -> Derivatives:
+        """Evaluate dN/du and dN/d(ln omega) of the first harmonic analytically.
+
+        Arguments and errors are those of ``describing_function``; NaN outside the domain.
+        """
+        amplitudes, omegas = self._inputs(amplitude, omega)
+        missing = np.isnan(amplitudes) | np.isnan(omegas)
+        with np.errstate(all="ignore"):
+            slopes = self._derivatives(amplitudes.ravel(), omegas.ravel())
+        by_u, by_log_omega = (slope.reshape(amplitudes.shape) for slope in slopes)
+        by_u[missing] = by_log_omega[missing] = np.nan
+        return Derivatives(_scalar_if_0d(by_u), _scalar_if_0d(by_log_omega))
+
+    @abstractmethod
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return the supremum of u = amplitude_scale / amplitude at each omega; N is NaN from there on.
+
+        Raises:
+            ValueError: as for ``describing_function``.
+        """
+
+    @abstractmethod
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Bound the derivatives of N on boxes of u and omega, as far as they lie in the domain.
+
+        Args:
+            u_range: Lower and upper u, 0 <= lower <= upper, of any shape.
+            omega_range: Lower and upper omega, rad/s, of a shape that broadcasts. Needed if
+                ``depends_on_frequency``.
+
+        Returns:
+            Bounds of broadcast shape. They are proven for exact arithmetic and rounded upwards.
+
+        Raises:
+            ValueError: as for ``describing_function``.
+        """
+
+    @abstractmethod
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Bound how much the derivatives of N change on boxes of u and omega, inside the domain.
+
+        With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those
+        of ``sensitivity``, and so is what is proven.
+        """
+
+    def at(self, omega: float) -> ElementAtFrequency:
+        """Return this element frozen at an omega, rad/s: its N depends on amplitude only."""
+        from trimmer.elements.element_at_frequency import ElementAtFrequency
+
+        return ElementAtFrequency(self, omega)
+
+    # The results of arithmetic are elements themselves, so their modules need this one first.
+    def __add__(self, other: Element) -> SumOfElements:
+        from trimmer.elements.sum_of_elements import SumOfElements
+
+        return SumOfElements((self, other)) if isinstance(other, Element) else NotImplemented
+
+    def __sub__(self, other: Element) -> SumOfElements:
+        return self + (-other) if isinstance(other, Element) else NotImplemented
+
+    def __mul__(self, factor: float) -> ScaledElement:
+        from trimmer.elements.scaled_element import ScaledElement
+
+        return ScaledElement(self, factor)
+
+    __rmul__ = __mul__
+
+    def __neg__(self) -> ScaledElement:
+        return -1.0 * self
+
+    @abstractmethod
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        """Evaluate N_n for an odd harmonic at arrays of one dimension and equal size."""
+
+    @abstractmethod
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        """Evaluate the output at arrays of one dimension and equal size."""
+
+    @abstractmethod
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        """Evaluate the derivatives at arrays of one dimension and equal size."""
+
+    def _inputs(self, amplitude: ArrayLike, omega: ArrayLike | None) -> tuple[Reals, Reals]:
+        amplitudes, omegas = np.broadcast_arrays(positive_amplitudes(amplitude), self._omegas(omega))
+        return amplitudes, omegas
+
+    def _omegas(self, omega: ArrayLike | None) -> Reals:
+        """Return omega as an array; an element that does not depend on it may do without."""
+        if omega is None:
+            if self.depends_on_frequency:
+                raise ValueError(
+                    f"{self!r} depends on frequency: give omega (rad/s), or freeze it with .at(omega)"
+                )
+            return np.ones(())
+        return positive_omegas(omega)
+
+
+def _scalar_if_0d(values: NDArray[Number]) -> NDArray[Number]:
+    """Return an array as it is, and a scalar in place of an array without dimensions, as NumPy does."""
+    return values[()]

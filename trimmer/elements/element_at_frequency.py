@@ -1,0 +1,79 @@
+"""An element frozen at one frequency."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.elements.arguments import require_positive
+from trimmer.elements.bounds import range_shape
+from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+@final
+@dataclass(frozen=True)
+class ElementAtFrequency(Element):
+    """What an element does at one omega, taken for all omega: a shortcut of the thesis, and what plots need.
+
+    Attributes:
+        element: What is frozen.
+        omega: Angular frequency that takes the place of any other, > 0, rad/s.
+
+    Raises:
+        ValueError: if omega is not positive and finite.
+    """
+
+    element: Element
+    omega: float
+
+    def __post_init__(self) -> None:
+        require_positive("omega", self.omega, "rad/s")
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """False."""
+        return False
+
+    @property
+    def amplitude_scale(self) -> float:
+        """That of the element."""
+        return self.element.amplitude_scale
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return the limit of the element at the frozen omega."""
+        return np.full(self._omegas(omega).shape, self.element.domain(self.omega))[()]
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return the element's bound of dN/du at the frozen omega, and 0."""
+        shape = range_shape(u_range, omega_range)
+        bound = self.element.sensitivity(u_range, (self.omega, self.omega))
+        return Sensitivity(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return the element's bound of the change of dN/du at the frozen omega, and 0."""
+        shape = range_shape(u_range, omega_range)
+        bound = self.element.variation(u_range, (self.omega, self.omega))
+        return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        return self.element._describing_function(amplitude, self._frozen(amplitude), harmonic)
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return self.element._waveform(phase, amplitude, self._frozen(amplitude))
+
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        by_u = self.element._derivatives(amplitude, self._frozen(amplitude)).by_u
+        return Derivatives(by_u, np.zeros(by_u.shape, dtype=complex))
+
+    def _frozen(self, amplitude: Reals) -> Reals:
+        return np.full(amplitude.shape, self.omega)

@@ -1,0 +1,41 @@
+"""Inertia-controlled backlash."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.elements.backlash import Backlash
+from trimmer.elements.backlash_motion import GAMMA_LIMITS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True)
+class InertiaBacklash(Backlash):
+    """Backlash in front of a load that keeps its velocity while it is not pushed (time constant M/D → ∞).
+
+    Domain: amplitude > gap/π; below, the load cannot be pushed in every half period. Source: Gelb and Vander
+    Velde (1968), section 2.3; thesis, section 2.3.4.
+
+    Attributes:
+        gap: Total clearance, > 0, in the unit of the input (m).
+
+    Raises:
+        ValueError: if the gap is not positive and finite.
+    """
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """False."""
+        return False
+
+    def gamma(self, omega: Reals) -> Reals:
+        """Return what stands for infinity."""
+        return np.full(omega.shape, GAMMA_LIMITS[1])

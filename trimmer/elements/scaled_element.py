@@ -1,0 +1,73 @@
+"""An element with a factor on its output."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+@final
+@dataclass(frozen=True)
+class ScaledElement(Element):
+    """An element whose output is multiplied by a factor, and so is its describing function of each harmonic.
+
+    Attributes:
+        element: What is scaled.
+        factor: Not zero, finite; may be negative.
+
+    Raises:
+        ValueError: if the factor is zero, infinite or NaN.
+    """
+
+    element: Element
+    factor: float
+
+    def __post_init__(self) -> None:
+        if not math.isfinite(self.factor) or self.factor == 0:
+            raise ValueError(f"factor must be finite and not zero, not {self.factor!r}")
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """Whether the element does."""
+        return self.element.depends_on_frequency
+
+    @property
+    def amplitude_scale(self) -> float:
+        """That of the element: a factor on the output leaves the input alone."""
+        return self.element.amplitude_scale
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return the limit of the element."""
+        return self.element.domain(omega)
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return the bounds of the element times the modulus of the factor."""
+        bound = self.element.sensitivity(u_range, omega_range)
+        return Sensitivity(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return the bounds of the element times the modulus of the factor."""
+        bound = self.element.variation(u_range, omega_range)
+        return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        return self.factor * self.element._describing_function(amplitude, omega, harmonic)
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return self.factor * self.element._waveform(phase, amplitude, omega)
+
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        slopes = self.element._derivatives(amplitude, omega)
+        return Derivatives(self.factor * slopes.by_u, self.factor * slopes.by_log_omega)

@@ -1,0 +1,98 @@
+"""A sum of elements that share one input."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from operator import add
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+@final
+@dataclass(frozen=True)
+class SumOfElements(Element):
+    """Elements with the same input whose outputs add; their describing functions of each harmonic add too.
+
+    Attributes:
+        terms: The elements, at least one; all outputs in the same unit.
+
+    Raises:
+        ValueError: if there is no term.
+    """
+
+    terms: tuple[Element, ...]
+
+    def __post_init__(self) -> None:
+        if not self.terms:
+            raise ValueError("terms must hold at least one element")
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """Whether any term does."""
+        return any(term.depends_on_frequency for term in self.terms)
+
+    @property
+    def amplitude_scale(self) -> float:
+        """The scale of the first term."""
+        return self.terms[0].amplitude_scale
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return the smallest of the terms' limits."""
+        omegas = self._omegas(omega)
+        limits = [self._ratio(term) * term.domain(omegas) for term in self.terms]
+        return np.asarray(reduce(np.minimum, limits))[()]
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return the sums of the terms' bounds."""
+        bounds = [
+            (self._ratio(term), term.sensitivity(self._range_of(term, u_range), omega_range))
+            for term in self.terms
+        ]
+        return Sensitivity(
+            reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
+            reduce(add, (bound.by_log_omega for _, bound in bounds)),
+        )
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return the sums of the terms' bounds."""
+        bounds = [
+            (self._ratio(term), term.variation(self._range_of(term, u_range), omega_range))
+            for term in self.terms
+        ]
+        return Variation(
+            reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
+            reduce(add, (bound.by_log_omega for _, bound in bounds)),
+        )
+
+    def _range_of(self, term: Element, u_range: Range) -> Range:
+        lower, upper = u_range
+        return np.divide(lower, self._ratio(term)), np.divide(upper, self._ratio(term))
+
+    def _ratio(self, term: Element) -> float:
+        """Return u of the sum over u of a term, at the same amplitude."""
+        return self.amplitude_scale / term.amplitude_scale
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        return reduce(add, (term._describing_function(amplitude, omega, harmonic) for term in self.terms))
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return reduce(add, (term._waveform(phase, amplitude, omega) for term in self.terms))
+
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        slopes = [(self._ratio(term), term._derivatives(amplitude, omega)) for term in self.terms]
+        return Derivatives(
+            reduce(add, (slope.by_u / ratio for ratio, slope in slopes)),
+            reduce(add, (slope.by_log_omega for _, slope in slopes)),
+        )

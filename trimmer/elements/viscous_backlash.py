@@ -1,0 +1,50 @@
+"""Viscous-controlled backlash: the general case, between friction- and inertia-controlled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.elements.arguments import require_not_negative
+from trimmer.elements.backlash import Backlash
+from trimmer.elements.backlash_motion import GAMMA_LIMITS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+
+@final
+@dataclass(frozen=True)
+class ViscousBacklash(Backlash):
+    """Backlash in front of a load M v' + D v = 0, with gamma = omega M/D.
+
+    Domain: gap/amplitude < (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²), which rises from 2 to π with
+    gamma; below that amplitude the load cannot be pushed in every half period. Source: the contact and
+    separation conditions of derivations/backlash.py; thesis, section 2.3.4 (equations 2.44 to 2.47).
+
+    Attributes:
+        gap: Total clearance, > 0, in the unit of the input (m).
+        time_constant: M/D, s; 0 gives friction-controlled backlash and infinity inertia-controlled.
+
+    Raises:
+        ValueError: if the gap is not positive and finite, or the time constant negative or NaN.
+    """
+
+    time_constant: float
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require_not_negative("time_constant", self.time_constant, "s")
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """True."""
+        return True
+
+    def gamma(self, omega: Reals) -> Reals:
+        """Return omega M/D."""
+        return np.asarray(np.clip(self.time_constant * omega, *GAMMA_LIMITS))

@@ -1,0 +1,78 @@
+"""Viscous friction with a displacement as its input: a linear element, for sums with nonlinear ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.elements.arguments import require_positive
+from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+@final
+@dataclass(frozen=True)
+class ViscousFriction(Element):
+    """Viscous friction, F = damping * dx/dt, of a displacement x: N = j omega damping; no higher harmonics.
+
+    Attributes:
+        damping: > 0, N s/m.
+
+    Raises:
+        ValueError: if the damping is not positive and finite.
+    """
+
+    damping: float
+
+    def __post_init__(self) -> None:
+        require_positive("damping", self.damping, "N s/m")
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """True."""
+        return True
+
+    @property
+    def amplitude_scale(self) -> float:
+        """1: a linear element has no amplitude of its own."""
+        return 1.0
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return infinity: any amplitude will do."""
+        return unlimited_domain(self._omegas(omega))
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return 0, and the damping times the upper omega."""
+        omega = self._omegas(None if omega_range is None else omega_range[1])
+        shape = range_shape(u_range, omega_range)
+        return Sensitivity(np.zeros(shape)[()], np.broadcast_to(self.damping * omega, shape)[()])
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return 0, and the damping times the width in omega."""
+        lower, upper = (
+            self._omegas(limit) for limit in ((None, None) if omega_range is None else omega_range)
+        )
+        shape = range_shape(u_range, omega_range)
+        change = np.broadcast_to(self.damping * (upper - lower), shape)
+        return Variation(np.zeros(shape)[()], change[()])
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        return 1j * (self.damping * omega if harmonic == 1 else 0.0 * omega).astype(complex)
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return self.damping * omega * amplitude * np.cos(phase)
+
+    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+        return Derivatives(
+            np.zeros(amplitude.shape, dtype=complex), 1j * (self.damping * omega).astype(complex)
+        )
