@@ -28,7 +28,7 @@ def claims(_: Evidence) -> tuple[Claim, ...]:
     return (
         _harmonic_balance(),
         _equivalent(),
-        printed_backlash_part("eq-2.59"),
+        _backlash_part(),
         _friction_part(),
         _amplitude_relation(),
         _units(),
@@ -69,8 +69,8 @@ def _equivalent() -> Claim:
     )
 
 
-def printed_backlash_part(claim_id: str) -> Claim:
-    """Return the claim on N_r of equation 2.59, whose slip equation 5.14 repeats."""
+def printed_backlash_part(label: str) -> Part:
+    """Return the part on N_r, whose slip equations 2.59 and 5.14 share."""
     wave = friction_waveform(2 * b)
     derived = describing_function(wave, A)
     ratio = 2 * b / A - 1
@@ -79,23 +79,20 @@ def printed_backlash_part(claim_id: str) -> Claim:
     printed = product(1 / A, total(bracket, sympy.I * cosine))
     real = wave.sine_coefficient() / A
     values = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
-    numeric = (
-        coefficient(wave, sympy.sin(THETA), values) + 1j * coefficient(wave, sympy.cos(THETA), values)
-    ) / float(values[A])
+    sine, cosine_value = (coefficient(wave, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
+    slipped = derived - real + real * sympy.pi / A
+    return Part(
+        label,
+        SameExpression(printed, simplified_describing_function(wave, A), left=r"N_r", assume=REACHED),
+        confirm(derived, (sine + 1j * cosine_value) / float(values[A]), values),
+        Slip("the factor A/pi of b1 is lost", slipped, Verdict.ERRATUM),
+    )
+
+
+def _backlash_part() -> Claim:
     return Claim(
-        id=claim_id,
-        parts=(
-            Part(
-                "",
-                SameExpression(printed, simplified_describing_function(wave, A), left=r"N_r", assume=REACHED),
-                confirm(derived, numeric, values),
-                Slip(
-                    "the factor A/pi of b1 is lost",
-                    derived - real + real * sympy.pi / A,
-                    Verdict.ERRATUM,
-                ),
-            ),
-        ),
+        id="eq-2.59",
+        parts=(printed_backlash_part(""),),
         explanation=(
             "The real part is $b_1/A$ with $b_1$ of equation 2.40, whose factor $A/\\pi$ is missing. As "
             "printed the real part has the unit 1/m, and tends to $\\pi/A$ instead of one for large "

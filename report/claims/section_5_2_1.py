@@ -49,10 +49,11 @@ class _SecondWay:
     """Predictions by Newton's method in 30 digits, from the exact coefficients of the derivation."""
 
     def __init__(self, evidence: Evidence) -> None:
-        numbers = evidence.numbers
-        exact = [tuple(map(float, coefficients)) for coefficients in (numbers.numerator, numbers.denominator)]
-        self.stable = friction_by_newton(*exact, evidence.cycles.friction.stable)
-        self.unstable = friction_by_newton(*exact, evidence.cycles.friction.unstable)
+        numerator = tuple(map(float, evidence.numbers.numerator))
+        denominator = tuple(map(float, evidence.numbers.denominator))
+        friction = evidence.cycles.friction
+        self.stable = friction_by_newton(numerator, denominator, friction.stable)
+        self.unstable = friction_by_newton(numerator, denominator, friction.unstable)
 
 
 def _amplitude(printed: str, gap: float, right: LimitCycle, listing: LimitCycle, ratio: float) -> Part:

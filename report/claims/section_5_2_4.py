@@ -26,7 +26,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
     return (
         _limit_of_response(evidence),
         _inverse(),
-        printed_equivalent(),
+        _equivalent(),
         _no_crossing(evidence),
         _linear_in_force(),
         _coulomb_term(),
@@ -88,21 +88,10 @@ def _inverse() -> Claim:
     )
 
 
-def printed_equivalent() -> Claim:
-    """Return the claim on equation 5.14: the slip of equation 2.59 and that of the Coulomb term."""
-    backlash = printed_backlash_part("eq-5.14")
-    term = _coulomb_part()
+def _equivalent() -> Claim:
     return Claim(
         id="eq-5.14",
-        parts=(
-            Part(
-                "backlash term",
-                backlash.parts[0].comparison,
-                backlash.parts[0].confirmation,
-                backlash.parts[0].slip,
-            ),
-            term,
-        ),
+        parts=(printed_backlash_part("backlash term"), _coulomb_part()),
         explanation=(
             "The backlash part lacks the factor $A/\\pi$, as in equation 2.59. The friction part has the "
             "wrong sign and divides by a frequency that drops out; and besides it is printed inside a "
