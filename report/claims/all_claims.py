@@ -8,8 +8,10 @@ from collections.abc import Iterable, Mapping
 from report.claim import Claim, Entry
 from report.claims import (
     appendix_a,
+    appendix_a_10,
     appendix_a_elements,
     appendix_d,
+    chapters_6_and_7,
     section_2_2_1_lagrangian,
     section_2_2_1_state_space,
     section_2_2_2,
@@ -55,8 +57,10 @@ SECTIONS = (
     section_5_2_3,
     section_5_2_4,
     appendix_a,
+    appendix_a_10,
     appendix_a_elements,
     appendix_d,
+    chapters_6_and_7,
 )
 
 

@@ -21,6 +21,7 @@ ROUNDED = "the coefficients of Listing A.9, rounded to four digits, are used"
 TURN = 2 * math.pi
 SMALL_GAP, LARGE_GAP = 4e-6, 4e-5
 TINY_GAP = 2e-11
+PLOT_OFFSET = 1e-6
 TABLE_GAPS = ("1e-4", "2e-4", "3e-4", "4e-4", "5e-4", "6e-4", "7e-4", "8e-4", "9e-4", "1e-3")
 TABLE_AMPLITUDES = (
     *("0.00083", "0.0017", "0.0025", "0.0033", "0.0041"),
@@ -254,8 +255,9 @@ def _second_limit_cycle(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
         explanation=(
             "Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles "
             "exist for every gap or for none. The second one lies just above the edge of the dead band, $A = "
-            "b/2$, where a plotted locus that starts at $b/2 + 10^{-6}$ m has not begun yet when the gap is "
-            "small."
+            "b/2$. The locus that Listing A.9 plots starts at $b/2 + 10^{-6}$ m and reaches it only for gaps "
+            f"above {PLOT_OFFSET / (right.amplitude - 0.5):.1e} m: that is why it is missing for 4e-6 m and "
+            "there for 4e-5 m."
         ),
         consequence=(
             "A trimmer with a small gap has the same two limit cycles as one with a large gap, in "
@@ -295,7 +297,7 @@ def _proportional(claim_id: str, cycles: LimitCycleNumbers) -> Claim:
 
 def _threshold(claim_id: str, printed: str, cycles: LimitCycleNumbers) -> Claim:
     stable = cycles.friction.stable.amplitude
-    seen_from = 1e-6 / (stable - 0.5)
+    seen_from = PLOT_OFFSET / (stable - 0.5)
     return Claim(
         id=claim_id,
         parts=(
