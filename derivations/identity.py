@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 QUICK_POINTS = 2
 POINTS = 12
 DIGITS = 60
+PRIME = "'"
 NEGLIGIBLE = sympy.Float(10) ** -40
 
 
@@ -70,7 +71,14 @@ def _with_plain_symbols(expression: sympy.Expr) -> sympy.Expr:
     if any(not isinstance(known.expr, AppliedUndef) for known in expression.atoms(sympy.Derivative)):
         expression = expression.doit()
     known = expression.atoms(sympy.Derivative, AppliedUndef)
-    return expression.xreplace({each: sympy.Symbol(f"value[{each}]", real=True) for each in known})
+    return expression.xreplace({each: sympy.Symbol(_value_name(each), real=True) for each in known})
+
+
+def _value_name(known: sympy.Expr) -> str:
+    """Name the value of a function of time, or of its derivative, with one prime for each order."""
+    if isinstance(known, sympy.Derivative):
+        return f"{known.expr.func.__name__}{PRIME * known.derivative_count}"
+    return str(known.func.__name__)
 
 
 def _numerator(difference: sympy.Expr) -> sympy.Expr:

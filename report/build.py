@@ -14,6 +14,8 @@ from report.provenance import provenance
 from report.rendering.render import RenderedFiles, render
 from trimmer.files import write_whole
 
+LOG = "build.log"
+
 
 @dataclass(frozen=True)
 class Built:
@@ -37,9 +39,10 @@ def build(directory: Path) -> Built:
     """
     started = time.perf_counter()
     progress = Progress()
+    write_whole(directory / LOG, "a build is under way, or was interrupted\n")  # fails now, not at the end
     document = _content(directory, progress)
     (files,) = progress.run("render", [document], lambda finished: render(finished, directory))
-    log = directory / "build.log"
+    log = directory / LOG
     write_whole(log, progress.log())
     return Built(document, files, log, time.perf_counter() - started)
 

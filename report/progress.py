@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -24,8 +25,11 @@ class Progress:
     def run(self, name: str, items: Sequence[Item], work: Callable[[Item], Result]) -> tuple[Result, ...]:
         """Do the work for each item, behind a progress bar, and return the results in order."""
         started = time.perf_counter()
-        results = tuple(work(item) for item in tqdm(items, desc=name, bar_format=BAR))
+        # disable=None: bars on a terminal only; a log gets one line for each stage.
+        results = tuple(work(item) for item in tqdm(items, desc=name, bar_format=BAR, disable=None))
         self.times.append((name, time.perf_counter() - started))
+        if not sys.stderr.isatty():
+            print(f"{name:<9}{len(results)}/{len(items)} done", file=sys.stderr)
         return results
 
     def log(self) -> str:

@@ -28,10 +28,7 @@ if TYPE_CHECKING:
     from trimmer.displacement import Displacement as Displacement
     from trimmer.displacement import DisplacementError as DisplacementError
     from trimmer.elements.coulomb_friction import CoulombFriction as CoulombFriction
-    from trimmer.elements.element import Derivatives as Derivatives
     from trimmer.elements.element import Element as Element
-    from trimmer.elements.element import Sensitivity as Sensitivity
-    from trimmer.elements.element import Variation as Variation
     from trimmer.elements.element_at_frequency import ElementAtFrequency as ElementAtFrequency
     from trimmer.elements.friction_backlash import FrictionBacklash as FrictionBacklash
     from trimmer.elements.inertia_backlash import InertiaBacklash as InertiaBacklash
@@ -81,7 +78,6 @@ _MODULES = {
     "Body": "displacement",
     "Certificate": "balance.limit_cycle",
     "CoulombFriction": "elements.coulomb_friction",
-    "Derivatives": "elements.element",
     "Displacement": "displacement",
     "DisplacementError": "displacement",
     "Element": "elements.element",
@@ -101,7 +97,6 @@ _MODULES = {
     "RealAxisCrossing": "crossings",
     "Relay": "elements.relay",
     "ScaledElement": "elements.scaled_element",
-    "Sensitivity": "elements.element",
     "SteadyState": "time_domain",
     "SumOfElements": "elements.sum_of_elements",
     "TimeResponse": "time_domain",
@@ -111,7 +106,6 @@ _MODULES = {
     "UndecidedRegion": "balance.limit_cycle",
     "UndecidedWarning": "balance.errors",
     "UnsupportedSystemError": "frequency_domain",
-    "Variation": "elements.element",
     "ViscousBacklash": "elements.viscous_backlash",
     "ViscousFriction": "elements.viscous_friction",
     "ZeroPoleGain": "zero_pole_gain",

@@ -93,7 +93,8 @@ def identify_time_constant(
     limits = SearchLimits(_SMALLEST_GAIN, _LARGEST_GAIN)
     result = find_all(Problem(ConstantResponse(inverse), curve, box, limits))
     found = [
-        _identified(response, gap, math.exp(x) / omega, u, omega) for u, x in zip(result.u, result.x, strict=True)
+        _identified(response, gap, math.exp(x) / omega, u, omega)
+        for u, x in zip(result.u, result.x, strict=True)
     ]
     for time_constant in (0.0, math.inf):
         found += [
@@ -104,7 +105,7 @@ def identify_time_constant(
 
 
 def _at_limit(element: ViscousBacklash, inverse: complex, omega: float) -> NDArray[np.float64]:
-    """Find u with N(u) + inverse = 0 to the tolerance, by Gauss and Newton's method from the nearest sample."""
+    """Find u with N(u) + inverse = 0 to the tolerance, by the Gauss-Newton method from the nearest sample."""
     curve = ElementCurve(element.at(omega))
     x = np.array([math.log(omega)])
     samples = np.linspace(0.0, float(curve.edge(x)[0]), _SAMPLES + 2)[1:-1]

@@ -50,7 +50,7 @@ def parameters_as_toml(parameters: TrimmerParameters) -> str:
 
 def _parsed(path: Path) -> dict[str, Any]:
     try:
-        text = path.read_bytes().decode("utf-8")
+        text = path.read_bytes().decode("utf-8-sig")  # some editors begin a file with a byte order mark
     except FileNotFoundError:
         raise ParameterError(
             f"{path}: no such file; 'trimmer parameters --output FILE' writes one to start from"

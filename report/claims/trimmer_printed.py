@@ -29,7 +29,7 @@ from derivations.symbols import (
     u_dot,
     velocities,
 )
-from report.claims.printed import half, over, total
+from report.claims.printed import half, over, product, total
 
 v1, v2, v3, v4 = velocities
 
@@ -62,11 +62,16 @@ def rayleigh_function() -> sympy.Expr:
 
 def accelerations() -> tuple[sympy.Expr, ...]:
     """Equation 2.9, right-hand sides."""
-    motor = total(-(c1 + c2) * v1, c2 * v2, -(k1 + k2) * q1, k2 * q2, -k2 * u, -c2 * u_dot)
-    cutter = total(c2 * v1, -c2 * v2, k2 * q1, -(k2 + k5) * q2, k5 * q3, k2 * u, c2 * u_dot)
-    housing = total(-(c3 + c4) * v3, c4 * v4, k5 * q2, -(k3 + k4 + k5) * q3, k4 * q4)
+    motor = total(product(-1, c1 + c2, v1), c2 * v2, product(-1, k1 + k2, q1), k2 * q2, -k2 * u, -c2 * u_dot)
+    cutter = total(c2 * v1, -c2 * v2, k2 * q1, product(-1, k2 + k5, q2), k5 * q3, k2 * u, c2 * u_dot)
+    housing = total(product(-1, c3 + c4, v3), c4 * v4, k5 * q2, product(-1, k3 + k4 + k5, q3), k4 * q4)
     guard = total(c4 * v3, -c4 * v4, k4 * q3, -k4 * q4)
     return over(motor, m1), over(cutter, m2), over(housing, m3), over(guard, m4)
+
+
+def _minus(bracket: sympy.Expr, mass: sympy.Expr) -> sympy.Expr:
+    """Return minus a bracket over a mass, the bracket kept."""
+    return product(-1, over(bracket, mass))
 
 
 def state_matrix() -> sympy.ImmutableMatrix:
@@ -77,9 +82,9 @@ def state_matrix() -> sympy.ImmutableMatrix:
             [0, 0, 0, 0, 0, 1, 0, 0],
             [0, 0, 0, 0, 0, 0, 1, 0],
             [0, 0, 0, 0, 0, 0, 0, 1],
-            [-(k1 + k2) / m1, k2 / m1, 0, 0, -(c1 + c2) / m1, c2 / m1, 0, 0],
-            [k2 / m2, -(k2 + k5) / m2, k5 / m2, 0, c2 / m2, -c2 / m2, 0, 0],
-            [0, k5 / m3, -(k3 + k4 + k5) / m3, k4 / m3, 0, 0, -(c3 + c4) / m3, c4 / m3],
+            [_minus(k1 + k2, m1), k2 / m1, 0, 0, _minus(c1 + c2, m1), c2 / m1, 0, 0],
+            [k2 / m2, _minus(k2 + k5, m2), k5 / m2, 0, c2 / m2, -c2 / m2, 0, 0],
+            [0, k5 / m3, _minus(k3 + k4 + k5, m3), k4 / m3, 0, 0, _minus(c3 + c4, m3), c4 / m3],
             [0, 0, k4 / m4, -k4 / m4, 0, 0, c4 / m4, -c4 / m4],
         ]
     )

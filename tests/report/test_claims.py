@@ -58,6 +58,25 @@ def test_verdict_is_the_reviewed_one(claim_id, claims, inventory):
     assert judge(claims[claim_id], inventory[claim_id]).verdict.value == reviewed_verdicts()[claim_id]
 
 
+def test_the_parts_of_mixed_claims_are_judged_one_by_one(claims, inventory):
+    """The reviewed verdict is the worst of the parts and says nothing of the others."""
+    expected = {
+        "txt-5.1.1-amplitude": "r",
+        "fig-5.1": "re",
+        "eq-5.1": "rrrxxxx" + "rrerrrrrr" + "e",
+        "txt-5.1.2-filtering": "re",
+        "txt-5.1.2-nyquist": "re",
+        "txt-5.1.3-hidden-peak": "rrer",
+        "txt-5.1.3-first-resonance": "re",
+        "txt-5.1.3-damping": "re",
+        "lst-A.1": "rrre",
+    }
+    letters = {Verdict.REPRODUCED: "r", Verdict.EXPLAINED: "x", Verdict.ERRATUM: "e"}
+    for claim_id, verdicts in expected.items():
+        parts = judge(claims[claim_id], inventory[claim_id]).parts
+        assert "".join(letters[part.verdict] for part in parts) == verdicts, claim_id
+
+
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
 def test_a_changed_print_changes_the_outcome(claim_id, claims):
     for part in checkable(claims[claim_id]):

@@ -11,7 +11,7 @@ from trimmer.balance.cells import Cells
 from trimmer.balance.errors import FrequencyRangeError
 from trimmer.balance.frequency_range import highest_omega, lowest_omega
 from trimmer.balance.outcome import Outcome
-from trimmer.balance.search import Problem, SearchLimits, find_all
+from trimmer.balance.search import FIRST_ROWS, Problem, SearchLimits, find_all
 
 if TYPE_CHECKING:
     from trimmer.balance.element_curve import ElementCurve, GainDisks
@@ -22,9 +22,6 @@ SMALLEST_GAIN = 1e-6
 
 EDGE = 1e-9
 """Relative distance of u from the edge of the domain within which no solution is looked for."""
-
-_ROWS = 64
-"""Rows of u on which N is bounded."""
 
 _COLUMNS = 64
 """Intervals of x on which N is bounded if it depends on x."""
@@ -53,14 +50,12 @@ def solve_bounded(
     x_lower, x_upper = math.log(omegas[0]), math.log(omegas[1])
     largest = _largest(gains)
     limits = SearchLimits(SMALLEST_GAIN * largest, largest)
-    u_upper = _highest_edge(curve, x_lower, x_upper) * (1.0 - EDGE)
-    box = Cells(*(np.array([side]) for side in (0.0, u_upper, x_lower, x_upper)))
-    return Outcome(_METHOD, find_all(Problem(response, curve, box, limits)), omegas, omega_range is None)
+    box = Cells(*(np.array([side]) for side in (0.0, _u_upper(curve, x_lower, x_upper), x_lower, x_upper)))
+    problem = Problem(response, curve, box, limits, None if curve.depends_on_x else gains)
+    return Outcome(_METHOD, find_all(problem), omegas, omega_range is None)
 
 
-def _derived_range(
-    response: InverseResponse, curve: ElementCurve, gains: GainDisks
-) -> tuple[float, float]:
+def _derived_range(response: InverseResponse, curve: ElementCurve, gains: GainDisks) -> tuple[float, float]:
     """Find a range outside of which there is no solution, given disks that hold all N."""
     largest = _largest(gains)
     highest = highest_omega(response, largest)
@@ -72,7 +67,7 @@ def _derived_range(
     if lowest is None or highest is None:
         end = "low" if lowest is None else "high"
         raise FrequencyRangeError(
-            f"no range of frequencies can be derived: towards {end} frequencies nothing excludes a limit cycle "
+            f"no range of frequencies can be derived: at {end} frequencies nothing excludes a limit cycle "
             f"(|N| reaches up to {largest:.4g}); give omega_range=(lowest, highest), rad/s"
         )
     return lowest, highest
@@ -81,13 +76,14 @@ def _derived_range(
 def _gains(curve: ElementCurve, x_lower: float, x_upper: float) -> GainDisks:
     """Disks that together hold all N on a range of x."""
     breaks = np.linspace(x_lower, x_upper, _COLUMNS + 1 if curve.depends_on_x else 2)
-    rows = np.linspace(0.0, _highest_edge(curve, x_lower, x_upper), _ROWS + 1)
+    rows = np.linspace(0.0, _u_upper(curve, x_lower, x_upper), FIRST_ROWS + 1)
     disks = curve.disks(Cells.grid(rows, breaks[:-1], breaks[1:]))
     return disks.take(np.flatnonzero(disks.exists))
 
 
-def _highest_edge(curve: ElementCurve, x_lower: float, x_upper: float) -> float:
-    return float(curve.edge(np.linspace(x_lower, x_upper, _COLUMNS + 1)).max())
+def _u_upper(curve: ElementCurve, x_lower: float, x_upper: float) -> float:
+    """Largest u to search; the edge of the domain rises or falls with x, but not both."""
+    return float(curve.edge(np.array([x_lower, x_upper])).max()) * (1.0 - EDGE)
 
 
 def _largest(disks: GainDisks) -> float:

@@ -20,7 +20,8 @@ _OCTAVES = 200
 def highest_omega(response: InverseResponse, largest_gain: float) -> float | None:
     """Find omega, rad/s, above which |G| < 1/largest_gain; None if there is none.
 
-    |1/G| >= |gain| omega**r prod(1 - |p|/omega) / prod(1 + |z|/omega), which rises with omega beyond the poles.
+    |1/G| >= |gain| omega**r prod(1 - |p|/omega) / prod(1 + |z|/omega), which rises with omega beyond the
+    poles.
     """
     poles, zeros = _magnitudes(response)
     omega = 2.0 * max(poles.max(initial=0.0), zeros.max(initial=0.0), 0.5)

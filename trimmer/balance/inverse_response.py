@@ -87,8 +87,8 @@ class InverseResponse:
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
         """Bound 1/G on the intervals [lower, upper] of x.
 
-        With L = d ln(1/G)/dx = sum of exponent * s/(s - root) at s = j omega, the second derivative of ln(1/G)
-        is at most the sum of omega |root| / distance**2, which gives the radius by Taylor's theorem.
+        With L = d ln(1/G)/dx = sum of exponent * s/(s - root) at s = j omega, the second derivative of
+        ln(1/G) is at most the sum of omega |root| / distance**2, which gives the radius by Taylor's theorem.
         """
         half = 0.5 * (upper - lower)
         nearest, farthest = self._distances(self._omega(lower), self._omega(upper))

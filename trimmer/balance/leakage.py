@@ -24,8 +24,8 @@ def harmonic_leakage(
 ) -> tuple[float, ...]:
     """Compare each harmonic that comes back to the element's input with the fundamental there.
 
-    The ratio |N_n G(j n omega)| / |N_1 G(j omega)| is what harmonic balance drops (equation 2.26 of the thesis
-    weighted with the element's own harmonic); it is small where the filtering hypothesis holds.
+    The ratio |N_n G(j n omega)| / |N_1 G(j omega)| is what harmonic balance drops (equation 2.26 of the
+    thesis weighted with the element's own harmonic); it is small where the filtering hypothesis holds.
 
     Args:
         G: The linear system of the loop.

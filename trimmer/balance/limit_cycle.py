@@ -16,8 +16,8 @@ class LimitCycle:
     Attributes:
         amplitude: Half of peak to peak at the input of the element, in the unit of that input.
         omega: Angular frequency, rad/s.
-        stable: Whether a small change of amplitude dies out: Loeb's criterion holds, and all other poles of the
-            loop with N frozen lie in the left half plane. See ``trimmer.balance.stability`` for what that
+        stable: Whether a small change of amplitude dies out: Loeb's criterion holds, and all other poles of
+            the loop with N frozen lie in the left half plane. See ``trimmer.balance.stability`` for what that
             does not cover.
         residual: |1 + N G| as computed.
         crossing_angle: Angle between the curves N (rising amplitude) and -1/G (rising frequency), rad, from 0

@@ -66,8 +66,8 @@ def _coefficient(curve: ElementCurve) -> complex:
     u = np.array([0.25, 1.0, 3.0])
     if not np.any(curve.slopes(u, np.zeros(3))[0]):
         raise LinearElementError(
-            f"{curve.element!r} is linear: its describing function does not depend on the amplitude, so nothing "
-            "sets the amplitude of a limit cycle"
+            f"{curve.element!r} is linear: its describing function does not depend on the amplitude, so "
+            "nothing sets the amplitude of a limit cycle"
         )
     gains = curve.value(u, np.zeros(3)) / u
     if curve.depends_on_x or not np.allclose(gains, gains[1], rtol=1e-12, atol=0.0):
@@ -141,7 +141,10 @@ def _quiet_end(scales: NDArray[np.complex128], exponents: Reals, direction: comp
         if away > 1e-12:
             quiet = growth < away
         else:
-            quiet = trend * t > float((z**2 / (2.0 - 2.0 * z)).sum()) * (1.0 + 1e-12) and trend > 1e-12 * sizes.sum()
+            quiet = (
+                trend * t > float((z**2 / (2.0 - 2.0 * z)).sum()) * (1.0 + 1e-12)
+                and trend > 1e-12 * sizes.sum()
+            )
         if quiet:
             return float(t)
         t /= 2.0
@@ -167,9 +170,7 @@ def _holds_root_on_axis(response: InverseResponse, lower: Reals, upper: Reals) -
     return np.asarray(((lower - slack <= x) & (x <= upper + slack)).any(axis=0))
 
 
-def _boxes(
-    response: InverseResponse, coefficient: complex, intervals: list[tuple[Reals, Reals]]
-) -> Cells:
+def _boxes(response: InverseResponse, coefficient: complex, intervals: list[tuple[Reals, Reals]]) -> Cells:
     lower, upper = (np.concatenate(side) for side in zip(*intervals, strict=True))
     ends = [np.abs(response.value(x) / coefficient) for x in (lower, upper)]
     return Cells(np.minimum(*ends), np.maximum(*ends), lower, upper)

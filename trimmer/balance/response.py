@@ -38,7 +38,9 @@ class Enclosure:
     @classmethod
     def joined(cls, groups: Sequence[Enclosure]) -> Enclosure:
         """Put those of some groups one after the other."""
-        return cls(*(np.concatenate([getattr(group, field.name) for group in groups]) for field in fields(cls)))
+        return cls(
+            *(np.concatenate([getattr(group, field.name) for group in groups]) for field in fields(cls))
+        )
 
     def take(self, which: NDArray[np.intp]) -> Enclosure:
         """Keep those at some places."""

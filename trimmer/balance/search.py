@@ -1,8 +1,8 @@
 """All solutions of N(u, x) + 1/G(x) = 0 in a box, by exclusion, subdivision and a test of uniqueness.
 
-A box is dropped when disks that hold N and 1/G on it prove that their sum is not zero there. A box on which the
-bounds of the two derivatives prove that no two points give the same sum holds at most one solution, and Newton's
-method finds it. All others are cut into smaller ones.
+A box is dropped when disks that hold N and 1/G on it prove that their sum is not zero there. A box on which
+the bounds of the two derivatives prove that no two points give the same sum holds at most one solution, and
+Newton's method finds it. All others are cut into smaller ones.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ if TYPE_CHECKING:
     Reals = NDArray[np.float64]
     Flags = NDArray[np.bool_]
 
-_FIRST_ROWS = 64
+FIRST_ROWS = 64
 """Intervals of u to begin with."""
 
 _FIRST_COLUMNS = 48
 """Intervals of x to begin with."""
 
-_FIRST_SPREAD = 0.1
+_FIRST_SPREAD = 0.05
 """Relative change of 1/G below which an interval of x is no longer cut before it meets u."""
 
 _MOST_PARTS = 32
@@ -42,7 +42,7 @@ _PARTS = 3
 """Into how many parts a box is cut."""
 
 _MARGIN = 3.0
-"""How much wider than a box the region is on which uniqueness is tested, so that neighbours share a solution."""
+"""How much wider than a box the region is on which uniqueness is tested; neighbours then share a solution."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +58,8 @@ class SearchLimits:
 
     smallest_gain: float
     largest_gain: float
-    resolution: float = 1e-7
-    boxes: int = 40_000
+    resolution: float = 1e-6
+    boxes: int = 10_000
 
 
 @dataclass(frozen=True)
@@ -88,12 +88,14 @@ class Problem:
         curve: N.
         box: The one box that is searched.
         limits: What is looked for.
+        rows: N on the ``FIRST_ROWS`` equal parts of the box in u, if N does not depend on x.
     """
 
     response: Response
     curve: ElementCurve
     box: Cells
     limits: SearchLimits
+    rows: GainDisks | None = None
 
 
 @dataclass(frozen=True)
@@ -107,15 +109,11 @@ class _Solutions:
 
 def find_all(problem: Problem) -> SearchResult:
     """Find all solutions in the box of a problem."""
-    cells, disks, enclosure = _first_cells(problem)
+    cells, disks, enclosure, examined = _first_cells(problem)
     found = _Solutions(np.empty(0), np.empty(0), Cells.none())
     undecided = [Cells.none()]
-    examined = 0
     while len(cells):
-        examined += len(cells)
-        remaining = np.flatnonzero(_may_hold_a_solution(disks, enclosure, problem.limits))
-        cells, disks, enclosure = cells.take(remaining), disks.take(remaining), enclosure.take(remaining)
-        found, settled = _settled(problem, cells, enclosure, found)
+        found, settled = _settled(problem, cells, found)
         radius = disks.radius + enclosure.radius
         finest = problem.limits.resolution * np.maximum(np.abs(disks.centre), problem.limits.smallest_gain)
         given_up = ~settled & ((radius <= finest) | (len(cells) > problem.limits.boxes))
@@ -123,22 +121,30 @@ def find_all(problem: Problem) -> SearchResult:
         keep = ~(settled | given_up)
         along_u = disks.u_share >= radius - disks.u_share
         cells = cells.take(keep).split(along_u[keep], _PARTS)
-        disks = problem.curve.disks(cells)
-        enclosure = problem.response.enclose(cells.x_lower, cells.x_upper)
+        examined += len(cells)
+        cells, disks, enclosure = _open_cells(problem, cells)
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
 
 
-def _first_cells(problem: Problem) -> tuple[Cells, GainDisks, Enclosure]:
-    """Cut the box into intervals of x on which 1/G changes little, and rows of u; enclose N and 1/G on them."""
+def _first_cells(problem: Problem) -> tuple[Cells, GainDisks, Enclosure, int]:
+    """Find the boxes of a first grid that may hold a solution, and give the number of all its boxes."""
     lower, upper, enclosure = _first_intervals(problem)
-    rows = np.linspace(problem.box.u_lower[0], problem.box.u_upper[0], _FIRST_ROWS + 1)
-    cells = Cells.grid(rows, lower, upper)
-    if problem.curve.depends_on_x or len(cells) == 0:
-        disks = problem.curve.disks(cells)
-    else:
-        every_row = np.arange(_FIRST_ROWS)
-        disks = problem.curve.disks(cells.take(every_row)).take(np.tile(every_row, lower.size))
-    return cells, disks, enclosure.take(np.repeat(np.arange(lower.size), _FIRST_ROWS))
+    breaks = np.linspace(problem.box.u_lower[0], problem.box.u_upper[0], FIRST_ROWS + 1)
+    number = FIRST_ROWS * lower.size
+    if problem.rows is None:
+        return (*_open_cells(problem, Cells.grid(breaks, lower, upper)), number)
+    every_row = problem.rows.take(np.arange(FIRST_ROWS)[:, None])
+    rows, columns = np.nonzero(_may_hold_a_solution(every_row, enclosure, problem.limits))
+    cells = Cells(breaks[rows], breaks[rows + 1], lower[columns], upper[columns])
+    return cells, problem.rows.take(rows), enclosure.take(columns), number
+
+
+def _open_cells(problem: Problem, cells: Cells) -> tuple[Cells, GainDisks, Enclosure]:
+    """Drop the boxes that cannot hold a solution; enclose N and 1/G on the others."""
+    disks = problem.curve.disks(cells)
+    enclosure = problem.response.enclose(cells.x_lower, cells.x_upper)
+    remaining = np.flatnonzero(_may_hold_a_solution(disks, enclosure, problem.limits))
+    return cells.take(remaining), disks.take(remaining), enclosure.take(remaining)
 
 
 def _first_intervals(problem: Problem) -> tuple[Reals, Reals, Enclosure]:
@@ -179,9 +185,7 @@ def _may_hold_a_solution(disks: GainDisks, enclosure: Enclosure, limits: SearchL
     return np.asarray(disks.exists & ~(apart | too_large | too_small))
 
 
-def _settled(
-    problem: Problem, cells: Cells, enclosure: Enclosure, found: _Solutions
-) -> tuple[_Solutions, Flags]:
+def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:
     """Find the solutions of cells that hold at most one; flag the cells of which nothing is left to know."""
     settled = cells.lie_within(found.regions)
     regions = cells.inflated(_MARGIN, problem.box)

@@ -31,7 +31,9 @@ def limit_cycles(
     omega_range: tuple[float, float] | None = None,
     frozen_omega: float | None = None,
 ) -> list[LimitCycle]:
-    """Find all limit cycles that harmonic balance predicts; see ``harmonic_balance`` for arguments and errors.
+    """Find all limit cycles that harmonic balance predicts.
+
+    Arguments and errors are those of ``harmonic_balance``.
 
     Returns:
         In order of frequency; empty if there are none.
@@ -42,8 +44,8 @@ def limit_cycles(
     balance = harmonic_balance(G, element, omega_range, frozen_omega)
     for region in balance.certificate.undecided:
         warnings.warn(
-            f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: the curves of N and -1/G "
-            "touch or coincide there, and limit cycles in that range may be missing from the list",
+            f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: the curves of N and "
+            "-1/G touch or coincide there, and limit cycles in that range may be missing from the list",
             UndecidedWarning,
             stacklevel=2,
         )
@@ -58,11 +60,12 @@ def harmonic_balance(
 ) -> HarmonicBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
-    The plane of u = amplitude_scale/A and ln omega is covered with boxes. A box is excluded where bounds of N and
-    1/G over it prove that there is no solution, or accepted where bounds of their slopes prove that there is at
-    most one, which Newton's method then finds (``trimmer.balance.search``). So no solution in the range is
-    missed and none is found twice, in exact arithmetic; rounding of the bounds is not accounted for. Where N is
-    proportional to 1/A the amplitude is eliminated first (``trimmer.balance.proportional``).
+    The plane of u = amplitude_scale/A and ln omega is covered with boxes. A box is excluded where bounds of
+    N and 1/G over it prove that there is no solution, or accepted where bounds of their slopes prove that
+    there is at most one, which Newton's method then finds (``trimmer.balance.search``). So no solution in
+    the range is missed and none is found twice, in exact arithmetic; rounding of the bounds is not
+    accounted for. Where N is proportional to 1/A the amplitude is eliminated first
+    (``trimmer.balance.proportional``).
 
     Not looked for are limit cycles with |N| below a millionth of its maximum: amplitudes within about that of
     the edge of a dead band.
@@ -70,8 +73,8 @@ def harmonic_balance(
     Args:
         G: A rational, proper, continuous-time system with one input and one output; it may be unstable.
         element: The nonlinear element, in negative feedback.
-        omega_range: Lowest and highest angular frequency, rad/s. If not given, a range outside of which there is
-            no solution is derived.
+        omega_range: Lowest and highest angular frequency, rad/s. If not given, a range outside of which
+            there is no solution is derived.
         frozen_omega: Angular frequency, rad/s, at which N is evaluated whatever the frequency of the loop; as
             the thesis does with an N that depends on frequency.
 
@@ -111,7 +114,9 @@ def inverse_response(G: control.lti.LTI) -> InverseResponse:
     if factored.relative_degree < 0:
         raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
     if not factored.poles:
-        raise UnsupportedSystemError("the system is a constant gain: nothing sets the frequency of a limit cycle")
+        raise UnsupportedSystemError(
+            "the system is a constant gain: nothing sets the frequency of a limit cycle"
+        )
     return InverseResponse.of(factored)
 
 
@@ -119,7 +124,8 @@ def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
     lowest, highest = omega_range
     if not 0 < lowest < highest < math.inf:
         raise FrequencyRangeError(
-            f"omega_range must be (lowest, highest) with 0 < lowest < highest < inf, rad/s, not {omega_range!r}"
+            "omega_range must be (lowest, highest) with 0 < lowest < highest < inf, rad/s, "
+            f"not {omega_range!r}"
         )
     return float(lowest), float(highest)
 

@@ -1,13 +1,15 @@
 """Whether a limit cycle is stable: Loeb's criterion, and the other poles of the loop.
 
 Let F(A, omega) = 1 + N(A, omega) G(j omega) = X + j Y. A slow change of amplitude makes omega complex: with
-s = sigma + j omega, F(A + dA, omega + d omega - j sigma) = 0 gives sigma = Im(F_A / F_omega) dA. The amplitude
-returns if sigma < 0 for dA > 0, that is if X_A Y_omega - X_omega Y_A > 0 (Loeb; Gelb and Vander Velde,
-Multiple-Input Describing Functions, section 3.4; Atherton, Nonlinear Control Engineering, section 5.3).
+s = sigma + j omega, F(A + dA, omega + d omega - j sigma) = 0 gives sigma = Im(F_A / F_omega) dA. The
+amplitude returns if sigma < 0 for dA > 0, that is if X_A Y_omega - X_omega Y_A > 0 (Loeb; Gelb and Vander
+Velde, Multiple-Input Describing Functions, section 3.4; Atherton, Nonlinear Control Engineering, section
+5.3).
 
 This sees one pole pair, and only slow changes. The other poles are those of 1 + N G(s) with N frozen; N being
-complex for positive frequencies, those with a positive imaginary part count. The test says nothing about changes
-within one period, about an element's memory, or where the harmonics are not small; near tangency it is undecided.
+complex for positive frequencies, those with a positive imaginary part count. The test says nothing about
+changes within one period, about an element's memory, or where the harmonics are not small; near tangency it
+is undecided.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Whether a box can hold two solutions of N + 1/G = 0, and Newton's method for the one it may hold.
 
 For two points of a box the mean values of dN/du and of d(1/G)/dx + dN/dx between them lie in disks that hold
-these derivatives on the box. If no choice from the two disks makes a pair of parallel vectors of the plane, the
-sum N + 1/G differs between the two points, so that the box holds at most one solution.
+these derivatives on the box. If no choice from the two disks makes a pair of parallel vectors of the plane,
+the sum N + 1/G differs between the two points, so that the box holds at most one solution.
 
 The radii of the disks are proven bounds: those of 1/G follow from its zeros and poles, those of N are the
 element's own (``Element.variation``).
@@ -42,9 +42,7 @@ def distinct_values(response: Response, curve: ElementCurve, boxes: Cells) -> Fl
         return np.asarray(curve.inside(boxes) & (np.abs(_cross(by_u, by_x)) > slack))
 
 
-def newton(
-    response: Response, curve: ElementCurve, boxes: Cells
-) -> tuple[Reals, Reals, Flags]:
+def newton(response: Response, curve: ElementCurve, boxes: Cells) -> tuple[Reals, Reals, Flags]:
     """Solve N + 1/G = 0 from the middle of each box.
 
     Returns:
@@ -64,9 +62,7 @@ def newton(
     return u, x, solved
 
 
-def newton_step(
-    response: Response, curve: ElementCurve, u: Reals, x: Reals
-) -> tuple[Reals, Reals]:
+def newton_step(response: Response, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
     """One step of Newton's method for the real and imaginary part of N + 1/G."""
     inverse, slope = response.value_and_slope(x)
     by_u, gain_by_x = curve.slopes(u, x)

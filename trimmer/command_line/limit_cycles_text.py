@@ -36,7 +36,9 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
         for region in certificate.undecided
     ]
     if any(cycle.near_tangency for cycle in balance.limit_cycles):
-        lines.append("an angle below 5 degrees: the curves nearly touch, so existence and stability are uncertain")
+        lines.append(
+            "an angle below 5 degrees: the curves nearly touch, so existence and stability are uncertain"
+        )
     return "\n".join(lines)
 
 
@@ -77,7 +79,8 @@ def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
 def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
     """Give time constants as JSON; an infinite one, which is inertia-controlled backlash, is null."""
     content = [
-        {"time_constant": _finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)} for each in found
+        {"time_constant": _finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
+        for each in found
     ]
     return json.dumps({"time_constants": content}, indent=2, allow_nan=False)
 

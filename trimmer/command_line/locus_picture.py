@@ -1,4 +1,4 @@
-"""The picture of harmonic balance: G(j omega) and -1/N in the complex plane, with the intersections marked."""
+"""The picture of harmonic balance: G(j omega) and -1/N in the complex plane, intersections marked."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from trimmer.frequency_domain import frequency_response
 
 if TYPE_CHECKING:
     import control
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from trimmer.balance.limit_cycle import HarmonicBalance
@@ -54,7 +55,14 @@ def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_fo
         point = complex(frequency_response(G, cycle.omega))
         kind = "stable" if cycle.stable else "unstable"
         text = f"{cycle.frequency:.4g} Hz, {cycle.amplitude:.4g} ({kind})"
-        axes.plot(point.real, point.imag, "o", color="black", fillstyle="full" if cycle.stable else "none", label=text)
+        axes.plot(
+            point.real,
+            point.imag,
+            "o",
+            color="black",
+            fillstyle="full" if cycle.stable else "none",
+            label=text,
+        )
     _frame(axes, response)
     axes.set_xlabel("real part")
     axes.set_ylabel("imaginary part")
@@ -81,9 +89,9 @@ def _inverse(element: Element, omega: float | None) -> NDArray[np.complex128]:
     return np.asarray(-1.0 / gain[gain != 0])
 
 
-def _frame(axes: object, response: NDArray[np.complex128]) -> None:
+def _frame(axes: Axes, response: NDArray[np.complex128]) -> None:
     """Show G, whatever -1/N does outside."""
-    for axis, part in (("x", response.real), ("y", response.imag)):
-        lowest, highest = min(float(part.min()), -1.0 if axis == "x" else 0.0), max(float(part.max()), 0.0)
+    for parts, set_limits in ((response.real, axes.set_xlim), (response.imag, axes.set_ylim)):
+        lowest, highest = float(parts.min()), float(parts.max())
         margin = 0.06 * (highest - lowest or 1.0)
-        getattr(axes, f"set_{axis}lim")(lowest - margin, highest + margin)
+        set_limits(lowest - margin, highest + margin)

@@ -34,7 +34,7 @@ def require_not_negative(field: str, value: float, unit: str) -> None:
         raise ValueError(f"{field} must not be negative ({unit}), not {value!r}")
 
 
-def odd_or_even(harmonic: int) -> int:
+def harmonic_number(harmonic: int) -> int:
     """Return the number of a harmonic as an int.
 
     Raises:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from trimmer.elements.arguments import odd_or_even, positive_amplitudes, positive_omegas
+from trimmer.elements.arguments import harmonic_number, positive_amplitudes, positive_omegas
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -106,7 +106,7 @@ class Element(ABC):
             ValueError: if an amplitude or omega is not positive, omega is infinite or missing, or the
                 harmonic is no integer >= 1.
         """
-        number = odd_or_even(harmonic)
+        number = harmonic_number(harmonic)
         amplitudes, omegas = self._inputs(amplitude, omega)
         missing = np.isnan(amplitudes) | np.isnan(omegas)
         values: Complexes = np.empty(amplitudes.size, dtype=complex)

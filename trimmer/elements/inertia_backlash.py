@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 class InertiaBacklash(Backlash):
     """Backlash in front of a load that keeps its velocity while it is not pushed (time constant M/D → ∞).
 
-    Domain: amplitude > gap/π; below, the load cannot be pushed in every half period. Source: Gelb and Vander
-    Velde (1968), section 2.3; thesis, section 2.3.4.
+    Domain: amplitude > gap/π; below, the load cannot be pushed in every half period. For an amplitude up to
+    gap/2 a load at rest in the middle of the gap is never touched; N is that of the load that is. Source:
+    Gelb and Vander Velde (1968), section 2.3; thesis, section 2.3.4.
 
     Attributes:
         gap: Total clearance, > 0, in the unit of the input (m).

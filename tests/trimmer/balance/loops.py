@@ -1,0 +1,81 @@
+"""Loops that the tests share, and what to hold the solver against: a count on a grid, and a simulation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import control
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import expm
+
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.frequency_domain import frequency_response
+from trimmer.linear import InputChannels, pin_model
+from trimmer.parameters import TrimmerParameters
+
+GAP = 4e-5
+FRICTION = FrictionBacklash(GAP)
+THESIS_LOOP = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
+LOOP_WITH_BOTH_CHANNELS = pin_model(TrimmerParameters.thesis())
+
+s = control.tf("s")
+THIRD_ORDER = 1 / (s * (s + 1) * (s + 2))
+
+
+def count_on_grid(G: control.lti.LTI, element: Element, omegas: tuple[float, float]) -> int:
+    """Count how often the curves of -1/G and N cross as polygons of many short sides."""
+    omega = np.geomspace(*omegas, 3000)
+    place = np.linspace(0.0, np.pi, 1502)[1:-1]
+    u = float(element.domain()) * 0.5 * (1.0 - np.cos(place))
+    gain = element.describing_function(element.amplitude_scale / u)
+    target = -1.0 / frequency_response(G, omega)
+    near = np.minimum(np.abs(target[1:]), np.abs(target[:-1])) < 5.0
+    starts, sides = target[:-1][near], np.diff(target)[near]
+    return sum(_crossings(start, side, gain) for start, side in zip(starts, sides, strict=True))
+
+
+def _crossings(start: complex, side: complex, curve: NDArray[np.complex128]) -> int:
+    steps, offset = np.diff(curve), start - curve[:-1]
+    determinant = (steps.conj() * side).imag
+    along_curve = (offset.conj() * side).imag / determinant
+    along_side = (offset.conj() * steps).imag / determinant
+    return int(np.sum((along_curve >= 0) & (along_curve < 1) & (along_side >= 0) & (along_side < 1)))
+
+
+@dataclass(frozen=True)
+class Oscillation:
+    """The end of a simulation: half of peak to peak, and angular frequency (rad/s, 0 if at rest)."""
+
+    amplitude: float
+    omega: float
+
+
+def simulate_play(
+    G: control.StateSpace, gap: float, amplitude: float, omega: float, duration: float, step: float
+) -> Oscillation:
+    """Simulate G in a loop with play, from a sinusoid on; play clamps to the pin plus or minus half the gap.
+
+    Small fixed steps with the mean of the play's output at both ends; nothing of harmonic balance is in it.
+    """
+    A, B, C = G.A, G.B[:, 0], G.C[0]
+    order = len(A)
+    block = np.zeros((order + 1, order + 1))
+    block[:order, :order], block[:order, order] = A * step, B * step
+    exponential = expm(block)
+    advance, push = exponential[:order, :order], exponential[:order, order]
+    response = np.linalg.solve(1j * omega * np.eye(order) - A, B)
+    state = (response * amplitude / (C @ response)).real
+    bridge = 0.0
+    pins = np.empty(int(duration / step))
+    for place in range(pins.size):
+        pins[place] = C @ state
+        pin_next = C @ (advance @ state - push * bridge)
+        bridge_next = min(max(bridge, pin_next - gap / 2), pin_next + gap / 2)
+        state = advance @ state - push * (0.5 * (bridge + bridge_next))
+        bridge = bridge_next
+    tail = pins[-pins.size // 4 :]
+    rising = np.flatnonzero((tail[:-1] < 0) & (tail[1:] >= 0))
+    turns = 2 * np.pi * (rising.size - 1) / ((rising[-1] - rising[0]) * step) if rising.size > 1 else 0.0
+    return Oscillation(float(np.ptp(tail)) / 2, float(turns))

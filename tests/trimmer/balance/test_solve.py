@@ -1,0 +1,256 @@
+from __future__ import annotations
+
+import math
+import warnings
+
+import control
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.trimmer.balance.loops import (
+    FRICTION,
+    GAP,
+    LOOP_WITH_BOTH_CHANNELS,
+    THESIS_LOOP,
+    THIRD_ORDER,
+    count_on_grid,
+    s,
+)
+from tests.trimmer.trimmers import exact_response, stable_systems
+from trimmer.balance.errors import (
+    FrequencyRangeError,
+    LinearElementError,
+    UndecidedWarning,
+    UnsupportedElementError,
+)
+from trimmer.balance.solve import harmonic_balance, limit_cycles
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.frequency_domain import UnsupportedSystemError, frequency_response
+
+
+@pytest.mark.parametrize("guess", [(1.897, 3478.0), (0.1203, 4609.0)])
+def test_limit_cycles_of_the_thesis_loop_to_eleven_digits(guess) -> None:
+    """Against 40 digits: friction-controlled backlash in closed form, G from the balance of forces."""
+    with mpmath.workdps(40):
+
+        def balance(u, omega):
+            c = 1 - u
+            real = (mpmath.pi / 2 + mpmath.asin(c) + c * mpmath.sqrt(1 - c**2)) / mpmath.pi
+            excess = 1 + mpmath.mpc(real, -u * (2 - u) / mpmath.pi) * exact_response(omega)
+            return excess.real, excess.imag
+
+        u, omega = mpmath.findroot(balance, guess, tol=1e-25)
+        found = min(limit_cycles(THESIS_LOOP, FRICTION), key=lambda cycle: abs(cycle.omega - guess[1]))
+        assert abs(found.omega / omega - 1) < 1e-11
+        assert abs(found.amplitude * u / mpmath.mpf(GAP) - 1) < 1e-11
+
+
+@pytest.mark.parametrize("G", [THESIS_LOOP, LOOP_WITH_BOTH_CHANNELS])
+def test_the_trimmer_has_one_unstable_and_one_stable_limit_cycle_and_no_other(G) -> None:
+    balance = harmonic_balance(G, FRICTION)
+    assert [cycle.stable for cycle in balance.limit_cycles] == [False, True]
+    assert all(cycle.residual < 1e-12 and not cycle.near_tangency for cycle in balance.limit_cycles)
+    assert balance.certificate.complete
+    assert balance.certificate.outside_excluded
+
+
+@pytest.mark.parametrize(
+    ("G", "omega", "amplitude"),
+    [
+        # Slotine and Li, Applied Nonlinear Control, section 5.4: K/(s(s+1)(s+2)): A = 4 M K/(6 pi).
+        (THIRD_ORDER, math.sqrt(2), 4 / (6 * math.pi)),
+        # K/(s+1)^3 crosses the axis at sqrt(3) with -K/8.
+        (10 / (s + 1) ** 3, math.sqrt(3), 4 * 10 / (8 * math.pi)),
+    ],
+)
+def test_relay_with_a_third_order_plant(G, omega: float, amplitude: float) -> None:
+    (cycle,) = limit_cycles(G, Relay(2.0))
+    assert cycle.omega == pytest.approx(omega, rel=1e-12)
+    assert cycle.amplitude == pytest.approx(2 * amplitude, rel=1e-12)
+    assert cycle.stable
+
+
+def test_coulomb_friction_is_where_j_g_is_negative() -> None:
+    # N = 4j F/(pi A). With G = s/(s+1)^4, jG = -omega/(1 + j omega)^4 is negative at no omega > 0.
+    assert limit_cycles(s / (s + 1) ** 4, CoulombFriction(1.0)) == []
+    # With G = -1/(s+1)^2, jG = -j/(1 + j omega)^2 is -1/2 at omega = 1.
+    (cycle,) = limit_cycles(-1 / (s + 1) ** 2, CoulombFriction(1.0))
+    assert cycle.omega == pytest.approx(1.0, rel=1e-12)
+    assert cycle.amplitude == pytest.approx(4 / (2 * math.pi), rel=1e-12)
+
+
+def test_python_control_finds_the_same_as_far_as_its_grid_allows() -> None:
+    peer = control.friction_backlash_nonlinearity(GAP)
+    response = control.describing_function_response(
+        THESIS_LOOP, peer, np.geomspace(0.51 * GAP, 50 * GAP, 200), np.geomspace(1e3, 1e4, 500), refine=False
+    )
+    found = limit_cycles(THESIS_LOOP, FRICTION)
+    assert len(response.intersections) == len(found)
+    for cycle, (amplitude, omega) in zip(
+        found, sorted(response.intersections, key=lambda p: p[1]), strict=True
+    ):
+        assert cycle.omega == pytest.approx(omega, rel=1e-2)
+        assert cycle.amplitude == pytest.approx(amplitude, rel=1e-2)
+
+
+@given(stable_systems(), st.sampled_from([FrictionBacklash(1.0), InertiaBacklash(1.0)]), st.floats(1, 30))
+@settings(max_examples=30)
+def test_as_many_as_on_a_fine_grid(G, element, gain: float) -> None:
+    G = G * gain / max(1.0, abs(frequency_response(G, 1.0)))
+    balance = harmonic_balance(G, element)
+    if all(cycle.crossing_angle > 0.02 for cycle in balance.limit_cycles):
+        assert balance.certificate.complete
+        assert len(balance.limit_cycles) == count_on_grid(G, element, balance.certificate.omegas)
+
+
+@given(st.floats(-9, 9).map(lambda exponent: 10**exponent))
+@settings(max_examples=10)
+def test_amplitude_scales_with_the_gap_and_frequency_stays(gap: float) -> None:
+    found = limit_cycles(THESIS_LOOP, FrictionBacklash(gap))
+    reference = limit_cycles(THESIS_LOOP, FRICTION)
+    assert [cycle.omega for cycle in found] == pytest.approx([cycle.omega for cycle in reference], rel=1e-12)
+    scaled = [cycle.amplitude * gap / GAP for cycle in reference]
+    assert [cycle.amplitude for cycle in found] == pytest.approx(scaled, rel=1e-12)
+
+
+def test_frozen_omega_is_where_both_agree_only_at_its_own_frequency() -> None:
+    element = ViscousBacklash(GAP, 1e-3)
+    own = limit_cycles(THESIS_LOOP, element)[-1]
+    frozen = limit_cycles(THESIS_LOOP, element, frozen_omega=own.omega)
+    nearest = min(frozen, key=lambda cycle: abs(cycle.omega - own.omega))
+    assert nearest.omega == pytest.approx(own.omega, rel=1e-11)
+    elsewhere = limit_cycles(THESIS_LOOP, element, frozen_omega=0.3 * own.omega)
+    assert all(abs(cycle.omega / own.omega - 1) > 1e-5 for cycle in elsewhere)
+
+
+def test_one_stable_branch_runs_from_friction_to_inertia() -> None:
+    time_constants = (0.0, *np.geomspace(1e-6, 1e-1, 16), math.inf)
+    balances = [harmonic_balance(THESIS_LOOP, ViscousBacklash(GAP, each)) for each in time_constants]
+    assert all(balance.certificate.complete for balance in balances)
+    stable = [[cycle for cycle in balance.limit_cycles if cycle.stable] for balance in balances]
+    assert {len(found) for found in stable} == {1}
+    omegas = np.array([found[0].omega for found in stable])
+    assert np.all(np.diff(omegas) > 0)
+    assert omegas[0] == pytest.approx(limit_cycles(THESIS_LOOP, FRICTION)[-1].omega, rel=1e-12)
+    assert omegas[-1] == pytest.approx(limit_cycles(THESIS_LOOP, InertiaBacklash(GAP))[-1].omega, rel=1e-12)
+
+
+def test_the_unstable_branch_of_friction_ends_at_the_edge_of_the_domain() -> None:
+    """Followed over M/D it comes ever nearer to the smallest amplitude the backlash allows, and is gone then."""
+    margins = []
+    for time_constant in (1e-6, 3e-5, 5e-5, 7e-5, 8e-5):
+        element = ViscousBacklash(GAP, time_constant)
+        first = limit_cycles(THESIS_LOOP, element)[0]
+        margins.append(first.amplitude * float(element.domain(first.omega)) / GAP - 1)
+    assert np.all(np.diff(margins) < 0)
+    assert 0 < margins[-1] < 0.02
+    (only,) = limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 1e-4))
+    assert only.stable
+
+
+def test_a_range_hides_what_is_outside() -> None:
+    (cycle,) = limit_cycles(THESIS_LOOP, FRICTION, omega_range=(4000, 6000))
+    assert cycle.stable
+    assert not harmonic_balance(THESIS_LOOP, FRICTION, (4000, 6000)).certificate.outside_excluded
+
+
+def test_no_intersection_is_an_empty_list() -> None:
+    assert limit_cycles(1 / (s + 1), FrictionBacklash(1.0)) == []
+    assert limit_cycles(1 / (s + 1) ** 2, Relay(1.0)) == []
+
+
+def test_an_unstable_plant_is_accepted() -> None:
+    # Denominator s^3 + 5 s^2 + 3 s - 9: real at omega^2 = 3, where G = -5/24. By Routh's criterion the linear
+    # loop is stable for 9/5 < N < 24/5, and N falls with amplitude, so the limit cycle at N = 24/5 is stable.
+    (cycle,) = limit_cycles(5 / ((s - 1) * (s + 3) ** 2), Relay(1.0))
+    assert cycle.omega == pytest.approx(math.sqrt(3), rel=1e-12)
+    assert cycle.amplitude == pytest.approx(4 * 5 / (24 * math.pi), rel=1e-12)
+    assert cycle.stable
+
+
+def test_a_continuum_is_reported_and_not_enumerated() -> None:
+    # G = 1/(s^2+1) is real at all frequencies and negative above 1.
+    balance = harmonic_balance(1 / (s**2 + 1), Relay(1.0), omega_range=(0.1, 10.0))
+    assert balance.limit_cycles == ()
+    lowest = min(region.omegas[0] for region in balance.certificate.undecided)
+    highest = max(region.omegas[1] for region in balance.certificate.undecided)
+    assert lowest == pytest.approx(1.0, rel=0.05)
+    assert highest == pytest.approx(10.0, rel=1e-6)
+    with pytest.warns(UndecidedWarning, match="touch or coincide"):
+        limit_cycles(1 / (s**2 + 1), Relay(1.0), omega_range=(0.1, 10.0))
+
+
+def test_a_tangency_is_undecided_or_flagged_and_passes_from_two_to_none() -> None:
+    """With a growing gain the curves of backlash and of 1/(s(s+1)) touch before they cross twice."""
+    counts = []
+    lower, upper = 1.0, 10.0
+    for _ in range(16):
+        middle = math.sqrt(lower * upper)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UndecidedWarning)
+            found = limit_cycles(middle / (s * (s + 1)), FrictionBacklash(1.0))
+        counts.append(len(found))
+        lower, upper = (middle, upper) if not found else (lower, middle)
+    touching = harmonic_balance(upper / (s * (s + 1)), FrictionBacklash(1.0))
+    flagged = all(cycle.near_tangency for cycle in touching.limit_cycles)
+    assert flagged
+    assert touching.limit_cycles or touching.certificate.undecided
+    assert {0, 2} <= set(counts)
+
+
+@pytest.mark.parametrize(
+    ("G", "message"),
+    [
+        (control.tf([1, 0, 0], [1, 1]), "more zeros than poles"),
+        (control.tf([1], [1, 0.5], 0.1), "discrete-time"),
+        (control.tf([2], [1]), "constant gain"),
+        (control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2))), "2 inputs and 2 outputs"),
+        (control.frd([1, 1j, 1], [1, 2, 3]), "not accepted"),  # what a delay needs
+        (control.tf([0], [1, 1]), "identically zero"),
+    ],
+)
+def test_a_system_that_cannot_be_used(G, message: str) -> None:
+    with pytest.raises(UnsupportedSystemError, match=message):
+        limit_cycles(G, FRICTION)
+
+
+@pytest.mark.parametrize(
+    "omegas", [(2, 1), (0, 1), (-1, 1), (1, math.inf), (math.nan, 1), (1, math.nan), (1, 1)]
+)
+def test_a_range_that_cannot_be_used(omegas) -> None:
+    with pytest.raises(FrequencyRangeError, match="0 < lowest < highest"):
+        limit_cycles(THESIS_LOOP, FRICTION, omega_range=omegas)
+
+
+@pytest.mark.parametrize("omega", [0.0, -1.0, math.nan, math.inf])
+def test_a_frozen_omega_that_cannot_be_used(omega: float) -> None:
+    with pytest.raises(ValueError, match="frozen_omega must be positive"):
+        limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 1e-3), frozen_omega=omega)
+
+
+@pytest.mark.parametrize("gap", [0.0, -1e-5, math.nan, math.inf])
+def test_a_gap_that_cannot_be_used(gap: float) -> None:
+    with pytest.raises(ValueError, match="gap must be positive"):
+        limit_cycles(THESIS_LOOP, FrictionBacklash(gap))
+
+
+def test_a_range_is_asked_for_where_none_can_be_derived() -> None:
+    G = control.tf([2, 1], [1, 1])  # |G| tends to 2
+    with pytest.raises(FrequencyRangeError, match="give omega_range"):
+        limit_cycles(G, FRICTION)
+    assert limit_cycles(G, FRICTION, omega_range=(1e-2, 1e2)) == []
+
+
+def test_a_linear_element_and_one_without_bound() -> None:
+    with pytest.raises(LinearElementError, match="does not depend on the amplitude"):
+        limit_cycles(THESIS_LOOP, ViscousFriction(1.0))
+    with pytest.raises(UnsupportedElementError, match="not proportional"):
+        limit_cycles(THESIS_LOOP, Relay(1.0) + ViscousFriction(1.0))

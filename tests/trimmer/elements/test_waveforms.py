@@ -1,0 +1,108 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.viscous_friction import ViscousFriction
+
+GAP = 4e-5
+OMEGA = 4000.0
+GAMMAS = (0.02, 0.5, 1.0, 3.0, 100.0)
+ELEMENTS: tuple[Element, ...] = (
+    FrictionBacklash(GAP),
+    InertiaBacklash(GAP),
+    *(ViscousBacklash(GAP, gamma / OMEGA) for gamma in GAMMAS),
+    CoulombFriction(3.0),
+    Relay(2.0),
+    ViscousFriction(0.5),
+    2.0 * FrictionBacklash(GAP) - Relay(1e-5),
+)
+PHASES = np.linspace(0, 2 * np.pi, 40001)[:-1]
+
+
+@pytest.mark.parametrize("element", ELEMENTS, ids=repr)
+@pytest.mark.parametrize("amplitude", [2.5e-5, 1e-4])
+def test_the_harmonics_are_the_fourier_coefficients_of_the_waveform(
+    element: Element, amplitude: float
+) -> None:
+    output = element.waveform(PHASES, amplitude, OMEGA)
+    size = np.abs(output).max() / amplitude
+    for harmonic in range(1, 8):
+        coefficient = 2j * np.mean(output * np.exp(-1j * harmonic * PHASES)) / amplitude
+        value = element.describing_function(amplitude, OMEGA, harmonic)
+        assert abs(value - coefficient) < 2e-4 * size
+
+
+@pytest.mark.parametrize("element", ELEMENTS, ids=repr)
+def test_the_output_is_odd_and_periodic(element: Element) -> None:
+    phases = PHASES + 1e-4
+    output = element.waveform(phases, 6e-5, OMEGA)
+    half_a_period_later = element.waveform(phases + np.pi, 6e-5, OMEGA)
+    three_periods_earlier = element.waveform(phases - 6 * np.pi, 6e-5, OMEGA)
+    size = np.abs(output).max()
+    assert np.abs(half_a_period_later + output).max() < 1e-9 * size
+    assert np.abs(three_periods_earlier - output).max() < 1e-9 * size
+
+
+@pytest.mark.parametrize("element", ELEMENTS[:7], ids=repr)
+@pytest.mark.parametrize("amplitude", [2.1e-5, 4e-5, 4e-2])
+def test_the_load_stays_within_the_gap_and_never_jumps(element: Element, amplitude: float) -> None:
+    output = element.waveform(PHASES, amplitude, OMEGA)
+    play = output - amplitude * np.sin(PHASES)
+    assert np.abs(play).max() <= GAP / 2 * (1 + 1e-9) + 1e-15 * amplitude
+    assert np.abs(np.diff(output, append=output[:1])).max() < 1.01 * amplitude * (PHASES[1] - PHASES[0])
+
+
+@pytest.mark.parametrize("gamma", GAMMAS)
+def test_the_load_is_pushed_or_flies(gamma: float) -> None:
+    """gamma y'' + y' is the wall's force over D omega: zero in flight, pushing while a wall is touched."""
+    amplitude, step = 3e-5, PHASES[1]
+    output = ViscousBacklash(GAP, gamma / OMEGA).waveform(PHASES, amplitude, OMEGA)
+    before, after = np.roll(output, 1), np.roll(output, -1)
+    force = gamma * (after - 2 * output + before) / step**2 + (after - before) / (2 * step)
+    side = (output - amplitude * np.sin(PHASES)) / (GAP / 2)
+    touching = np.abs(side) > 1 - 1e-9
+    near_an_event = np.convolve(np.diff(touching, append=touching[:1]), np.ones(7), "same").astype(bool)
+    scale = amplitude * (1 + gamma)
+    flying, pushed = ~touching & ~near_an_event, touching & ~near_an_event
+    assert flying.sum() > 1000
+    assert pushed.sum() > 1000
+    assert np.abs(force[flying]).max() < 1e-5 * scale
+    assert (force * side)[pushed].max() < 1e-5 * scale
+
+
+@pytest.mark.parametrize(("gamma", "ratio"), [(0.2, 1.9), (1.0, 0.8), (4.0, 2.0)])
+def test_time_stepping_of_the_switched_system_ends_in_the_waveform(gamma: float, ratio: float) -> None:
+    """Moreau's time stepping knows no separation or impact: a step out of the gap is put on its wall."""
+    steps, periods = 8000, 12
+    step = 2 * math.pi / steps
+    pin = np.sin(step * np.arange(steps)).tolist()
+    position, velocity, positions = -ratio / 2, 1.0, []
+    for index in range(periods * steps):
+        wall = pin[(index + 1) % steps]
+        following = position + step * velocity * math.exp(-step / gamma)
+        following = min(max(following, wall - ratio / 2), wall + ratio / 2)
+        position, velocity = following, (following - position) / step
+        positions.append(position)
+    expected = ViscousBacklash(ratio, gamma).waveform(step * (np.arange(steps) + 1), 1.0, 1.0)
+    assert np.abs(np.array(positions[-steps:]) - expected).max() < 3e-3
+
+
+def test_the_relay_follows_the_sign_of_its_input_and_friction_that_of_the_velocity() -> None:
+    phase = np.array([0.3, 2.0, 3.5, 6.0])
+    assert Relay(2.0).waveform(phase, 1.0).tolist() == [2.0, 2.0, -2.0, -2.0]
+    assert CoulombFriction(3.0).waveform(phase, 1.0).tolist() == [3.0, -3.0, -3.0, 3.0]
+    assert ViscousFriction(0.5).waveform(phase, 2.0, 10.0) == pytest.approx(10 * np.cos(phase))
+
+
+def test_outside_the_domain_there_is_no_waveform() -> None:
+    assert np.isnan(FrictionBacklash(GAP).waveform(0.0, GAP / 2))
+    assert np.isnan(ViscousBacklash(GAP, 1.0).waveform([0.0, 2.0], GAP / 4, 1.0)).all()
