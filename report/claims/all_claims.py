@@ -12,6 +12,7 @@ from report.claims import (
     appendix_a_elements,
     appendix_d,
     chapters_6_and_7,
+    figures_5_2,
     section_2_2_1_lagrangian,
     section_2_2_1_state_space,
     section_2_2_2,
@@ -61,6 +62,7 @@ SECTIONS = (
     appendix_a_elements,
     appendix_d,
     chapters_6_and_7,
+    figures_5_2,
 )
 
 

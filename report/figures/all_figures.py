@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from report.document import Figure
 from report.evidence import Evidence
 from report.figures.block_diagrams import feedback_system, linear_system
+from report.figures.limit_cycles import friction_intersections, inertia_intersections
 from report.figures.linear import (
     bode_plot,
     bode_plot_light_damping,
@@ -89,5 +90,23 @@ DRAWINGS = (
         "Magnitude against frequency; the lightly damped curve has four sharp peaks, the other has three "
         "rounded ones.",
         lambda evidence: bode_plot_light_damping(evidence.numbers),
+    ),
+    Drawing(
+        "fig-5.8",
+        "Friction-controlled backlash with G",
+        "$G$ and $-1/N$ of friction-controlled backlash, for any gap (thesis, figures 5.8 and 5.10a). "
+        "Points: predicted limit cycles, amplitudes in gaps. Right: the stable one in the thesis's loop "
+        "(solid) and with the pin's velocity as second input (dash-dotted).",
+        "A large loop below the real axis is crossed twice by a curve that ends at minus one; an enlargement "
+        "near minus one shows two nearly parallel loci that meet the curve at different places.",
+        friction_intersections,
+    ),
+    Drawing(
+        "fig-5.13",
+        "Inertia-controlled backlash with G",
+        "$G$ and $-1/N$ of inertia-controlled backlash over its whole domain, $0 < b/A < \\pi$ (thesis, "
+        "figure 5.13). Points: predicted limit cycles, amplitudes in gaps.",
+        "The curve of minus one over N starts at minus one and meets the locus twice.",
+        inertia_intersections,
     ),
 )
