@@ -13,7 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from trimmer.balance.errors import FrequencyRangeError as FrequencyRangeError
+    from trimmer.balance.errors import LinearElementError as LinearElementError
     from trimmer.balance.errors import UndecidedWarning as UndecidedWarning
+    from trimmer.balance.errors import UnsupportedElementError as UnsupportedElementError
+    from trimmer.balance.leakage import harmonic_leakage as harmonic_leakage
     from trimmer.balance.limit_cycle import Certificate as Certificate
     from trimmer.balance.limit_cycle import HarmonicBalance as HarmonicBalance
     from trimmer.balance.limit_cycle import LimitCycle as LimitCycle
@@ -45,6 +48,8 @@ if TYPE_CHECKING:
     from trimmer.files import write_whole as write_whole
     from trimmer.frequency_domain import UnsupportedSystemError as UnsupportedSystemError
     from trimmer.frequency_domain import frequency_response as frequency_response
+    from trimmer.identification import IdentifiedTimeConstant as IdentifiedTimeConstant
+    from trimmer.identification import identify_time_constant as identify_time_constant
     from trimmer.linear import InputChannels as InputChannels
     from trimmer.linear import linear_model as linear_model
     from trimmer.linear import pin_model as pin_model
@@ -87,9 +92,11 @@ _MODULES = {
     "FrequencyRangeError": "balance.errors",
     "FrictionBacklash": "elements.friction_backlash",
     "HarmonicBalance": "balance.limit_cycle",
+    "IdentifiedTimeConstant": "identification",
     "InertiaBacklash": "elements.inertia_backlash",
     "InputChannels": "linear",
     "LimitCycle": "balance.limit_cycle",
+    "LinearElementError": "balance.errors",
     "LinearSummary": "linear_summary",
     "Mode": "modal_analysis",
     "ParameterError": "parameters",
@@ -105,6 +112,7 @@ _MODULES = {
     "UndampedMode": "modal_analysis",
     "UndecidedRegion": "balance.limit_cycle",
     "UndecidedWarning": "balance.errors",
+    "UnsupportedElementError": "balance.errors",
     "UnsupportedSystemError": "frequency_domain",
     "ViscousBacklash": "elements.viscous_backlash",
     "ViscousFriction": "elements.viscous_friction",
@@ -118,6 +126,8 @@ _MODULES = {
     "frequency_response": "frequency_domain",
     "gain_crossings": "crossings",
     "harmonic_balance": "balance.solve",
+    "harmonic_leakage": "balance.leakage",
+    "identify_time_constant": "identification",
     "limit_cycles": "balance.solve",
     "linear_model": "linear",
     "local_slope": "low_pass",

@@ -41,6 +41,9 @@ _MOST_PARTS = 32
 _PARTS = 3
 """Into how many parts a box is cut."""
 
+_NARROWEST = 1e-10
+"""Width in x below which nothing is cut, whatever the bounds: a zero and a pole on the axis cancel there."""
+
 _MARGIN = 3.0
 """How much wider than a box the region is on which uniqueness is tested; neighbours then share a solution."""
 
@@ -116,10 +119,13 @@ def find_all(problem: Problem) -> SearchResult:
         found, settled = _settled(problem, cells, found)
         radius = disks.radius + enclosure.radius
         finest = problem.limits.resolution * np.maximum(np.abs(disks.centre), problem.limits.smallest_gain)
-        given_up = ~settled & ((radius <= finest) | (len(cells) > problem.limits.boxes))
+        hopeless = (radius <= finest) | (cells.x_half <= _NARROWEST) | (len(cells) > problem.limits.boxes)
+        given_up = ~settled & hopeless
         undecided.append(cells.take(given_up))
         keep = ~(settled | given_up)
         along_u = disks.u_share >= radius - disks.u_share
+        if not keep.any():
+            break
         cells = cells.take(keep).split(along_u[keep], _PARTS)
         examined += len(cells)
         cells, disks, enclosure = _open_cells(problem, cells)
@@ -159,10 +165,11 @@ def _first_intervals(problem: Problem) -> tuple[Reals, Reals, Enclosure]:
         possible = (enclosure.smallest <= limits.largest_gain) & (enclosure.largest >= limits.smallest_gain)
         with np.errstate(invalid="ignore", divide="ignore"):
             excess = np.log1p(enclosure.radius / np.abs(enclosure.centre)) / _FIRST_SPREAD
-        small = np.flatnonzero(possible & (excess <= 1.0))
-        done.append((lower[small], upper[small]))
-        enclosures.append(enclosure.take(small))
-        coarse = possible & ~(excess <= 1.0)
+        fine = (excess <= 1.0) | (upper - lower <= 2.0 * _NARROWEST)
+        chosen = np.flatnonzero(possible & fine)
+        done.append((lower[chosen], upper[chosen]))
+        enclosures.append(enclosure.take(chosen))
+        coarse = possible & ~fine
         parts = np.fmin(np.ceil(excess[coarse]), _MOST_PARTS).astype(int)
         lower, upper = _cut(lower[coarse], upper[coarse], parts)
     lower, upper = (np.concatenate(side) for side in zip(*done, strict=True))

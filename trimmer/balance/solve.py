@@ -83,6 +83,8 @@ def harmonic_balance(
         FrequencyRangeError: if the range is not 0 < lowest < highest < inf; or if it is needed, because |G|
             does not fall below 1/max|N|.
         LinearElementError: if N does not depend on the amplitude.
+        UnsupportedElementError: if N is unbounded, yet not proportional to 1/A, as of a relay and viscous
+            friction together.
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
     response = inverse_response(G)

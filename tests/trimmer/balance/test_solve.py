@@ -144,7 +144,7 @@ def test_one_stable_branch_runs_from_friction_to_inertia() -> None:
 
 
 def test_the_unstable_branch_of_friction_ends_at_the_edge_of_the_domain() -> None:
-    """Followed over M/D it comes ever nearer to the smallest amplitude the backlash allows, and is gone then."""
+    """Followed over M/D it comes ever nearer to the smallest amplitude that the backlash allows."""
     margins = []
     for time_constant in (1e-6, 3e-5, 5e-5, 7e-5, 8e-5):
         element = ViscousBacklash(GAP, time_constant)
@@ -186,6 +186,17 @@ def test_a_continuum_is_reported_and_not_enumerated() -> None:
     assert highest == pytest.approx(10.0, rel=1e-6)
     with pytest.warns(UndecidedWarning, match="touch or coincide"):
         limit_cycles(1 / (s**2 + 1), Relay(1.0), omega_range=(0.1, 10.0))
+
+
+def test_a_hidden_undamped_mode_is_passed_over_or_undecided() -> None:
+    third_order = 20 / (s + 1) ** 3
+    hidden = third_order * (s**2 + 0.25) / (s**2 + 0.25)
+    expected = limit_cycles(third_order, FrictionBacklash(1.0))
+    balance = harmonic_balance(hidden, FrictionBacklash(1.0))
+    assert [cycle.omega for cycle in balance.limit_cycles] == pytest.approx(
+        [c.omega for c in expected], rel=1e-6
+    )
+    assert all(region.omegas[0] <= 0.5 <= region.omegas[1] for region in balance.certificate.undecided)
 
 
 def test_a_tangency_is_undecided_or_flagged_and_passes_from_two_to_none() -> None:
