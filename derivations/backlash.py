@@ -2,8 +2,8 @@
 
 The pin moves as A sin θ with θ = ωt; the load M v' + D v = 0 lies between two walls of the bridge a total
 ``GAP`` apart. A wall can push and not pull. Friction-controlled (M/D → 0) and inertia-controlled (M/D → ∞)
-backlash are limits of this one element. Source of the cases: Gelb and Vander Velde, Multiple-Input Describing
-Functions (1968), section 2.3; the derivation is from mechanics.
+backlash are limits of this one element. The cases are those of Gelb and Vander Velde, Multiple-Input
+Describing Functions (1968); the derivation is from mechanics.
 """
 
 from __future__ import annotations

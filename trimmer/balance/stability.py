@@ -2,9 +2,8 @@
 
 Let F(A, omega) = 1 + N(A, omega) G(j omega) = X + j Y. A slow change of amplitude makes omega complex: with
 s = sigma + j omega, F(A + dA, omega + d omega - j sigma) = 0 gives sigma = Im(F_A / F_omega) dA. The
-amplitude returns if sigma < 0 for dA > 0, that is if X_A Y_omega - X_omega Y_A > 0 (Loeb; Gelb and Vander
-Velde, Multiple-Input Describing Functions, section 3.4; Atherton, Nonlinear Control Engineering, section
-5.3).
+amplitude returns if sigma < 0 for dA > 0, that is if X_A Y_omega - X_omega Y_A > 0 (Loeb's
+criterion; Gelb and Vander Velde, Multiple-Input Describing Functions, 1968, treat it).
 
 This sees one pole pair, and only slow changes. The other poles are those of 1 + N G(s) with N frozen; N being
 complex for positive frequencies, those with a positive imaginary part count. The test says nothing about

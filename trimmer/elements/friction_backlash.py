@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 class FrictionBacklash(Backlash):
     """Backlash in front of a load that stops at once when it is not pushed (time constant M/D → 0).
 
-    Domain: amplitude > gap/2. Source: Gelb and Vander Velde (1968), section 2.3; thesis, section 2.3.4.
+    Domain: amplitude > gap/2. Source: Gelb and Vander Velde (1968); thesis, section 2.3.4.
 
     Attributes:
         gap: Total clearance, > 0, in the unit of the input (m).

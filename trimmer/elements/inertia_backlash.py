@@ -23,7 +23,7 @@ class InertiaBacklash(Backlash):
 
     Domain: amplitude > gap/π; below, the load cannot be pushed in every half period. For an amplitude up to
     gap/2 a load at rest in the middle of the gap is never touched; N is that of the load that is. Source:
-    Gelb and Vander Velde (1968), section 2.3; thesis, section 2.3.4.
+    Gelb and Vander Velde (1968); thesis, section 2.3.4.
 
     Attributes:
         gap: Total clearance, > 0, in the unit of the input (m).

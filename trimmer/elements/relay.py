@@ -28,7 +28,7 @@ SQUARE_WAVE = 4.0 / np.pi
 class Relay(Element):
     """Ideal relay, y = level * sign(x): N_n = 4 level / (π n A) for odd n, at any amplitude.
 
-    Source: Gelb and Vander Velde (1968), section 2.3; thesis, section 2.3.5.
+    Source: Gelb and Vander Velde (1968); thesis, section 2.3.5.
 
     Attributes:
         level: Output while the input is positive, > 0, in the unit of the output.

@@ -65,7 +65,7 @@ def test_the_trimmer_has_one_unstable_and_one_stable_limit_cycle_and_no_other(G)
 @pytest.mark.parametrize(
     ("G", "omega", "amplitude"),
     [
-        # Slotine and Li, Applied Nonlinear Control, section 5.4: K/(s(s+1)(s+2)): A = 4 M K/(6 pi).
+        # By hand: K/(s(s+1)(s+2)) is -K/6 at sqrt(2), so A = 4 M K/(6 pi).
         (THIRD_ORDER, math.sqrt(2), 4 / (6 * math.pi)),
         # K/(s+1)^3 crosses the axis at sqrt(3) with -K/8.
         (10 / (s + 1) ** 3, math.sqrt(3), 4 * 10 / (8 * math.pi)),

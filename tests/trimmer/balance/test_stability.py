@@ -26,7 +26,7 @@ def test_a_simulation_leaves_the_unstable_limit_cycle_on_either_side() -> None:
 
 
 def test_servo_with_backlash_has_an_outer_stable_limit_cycle() -> None:
-    # Gelb and Vander Velde, section 3.3: of two intersections the one of larger amplitude is stable.
+    # Of two intersections with the outside of the locus beyond the larger amplitude, that one is stable.
     small, large = sorted(limit_cycles(10 / (s * (s + 1)), FrictionBacklash(1.0)), key=lambda c: c.amplitude)
     assert (small.stable, large.stable) == (False, True)
 
