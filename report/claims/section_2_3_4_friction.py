@@ -52,10 +52,14 @@ def printed_cosine_coefficient() -> sympy.Expr:
 
 def printed_sine_coefficient() -> sympy.Expr:
     """Return b1 of equations 2.40 and 2.41."""
-    ratio = 2 * b / A - 1
-    return product(
-        A / sympy.pi, total(sympy.pi / 2, -sympy.asin(ratio), product(-1, ratio, sympy.sqrt(1 - ratio**2)))
-    )
+    return product(A / sympy.pi, total(*printed_sine_terms()))
+
+
+def printed_sine_terms() -> tuple[sympy.Expr, ...]:
+    """Return the terms in the bracket that equations 2.40, 2.41, 2.59 and 5.14 share."""
+    ratio = total(2 * b / A, sympy.Integer(-1))
+    root = sympy.sqrt(total(sympy.Integer(1), product(-1, sympy.Pow(ratio, 2))))
+    return sympy.pi / 2, product(-1, sympy.asin(ratio, evaluate=False)), product(-1, ratio, root)
 
 
 def _waveform() -> Claim:
@@ -247,7 +251,7 @@ def _sine_integrals() -> Claim:
 
 
 def _sine_coefficient() -> Claim:
-    derived = WAVEFORM.sine_coefficient()
+    derived = sympy.simplify(WAVEFORM.sine_coefficient())
     numeric = coefficient(WAVEFORM, SINE, VALUES)
     return Claim(
         id="eq-2.40",

@@ -13,6 +13,7 @@ from derivations.waveform import THETA, describing_function, simplified_describi
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import product, total
 from report.claims.quadrature import coefficient, confirm
+from report.claims.section_2_3_4_friction import printed_sine_terms
 from report.comparisons.assertion import Assertion
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
@@ -73,10 +74,8 @@ def printed_backlash_part(label: str) -> Part:
     """Return the part on N_r, whose slip equations 2.59 and 5.14 share."""
     wave = friction_waveform(2 * b)
     derived = describing_function(wave, A)
-    ratio = 2 * b / A - 1
-    bracket = total(sympy.pi / 2, -sympy.asin(ratio), product(-1, ratio, sympy.sqrt(1 - ratio**2)))
     cosine = 4 * b / sympy.pi * (b / A - 1)
-    printed = product(1 / A, total(bracket, sympy.I * cosine))
+    printed = product(1 / A, total(*printed_sine_terms(), sympy.I * cosine))
     real = wave.sine_coefficient() / A
     values = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
     sine, cosine_value = (coefficient(wave, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
