@@ -124,6 +124,7 @@ class Limits:
     flight: sympy.Expr
 
 
+@cache
 def limits(towards: sympy.Expr) -> Limits:
     """Return the limits of the general element for γ towards 0 (friction) or ∞ (inertia)."""
     angle = separation_angle()

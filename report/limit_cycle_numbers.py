@@ -18,7 +18,7 @@ from trimmer.elements.viscous_backlash import ViscousBacklash
 LISTING_NUMERATOR = (1e07, 1.233e10, 5.939e14, 1.65e17, 4.065e21, 3.667e23, 5.714e27)
 LISTING_DENOMINATOR = (1, 1378, 7.076e07, 3.878e10, 1.069e15, 2.676e17, 4.889e21, 4.595e23, 5.971e27)
 """Coefficients of Listing A.9, lines 18 to 20, highest power first."""
-TIME_CONSTANTS = tuple(float(each) for each in np.geomspace(1e-6, 1.0, 13))
+TIME_CONSTANTS = tuple(float(each) for each in np.geomspace(1e-6, 1.0, 9))
 """Load time constants M/D between the friction- and the inertia-controlled limit, s."""
 DIGITS = 30
 

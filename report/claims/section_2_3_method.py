@@ -18,7 +18,7 @@ SOURCE = "derivations/waveform.py"
 LIMIT_CYCLE_OMEGA = 4607.7
 COSINE_PART = sympy.Symbol("a_1", real=True)
 SINE_PART = sympy.Symbol("b_1", positive=True)
-MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:4"), sympy.symbols("b_1:4")
+MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:3"), sympy.symbols("b_1:3")
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -124,7 +124,7 @@ def _fourier_series() -> Claim:
         *(
             wave.cosine_coefficient(n) * sympy.cos(n * THETA)
             + wave.sine_coefficient(n) * sympy.sin(n * THETA)
-            for n in (1, 2, 3)
+            for n in (1, 2)
         )
     )
     form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
@@ -132,14 +132,14 @@ def _fourier_series() -> Claim:
         id="eq-2.28",
         parts=(
             Part(
-                "up to $n = 3$",
+                "up to $n = 2$",
                 SameExpression(_series(), sympy.expand(rebuilt)),
                 printed_form=form,
                 derived_form=form,
             ),
         ),
         explanation=(
-            "A signal of three harmonics is rebuilt from its coefficients by the printed series, with half "
+            "A signal of two harmonics is rebuilt from its coefficients by the printed series, with half "
             "of $a_0$."
         ),
         source=SOURCE,
@@ -150,8 +150,8 @@ def _fourier_coefficients() -> Claim:
     wave = _over_period(_series())
     rows = (
         ("$a_0$", wave.cosine_coefficient(0), MEAN),
-        *((f"$a_{n}$", wave.cosine_coefficient(n), COSINES[n - 1]) for n in (1, 2, 3)),
-        *((f"$b_{n}$", wave.sine_coefficient(n), SINES[n - 1]) for n in (1, 2, 3)),
+        *((f"$a_{n}$", wave.cosine_coefficient(n), COSINES[n - 1]) for n in (1, 2)),
+        *((f"$b_{n}$", wave.sine_coefficient(n), SINES[n - 1]) for n in (1, 2)),
     )
     return Claim(
         id="eq-2.29",
@@ -159,7 +159,7 @@ def _fourier_coefficients() -> Claim:
             Part(label, SameExpression(sympy.expand(integral), symbol)) for label, integral, symbol in rows
         ),
         explanation=(
-            "The printed integrals, over a signal of three harmonics, give back each of its coefficients."
+            "The printed integrals, over a signal of two harmonics, give back each of its coefficients."
         ),
         source=SOURCE,
     )
