@@ -6,8 +6,9 @@ import sympy
 
 from derivations.friction import FORCE, friction_waveform, relay_waveform
 from derivations.symbols import A, omega, s
-from derivations.waveform import describing_function
+from derivations.waveform import THETA, describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.quadrature import coefficient, confirm
 from report.claims.section_2_4 import printed_backlash_part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import PrintedDigits
@@ -16,6 +17,7 @@ from report.evidence import Evidence
 from trimmer import frequency_response, real_axis_crossings
 
 SOURCE = "derivations/friction.py"
+VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
 PRINTED_TERM = -sympy.I * 4 * FORCE / (omega * A * sympy.pi)
@@ -34,6 +36,12 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _without_force(),
         _difference(),
     )
+
+
+def _friction_by_quadrature() -> complex:
+    wave = friction_waveform()
+    sine, cosine = (coefficient(wave, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
+    return (sine + 1j * cosine) / float(VALUES[A])
 
 
 def _limit_of_response(evidence: Evidence) -> Claim:
@@ -67,10 +75,7 @@ def _inverse() -> Claim:
             Part(
                 "for friction, in a loop whose signal is a displacement",
                 SameExpression(printed, sympy.simplify(-1 / FRICTION), left=r"-\frac{1}{N}"),
-                Confirmation(
-                    "one over the product",
-                    SameExpression(sympy.simplify(-1 / FRICTION * FRICTION), sympy.Integer(-1)),
-                ),
+                confirm(sympy.simplify(-1 / FRICTION), -1 / _friction_by_quadrature(), VALUES),
                 Slip("the phase between velocity and displacement is dropped", -1 / RELAY, Verdict.ERRATUM),
             ),
         ),

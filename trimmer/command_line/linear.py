@@ -3,33 +3,13 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 
 from trimmer.command_line.command import Command
-
-_CHANNELS = ("displacement", "both")
+from trimmer.command_line.loop_options import add_loop_options
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "--parameters",
-        metavar="FILE",
-        type=Path,
-        help="TOML file with the trimmer's parameters (default: the thesis's trimmer)",
-    )
-    parser.add_argument(
-        "--output",
-        metavar="DISPLACEMENT",
-        default="q2-q4",
-        help="displacement to follow, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
-    )
-    parser.add_argument(
-        "--channels",
-        choices=_CHANNELS,
-        default=_CHANNELS[1],
-        help="whether the pin acts by its displacement alone, as in the thesis, or by its velocity too "
-        "(default: both)",
-    )
+    add_loop_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
 
 

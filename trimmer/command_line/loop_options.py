@@ -88,7 +88,7 @@ def add_loop_options(parser: ArgumentParser) -> None:
         "--output",
         metavar="DISPLACEMENT",
         default="q2-q4",
-        help="displacement that is fed back, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
+        help="displacement at the output, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
     )
     parser.add_argument(
         "--channels",
