@@ -65,6 +65,18 @@ if TYPE_CHECKING:
     from trimmer.modal_analysis import UndampedMode as UndampedMode
     from trimmer.modal_analysis import modes as modes
     from trimmer.modal_analysis import undamped_modes as undamped_modes
+    from trimmer.motion.component import EventKind as EventKind
+    from trimmer.motion.drive import Drive as Drive
+    from trimmer.motion.errors import IllPosedLoopError as IllPosedLoopError
+    from trimmer.motion.errors import UnsupportedMotionError as UnsupportedMotionError
+    from trimmer.motion.loops import ClosedLoop as ClosedLoop
+    from trimmer.motion.loops import OpenLoop as OpenLoop
+    from trimmer.motion.motion import Event as Event
+    from trimmer.motion.motion import Motion as Motion
+    from trimmer.motion.motion import Outcome as Outcome
+    from trimmer.motion.simulation import simulate as simulate
+    from trimmer.motion.trimmer_loop import BodyFriction as BodyFriction
+    from trimmer.motion.trimmer_loop import TrimmerLoop as TrimmerLoop
     from trimmer.nyquist import PointOnLocusError as PointOnLocusError
     from trimmer.nyquist import encirclements as encirclements
     from trimmer.parameters import ParameterError as ParameterError
@@ -79,26 +91,35 @@ if TYPE_CHECKING:
     __version__: str
 
 _MODULES = {
-    "CUTTER_RELATIVE_TO_GUARD": "displacement",
     "Body": "displacement",
+    "BodyFriction": "motion.trimmer_loop",
+    "CUTTER_RELATIVE_TO_GUARD": "displacement",
     "Certificate": "balance.limit_cycle",
+    "ClosedLoop": "motion.loops",
     "CoulombFriction": "elements.coulomb_friction",
     "Displacement": "displacement",
     "DisplacementError": "displacement",
+    "Drive": "motion.drive",
     "Element": "elements.element",
     "ElementAtFrequency": "elements.element_at_frequency",
+    "Event": "motion.motion",
+    "EventKind": "motion.component",
     "Extremum": "extrema",
     "FileWriteError": "files",
     "FrequencyRangeError": "balance.errors",
     "FrictionBacklash": "elements.friction_backlash",
     "HarmonicBalance": "balance.limit_cycle",
     "IdentifiedTimeConstant": "identification",
+    "IllPosedLoopError": "motion.errors",
     "InertiaBacklash": "elements.inertia_backlash",
     "InputChannels": "linear",
     "LimitCycle": "balance.limit_cycle",
     "LinearElementError": "balance.errors",
     "LinearSummary": "linear_summary",
     "Mode": "modal_analysis",
+    "Motion": "motion.motion",
+    "OpenLoop": "motion.loops",
+    "Outcome": "motion.motion",
     "ParameterError": "parameters",
     "PointOnLocusError": "nyquist",
     "RealAxisCrossing": "crossings",
@@ -108,11 +129,13 @@ _MODULES = {
     "SumOfElements": "elements.sum_of_elements",
     "TimeResponse": "time_domain",
     "TrimmerError": "errors",
+    "TrimmerLoop": "motion.trimmer_loop",
     "TrimmerParameters": "parameters",
     "UndampedMode": "modal_analysis",
     "UndecidedRegion": "balance.limit_cycle",
     "UndecidedWarning": "balance.errors",
     "UnsupportedElementError": "balance.errors",
+    "UnsupportedMotionError": "motion.errors",
     "UnsupportedSystemError": "frequency_domain",
     "ViscousBacklash": "elements.viscous_backlash",
     "ViscousFriction": "elements.viscous_friction",
@@ -136,6 +159,7 @@ _MODULES = {
     "pin_model": "linear",
     "real_axis_crossings": "crossings",
     "resonance_peaks": "extrema",
+    "simulate": "motion.simulation",
     "steady_state": "time_domain",
     "summarise": "linear_summary",
     "time_response": "time_domain",

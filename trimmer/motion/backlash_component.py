@@ -1,0 +1,113 @@
+"""General backlash in the time domain: contact on either side, and free flight in the gap."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.motion.component import Component, EventKind, Explicit, Guard, OutputLaw, Signals, Transition
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+FREE, UPPER, LOWER = range(3)
+
+
+@final
+@dataclass(frozen=True)
+class BacklashComponent(Component):
+    """A load M v' + D v = 0 behind a gap, pushed by the pin on either side; impacts are plastic.
+
+    In contact the load is at pin -+ gap/2, as long as the pin need not pull: tau a + v >= 0 on the upper
+    side, with the pin's velocity v, acceleration a and tau = M/D. Free, the load slows down with tau, stops
+    at once for tau = 0 (friction-controlled), or keeps its velocity for tau = oo (inertia-controlled). It is
+    the motion that derivations/backlash.py derives the describing function from.
+
+    Attributes:
+        gap: Total clearance, > 0, m.
+        time_constant: tau = M/D of the load, s; 0 and infinity are the two limits.
+    """
+
+    gap: float
+    time_constant: float
+
+    @property
+    def name(self) -> str:
+        """What it is called in events."""
+        return "backlash"
+
+    @property
+    def mode_names(self) -> tuple[str, ...]:
+        """Names of the modes."""
+        return ("free", "upper contact", "lower contact")
+
+    @property
+    def state_count(self) -> int:
+        """Position and velocity of the load, of which use is made in free flight only."""
+        return 2
+
+    @property
+    def output_jumps(self) -> bool:
+        """False: impacts change the velocity of the load only."""
+        return False
+
+    @property
+    def continuous_rates(self) -> int:
+        """None: a jump of the contact force leads to separation."""
+        return 0
+
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return the position of the load."""
+        if mode == FREE:
+            return Explicit(0.0, (1.0, 0.0), 0.0)
+        return Explicit(1.0, (0.0, 0.0), -0.5 * self.gap if mode == UPPER else 0.5 * self.gap)
+
+    def state_rates(self, mode: int) -> Reals:
+        """Return the free flight; in contact the own states rest, unused."""
+        if mode != FREE or self.time_constant == 0:
+            return np.zeros((2, 2))
+        return np.array([[0.0, 1.0], [0.0, -1.0 / self.time_constant]])
+
+    def switching_function(self, signals: Signals) -> Reals:
+        """Return the contact force over D, or over M for the inertia-controlled limit, on the upper side."""
+        if math.isinf(self.time_constant):
+            return signals.input_curvature
+        return self.time_constant * signals.input_curvature + signals.input_rate
+
+    def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
+        """Return the clearances in free flight, the contact force in contact."""
+        if mode == FREE:
+            return self._clearances(signals)
+        velocity = signals.input_rate if self.time_constant > 0 else 0.0 * signals.one
+        resets = (signals.output, velocity)
+        # At separation position and velocity agree; so do accelerations where the contact force was zero.
+        reached, jumped = (3, 2) if self.time_constant > 0 else (2, 1)
+        upper = mode == UPPER
+        force = self.switching_function(signals) if upper else -self.switching_function(signals)
+        leave, leave_at_once = (
+            Transition(EventKind.SEPARATION, FREE, resets, (zeros, 0) if upper else (0, zeros))
+            for zeros in (reached, jumped)
+        )
+        return (Guard(force, leave, leave_at_once),)
+
+    def _clearances(self, signals: Signals) -> tuple[Guard, Guard]:
+        half_gap = 0.5 * self.gap * signals.one
+        play = signals.input - signals.output
+        meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, (), (0,)) for side in (UPPER, LOWER))
+        return (
+            Guard(half_gap - play, meet_upper, meet_upper),
+            Guard(half_gap + play, meet_lower, meet_lower),
+        )
+
+    def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
+        """Start at rest in the gap, or in contact where the wished output would lie outside the gap."""
+        if input_value - output > 0.5 * self.gap:
+            return UPPER, np.array([input_value - 0.5 * self.gap, 0.0])
+        if input_value - output < -0.5 * self.gap:
+            return LOWER, np.array([input_value + 0.5 * self.gap, 0.0])
+        return FREE, np.array([output, 0.0])

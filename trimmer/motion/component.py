@@ -1,0 +1,153 @@
+"""What a switched element is in the time domain: modes, output laws, guards and transitions.
+
+All signals of a mode are rows: linear functionals of the extended state (states of the plant, states of the
+components, sine and cosine of the drive, and one). A guard is positive while its mode lasts.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+
+class EventKind(Enum):
+    """What happens at an event."""
+
+    IMPACT = "impact"
+    """The pin meets a side of the gap."""
+    SEPARATION = "separation"
+    """The contact would have to pull, so the pin leaves the side of the gap."""
+    SWITCH = "switch"
+    """The output of a relay, or the direction of sliding, reverses."""
+    STICK = "stick"
+    """Sliding ends: the output takes the value that holds the input at zero."""
+    SLIP = "slip"
+    """The output that would hold the input at zero exceeds its limit."""
+
+
+@dataclass(frozen=True)
+class Explicit:
+    """The output is input_gain * input + own states weighted by state_gains + constant."""
+
+    input_gain: float
+    state_gains: tuple[float, ...]
+    constant: float
+
+
+@dataclass(frozen=True)
+class RateProportional:
+    """The output is a coefficient times the rate of the input."""
+
+    coefficient: float
+
+
+@dataclass(frozen=True)
+class Constrained:
+    """The output is what keeps the switching function at zero: a set-valued element on its vertical part."""
+
+
+OutputLaw = Explicit | RateProportional | Constrained
+
+
+@dataclass(frozen=True)
+class Signals:
+    """Rows of one component in one mode: input, its first two derivatives, output, own states, and one."""
+
+    input: Reals
+    input_rate: Reals
+    input_curvature: Reals
+    output: Reals
+    states: tuple[Reals, ...]
+    one: Reals
+
+
+@dataclass(frozen=True)
+class Transition:
+    """Where a guard leads.
+
+    Attributes:
+        kind: What happens.
+        target: Mode of the component afterwards.
+        resets: New values of the component's states, rows of the mode that is left; empty if they stay.
+        zeros: For each guard of the target mode: how many of its first derivatives, counting the zeroth, are
+            known to vanish right after the transition.
+    """
+
+    kind: EventKind
+    target: int
+    resets: tuple[Reals, ...]
+    zeros: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A row that is positive while the mode lasts.
+
+    Attributes:
+        row: The functional.
+        reached: What follows when it falls to zero.
+        jumped: What follows when it is negative at once, because the output of another component jumped, or
+            because the mode that was entered cannot hold.
+    """
+
+    row: Reals
+    reached: Transition
+    jumped: Transition
+
+
+class Component(ABC):
+    """One switched element of the interconnection; immutable."""
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """What it is called in events."""
+
+    @property
+    @abstractmethod
+    def mode_names(self) -> tuple[str, ...]:
+        """Names of the modes, by number."""
+
+    @property
+    @abstractmethod
+    def state_count(self) -> int:
+        """Number of own states."""
+
+    @property
+    @abstractmethod
+    def output_jumps(self) -> bool:
+        """Whether the output can jump."""
+
+    @property
+    @abstractmethod
+    def continuous_rates(self) -> int:
+        """How many derivatives of the input, besides the input itself, must not jump."""
+
+    @abstractmethod
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return how the output follows in a mode."""
+
+    @abstractmethod
+    def state_rates(self, mode: int) -> Reals:
+        """Return the matrix that gives the rates of the own states from themselves."""
+
+    @abstractmethod
+    def switching_function(self, signals: Signals) -> Reals:
+        """Return the row that a constrained output holds at zero."""
+
+    @abstractmethod
+    def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
+        """Return the guards of a mode; ``attracting`` says whether a constrained output can hold."""
+
+    @abstractmethod
+    def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
+        """Return the mode and own states to start from, with the output that is wished for."""

@@ -1,0 +1,77 @@
+"""Where a motion starts: the extended state and the modes that fit it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.interconnection import acts
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.motion.loops import Loop
+    from trimmer.motion.mode import Mode
+    from trimmer.motion.mode_tables import ModeTables
+
+    Reals = NDArray[np.float64]
+
+
+def initial_stretch(
+    loop: Loop, modes: ModeTables, initial_state: ArrayLike | None, impulse: float, element_output: float
+) -> tuple[int, Reals]:
+    """Return the mode and the extended state at t = 0.
+
+    Raises:
+        ValueError: if the initial state has the wrong shape or a value is not finite.
+    """
+    system, layout = modes.system, modes.layout
+    state = np.zeros(layout.size)
+    state[: layout.order] = _plant_state(loop, initial_state, impulse)
+    if not math.isfinite(element_output):
+        raise ValueError(f"element_output must be finite, not {element_output!r}")
+    if system.drive is not None:
+        state[layout.sine : layout.sine + 2] = math.sin(system.drive.phase), math.cos(system.drive.phase)
+    state[-1] = 1.0
+    chosen = [0] * len(system.components)
+    for k, component in enumerate(system.components):
+        # With one component after the other, each sees the outputs of those before it.
+        mode = modes.mode(modes.number(tuple(chosen)))
+        signals = mode.signals[k]
+        first, end = layout.first_states[k], layout.first_states[k] + component.state_count
+        switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
+        chosen[k], state[first:end] = component.initial(
+            float(signals.input @ state), switching, element_output
+        )
+    return modes.number(tuple(chosen)), state
+
+
+def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:
+    model = loop.model
+    state = np.zeros(model.nstates)
+    if initial_state is not None:
+        state = np.array(initial_state, dtype=float)
+        if state.shape != (model.nstates,):
+            raise ValueError(f"initial_state must have shape ({model.nstates},), not {state.shape}")
+        if not np.isfinite(state).all():
+            raise ValueError("initial_state must be finite")
+    if not math.isfinite(impulse):
+        raise ValueError(f"impulse must be finite, not {impulse!r}")
+    started: Reals = state + model.B[:, 0] * impulse
+    return started
+
+
+def _leading_value(row: Reals, mode: Mode, modes: ModeTables, k: int, state: Reals) -> float:
+    """Return a row's value, or its first derivative in time that is not zero before the output acts on it."""
+    push = np.zeros(state.size)
+    push[: modes.layout.order] = modes.system.B[:, k]
+    for _ in range(modes.layout.order + 1):
+        value = float(row @ state)
+        if abs(value) > 1e-14 * float(abs(row) @ abs(state)):
+            return value
+        if acts(row, push):
+            break
+        row = row @ mode.matrix
+    return 0.0

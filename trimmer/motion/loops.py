@@ -1,0 +1,115 @@
+"""Loops whose motion can be simulated: a linear system with a nonlinear element, closed or driven."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.motion.components import components_of
+from trimmer.motion.interconnection import Interconnection
+from trimmer.motion.mode_tables import ModeTables
+from trimmer.motion.realization import realized
+from trimmer.motion.rigid_component import RigidComponent
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.elements.element import Element
+    from trimmer.motion.drive import Drive
+
+
+class Loop(ABC):
+    """A linear system and switched elements, put together."""
+
+    @abstractmethod
+    def interconnection(self) -> Interconnection:
+        """Return the equations; the first components are those of the nonlinear element."""
+
+    @property
+    @abstractmethod
+    def model(self) -> control.StateSpace:
+        """The linear system with one input and one output; its states are those of the interconnection."""
+
+    @cached_property
+    def modes(self) -> ModeTables:
+        """The modes with their tables, kept for the next simulation."""
+        return ModeTables(self.interconnection())
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class ClosedLoop(Loop):
+    """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
+
+    Attributes:
+        system: Strictly proper, one input, one output, continuous in time.
+        element: Any element with a description in time.
+    """
+
+    system: control.LTI
+    element: Element
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations."""
+        return element_around(self.model, self.element, None)
+
+    @property
+    def model(self) -> control.StateSpace:
+        """The system in state space."""
+        return realized(self.system)
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class OpenLoop(Loop):
+    """The element's input is the drive; its output drives the linear system.
+
+    Attributes:
+        system: Strictly proper, one input, one output, continuous in time.
+        element: Any element with a description in time.
+        drive: The motion of the pin.
+    """
+
+    system: control.LTI
+    element: Element
+    drive: Drive
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations."""
+        return element_around(self.model, self.element, self.drive)
+
+    @property
+    def model(self) -> control.StateSpace:
+        """The system in state space."""
+        return realized(self.system)
+
+
+def element_around(
+    model: control.StateSpace, element: Element | None, drive: Drive | None
+) -> Interconnection:
+    """Put an element before a linear system: driven, or in negative feedback if there is no drive.
+
+    Args:
+        model: The linear system.
+        element: The element; None for a rigid connection.
+        drive: The element's input; None for feedback.
+    """
+    parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
+    count = len(parts)
+    feedback = -1.0 if drive is None else 0.0
+    factors = np.array([factor for _, factor in parts])
+    return Interconnection(
+        A=model.A,
+        B=model.B @ factors[None, :],
+        C=np.repeat(feedback * model.C, count, axis=0),
+        D=feedback * model.D[0, 0] * np.tile(factors, (count, 1)),
+        drive_gain=np.full(count, 0.0 if drive is None else 1.0),
+        components=tuple(component for component, _ in parts),
+        labels=tuple(component.name for component, _ in parts),
+        drive=drive,
+        element_factors=tuple(factors),
+    )

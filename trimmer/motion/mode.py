@@ -1,0 +1,200 @@
+"""One mode of an interconnection: its flow Z' = M Z, the signals of its components, and its guards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.component import Constrained, Explicit, Guard, RateProportional, Signals
+from trimmer.motion.errors import IllPosedLoopError
+from trimmer.motion.interconnection import acts
+from trimmer.motion.layout import Layout
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.interconnection import Interconnection
+
+    Reals = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ComponentGuard:
+    """A guard with the component that it belongs to and its number among that component's guards."""
+
+    component: int
+    number: int
+    guard: Guard
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A mode with everything as rows and matrices over the extended state.
+
+    Attributes:
+        component_modes: The mode of each component.
+        matrix: M.
+        signals: Of each component.
+        guards: Of all components.
+    """
+
+    component_modes: tuple[int, ...]
+    matrix: Reals
+    signals: tuple[Signals, ...]
+    guards: tuple[ComponentGuard, ...]
+
+
+@dataclass(frozen=True)
+class _Open:
+    """The mode before its implicit outputs v are known.
+
+    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v.
+    """
+
+    flow: Reals
+    push: Reals
+    inputs: Reals
+    inputs_through: Reals
+    outputs: Reals
+    outputs_through: Reals
+    implicit: tuple[int, ...]
+
+
+def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> Mode:
+    """Build a mode.
+
+    Raises:
+        IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
+            between the output of a component and its input.
+    """
+    layout = Layout.of(system)
+    opened = _open(system, layout, component_modes)
+    implicit_rows = _implicit_outputs(system, layout, component_modes, opened)
+    matrix = opened.flow + opened.push @ implicit_rows
+    outputs = opened.outputs + opened.outputs_through @ implicit_rows
+    inputs = opened.inputs + opened.inputs_through @ implicit_rows
+    signals = tuple(
+        _signals(layout, matrix, inputs[k], outputs[k], k, component.state_count)
+        for k, component in enumerate(system.components)
+    )
+    guards = tuple(
+        ComponentGuard(k, number, guard)
+        for k, component in enumerate(system.components)
+        for number, guard in enumerate(
+            component.guards(component_modes[k], signals[k], _attracting(system, signals[k], k))
+        )
+    )
+    return Mode(component_modes, matrix, signals, guards)
+
+
+def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> _Open:
+    """Resolve the outputs that are explicit functions of inputs and states, and put the flow together."""
+    count = len(system.components)
+    gains, own = np.zeros(count), np.zeros((count, layout.size))
+    implicit = []
+    for k, (component, mode) in enumerate(zip(system.components, component_modes, strict=True)):
+        law = component.output_law(mode)
+        if isinstance(law, Explicit):
+            first = layout.first_states[k]
+            gains[k] = law.input_gain
+            own[k, first : first + len(law.state_gains)] = law.state_gains
+            own[k, -1] += law.constant
+        else:
+            implicit.append(k)
+    selection = np.eye(count)[:, implicit]
+    inputs, through = _inputs(system, layout, gains, own, selection)
+    outputs = gains[:, None] * inputs + own
+    outputs_through = gains[:, None] * through + selection
+    flow = _own_flow(system, layout, component_modes)
+    flow[: layout.order] += system.B @ outputs
+    push = np.zeros((layout.size, len(implicit)))
+    push[: layout.order] = system.B @ outputs_through
+    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit))
+
+
+def _inputs(
+    system: Interconnection, layout: Layout, gains: Reals, own: Reals, selection: Reals
+) -> tuple[Reals, Reals]:
+    """Solve for the inputs, which act on each other through the direct feedthrough D of the system."""
+    count = len(gains)
+    undisturbed = np.zeros((count, layout.size))
+    undisturbed[:, : layout.order] = system.C
+    if system.drive is not None:
+        undisturbed[:, layout.sine] = system.drive_gain * system.drive.amplitude
+    loop = np.eye(count) - system.D * gains
+    if np.linalg.matrix_rank(loop) < count:
+        raise IllPosedLoopError("the direct feedthrough of the system cancels a component that is in contact")
+    known = np.hstack([undisturbed + system.D @ own, system.D @ selection])
+    solved = np.asarray(np.linalg.solve(loop, known), dtype=np.float64)
+    return solved[:, : layout.size], solved[:, layout.size :]
+
+
+def _own_flow(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> Reals:
+    """Return the flow of plant, components and drive without their effect on each other."""
+    flow = np.zeros((layout.size, layout.size))
+    flow[: layout.order, : layout.order] = system.A
+    for k, (component, mode) in enumerate(zip(system.components, component_modes, strict=True)):
+        first, end = layout.first_states[k], layout.first_states[k] + component.state_count
+        flow[first:end, first:end] = component.state_rates(mode)
+    if system.drive is not None:
+        flow[layout.sine, layout.sine + 1] = system.drive.omega
+        flow[layout.sine + 1, layout.sine] = -system.drive.omega
+    return flow
+
+
+def _implicit_outputs(
+    system: Interconnection, layout: Layout, component_modes: tuple[int, ...], opened: _Open
+) -> Reals:
+    """Solve for the outputs that follow from a condition on the rates, one row each."""
+    if not opened.implicit:
+        return np.zeros((0, layout.size))
+    left, right = [], []
+    for column, k in enumerate(opened.implicit):
+        if opened.inputs_through[k].any():
+            raise IllPosedLoopError(f"{system.labels[k]}: its input depends at once on its own output")
+        component = system.components[k]
+        law = component.output_law(component_modes[k])
+        if isinstance(law, RateProportional):
+            row = law.coefficient * opened.inputs[k]
+            condition = -row @ opened.push
+            condition[column] += 1.0
+            left.append(condition)
+            right.append(row @ opened.flow)
+        else:
+            assert isinstance(law, Constrained)
+            row = component.switching_function(
+                _signals(layout, opened.flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
+            )
+            row = _differentiated(row, opened, column, system.labels[k])
+            left.append(row @ opened.push)
+            right.append(-row @ opened.flow)
+    try:
+        return np.linalg.solve(np.array(left), np.array(right))
+    except np.linalg.LinAlgError as problem:
+        names = ", ".join(system.labels[k] for k in opened.implicit)
+        raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion") from problem
+
+
+def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals:
+    """Differentiate a row along the flow until the output of that column acts on its rate."""
+    for _ in range(opened.flow.shape[0]):
+        if acts(row, opened.push[:, column]):
+            return row
+        row = row @ opened.flow
+    raise IllPosedLoopError(f"{label}: its output does not act on its input at all")
+
+
+def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int, count: int) -> Signals:
+    rate = given @ matrix
+    first = layout.first_states[k]
+    states = tuple(layout.unit(first + each) for each in range(count))
+    return Signals(given, rate, rate @ matrix, output, states, layout.one)
+
+
+def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
+    """Tell whether the output of a component works against the rate of its own switching function."""
+    row = system.components[k].switching_function(signals)[: system.order]
+    column = system.B[:, k]
+    return acts(row, column) and bool(row @ column < 0)

@@ -1,0 +1,126 @@
+"""Tables of the modes of an interconnection, filled as the motion visits them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.errors import UnsupportedMotionError
+from trimmer.motion.layout import Layout
+from trimmer.motion.mode import ComponentGuard, Mode, assemble
+from trimmer.motion.tables import Tables
+from trimmer.motion.taylor import DEGREE, deflation, guard_polynomials, step_series
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.interconnection import Interconnection
+
+    Reals = NDArray[np.float64]
+
+GUARDS_OF_COMPONENT = 2
+"""No component has more guards in a mode."""
+MOST_MODES = 3**7
+"""Seven components with three modes each."""
+FORCING = 3
+"""Sine, cosine and one end the extended state."""
+
+
+@dataclass(frozen=True, eq=False)
+class ModeTables:
+    """The modes of an interconnection by number, and their tables for the kernel.
+
+    The tables are a cache: they are filled mode by mode as the motion asks for them.
+
+    Attributes:
+        system: The interconnection.
+    """
+
+    system: Interconnection
+    _modes: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if np.prod(self.shape, dtype=float) > MOST_MODES:
+            raise UnsupportedMotionError(
+                f"{len(self.system.components)} components have more than {MOST_MODES} modes together"
+            )
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Layout of the extended state."""
+        return Layout.of(self.system)
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Number of modes of each component."""
+        return tuple(len(component.mode_names) for component in self.system.components)
+
+    def number(self, component_modes: tuple[int, ...]) -> int:
+        """Return the number of a mode."""
+        return int(np.ravel_multi_index(component_modes, self.shape))
+
+    def component_modes(self, number: int) -> tuple[int, ...]:
+        """Return the mode of each component."""
+        return tuple(int(mode) for mode in np.unravel_index(number, self.shape))
+
+    def mode(self, number: int) -> Mode:
+        """Return a mode, assembled when first asked for."""
+        if number not in self._modes:
+            self._modes[number] = assemble(self.system, self.component_modes(number))
+        return self._modes[number]
+
+    @cached_property
+    def tables(self) -> Tables:
+        """Empty tables for all modes."""
+        modes, size = int(np.prod(self.shape)), self.layout.size
+        guards = GUARDS_OF_COMPONENT * len(self.system.components)
+        return Tables(
+            known=np.zeros(modes, dtype=np.bool_),
+            step=np.zeros(modes),
+            whole=np.empty((modes, size, size)),
+            series=np.empty((modes, size, (DEGREE + 1) * size)),
+            bernstein=np.zeros((modes, size, guards * (DEGREE + 1))),
+            guard_rows=np.zeros((modes, guards, size)),
+            guard_count=np.zeros(modes, dtype=np.int64),
+            component=np.zeros((modes, guards), dtype=np.int64),
+            target=np.zeros((modes, guards, 2), dtype=np.int64),
+            reset=np.zeros((modes, guards, size, size)),
+            zeros=np.zeros((modes, guards, 2, GUARDS_OF_COMPONENT), dtype=np.int64),
+            number=np.zeros((modes, guards), dtype=np.int64),
+            deflation=deflation(),
+        )
+
+    def tabulate(self, number: int) -> None:
+        """Fill the tables of a mode."""
+        mode, tables, size = self.mode(number), self.tables, self.layout.size
+        series = step_series(mode.matrix, FORCING)
+        tables.step[number] = series.step
+        tables.whole[number] = series.whole.T
+        tables.series[number] = series.terms.transpose(2, 0, 1).reshape(size, -1)
+        tables.guard_count[number] = len(mode.guards)
+        if mode.guards:
+            rows = np.array([entry.guard.row for entry in mode.guards])
+            polynomials = guard_polynomials(rows, series)
+            tables.guard_rows[number, : len(rows)] = rows
+            tables.bernstein[number, :, : polynomials[..., 0].size] = polynomials.reshape(-1, size).T
+        for place, entry in enumerate(mode.guards):
+            self._tabulate_guard(number, place, mode, entry)
+        tables.known[number] = True
+
+    def _tabulate_guard(self, number: int, place: int, mode: Mode, entry: ComponentGuard) -> None:
+        tables = self.tables
+        tables.component[number, place] = entry.component
+        tables.number[number, place] = entry.number
+        reset = np.eye(self.layout.size)
+        first = self.layout.first_states[entry.component]
+        for each, row in enumerate(entry.guard.reached.resets):
+            reset[first + each] = row
+        tables.reset[number, place] = reset.T
+        for flavour, transition in enumerate((entry.guard.reached, entry.guard.jumped)):
+            after = list(mode.component_modes)
+            after[entry.component] = transition.target
+            tables.target[number, place, flavour] = self.number(tuple(after))
+            tables.zeros[number, place, flavour, : len(transition.zeros)] = transition.zeros

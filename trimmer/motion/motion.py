@@ -1,0 +1,179 @@
+"""The result of a simulation: events, and the exact state at any time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.component import EventKind
+from trimmer.motion.sampling import sample
+from trimmer.motion.tables import Log
+from trimmer.motion.taylor import DEGREE
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.motion.loops import Loop
+    from trimmer.motion.mode import Mode
+
+    Reals = NDArray[np.float64]
+
+
+class Outcome(Enum):
+    """How a simulation ended."""
+
+    COMPLETED = "reached the end"
+    CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
+    EVENT_LIMIT = "reached the greatest number of events"
+
+
+@dataclass(frozen=True)
+class Event:
+    """A change of mode.
+
+    Attributes:
+        time: s.
+        kind: What happened.
+        component: Which element, by name.
+        mode: Mode of that element afterwards.
+    """
+
+    time: float
+    kind: EventKind
+    component: str
+    mode: str
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A simulated motion, exact between and at its events.
+
+    Attributes:
+        loop: What moved.
+        duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
+        outcome: How the simulation ended.
+    """
+
+    loop: Loop
+    duration: float
+    outcome: Outcome
+    _log: Log = field(repr=False)
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """All events in order of time; simultaneous ones in the order in which they take effect."""
+        listed: list[Event] = []
+        for stretch in range(1, len(self._log.start)):
+            event = self._event(stretch)
+            if listed and _is_reversal(listed[-1], event):
+                listed[-1] = replace(event, kind=EventKind.SWITCH)
+            else:
+                listed.append(event)
+        return tuple(listed)
+
+    @property
+    def event_times(self) -> Reals:
+        """Times of the events, s."""
+        return np.array([event.time for event in self.events])
+
+    @property
+    def touches(self) -> int:
+        """How many times a guard came to zero without a change of mode, to rounding (grazing contact)."""
+        return int(self._log.touches.sum())
+
+    def state(self, times: ArrayLike) -> Reals:
+        """Return the states of the linear system, of shape (n,) + shape of the times (s)."""
+        layout = self.loop.modes.layout
+        rows = np.eye(layout.order, layout.size)
+        return self._values(times, lambda mode: rows)
+
+    def output(self, times: ArrayLike) -> Reals:
+        """Return the output y of the linear system at times (s)."""
+        model = self.loop.model
+        row = np.zeros((1, self.loop.modes.layout.size))
+        row[0, : self.loop.modes.layout.order] = model.C[0]
+        direct = model.D[0, 0]
+        values: Reals
+        (values,) = self._values(times, lambda mode: row + direct * self._element_output(mode))
+        return values
+
+    def element_input(self, times: ArrayLike) -> Reals:
+        """Return the input of the nonlinear element at times (s)."""
+        values: Reals
+        (values,) = self._values(times, lambda mode: mode.signals[0].input[None])
+        return values
+
+    def element_output(self, times: ArrayLike) -> Reals:
+        """Return the output of the nonlinear element, which drives the linear system, at times (s)."""
+        values: Reals
+        (values,) = self._values(times, self._element_output)
+        return values
+
+    def component_outputs(self, times: ArrayLike) -> Reals:
+        """Return the output of every component, in the order of ``loop.interconnection().labels``.
+
+        For friction this is its force, also while it sticks, where the force is what holding needs. Shape
+        (components,) + shape of the times (s).
+        """
+        return self._values(times, lambda mode: np.array([each.output for each in mode.signals]))
+
+    def _element_output(self, mode: Mode) -> Reals:
+        factors = np.array(self.loop.modes.system.element_factors)
+        row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
+        return row
+
+    def _values(self, times: ArrayLike, rows_of: Callable[[Mode], Reals]) -> Reals:
+        """Evaluate rows, which may differ from mode to mode, at times of any shape and order."""
+        instants = np.asarray(times, dtype=float)
+        if not ((instants >= 0) & (instants <= self.duration)).all():
+            raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
+        flat = instants.ravel()
+        sorted_already = bool((np.diff(flat) >= 0).all())
+        order = None if sorted_already else np.argsort(flat, kind="stable")
+        visited = np.unique(self._log.mode)
+        place = np.zeros(len(self.loop.modes.tables.step), dtype=np.int64)
+        place[visited] = np.arange(len(visited))
+        functionals = np.array([self._polynomials(int(mode), rows_of) for mode in visited])
+        values = np.empty((functionals.shape[2] // (DEGREE + 1), flat.size))
+        instants_in_order = flat if order is None else flat[order]
+        sample(self.loop.modes.tables, self._log, place, functionals, instants_in_order, values)
+        if order is not None:
+            values[:, order] = values.copy()
+        shaped: Reals = values.reshape(-1, *instants.shape)
+        return shaped
+
+    def _polynomials(self, number: int, rows_of: Callable[[Mode], Reals]) -> Reals:
+        """Return the coefficients of rows over a step as functionals of its initial state: (n, p (K + 1))."""
+        size = self.loop.modes.layout.size
+        terms = self.loop.modes.tables.series[number].reshape(size, DEGREE + 1, size)
+        rows = rows_of(self.loop.modes.mode(number))
+        functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
+        return functionals
+
+    def _event(self, stretch: int) -> Event:
+        log, modes = self._log, self.loop.modes
+        before = modes.mode(int(log.mode[stretch - 1]))
+        entry = before.guards[int(log.guard[stretch])]
+        transition = entry.guard.jumped if log.jumped[stretch] else entry.guard.reached
+        component = modes.system.components[entry.component]
+        return Event(
+            time=float(log.start[stretch]),
+            kind=transition.kind,
+            component=modes.system.labels[entry.component],
+            mode=component.mode_names[transition.target],
+        )
+
+
+def _is_reversal(first: Event, second: Event) -> bool:
+    """Tell whether sliding reversed without rest: it stuck and slipped at one instant."""
+    return (
+        first.kind is EventKind.STICK
+        and second.kind is EventKind.SLIP
+        and first.component == second.component
+        and first.time == second.time
+    )

@@ -1,0 +1,104 @@
+"""A set-valued sign function in the time domain: ideal relay, and Coulomb friction with true stick."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.motion.component import (
+    Component,
+    Constrained,
+    EventKind,
+    Explicit,
+    Guard,
+    OutputLaw,
+    Signals,
+    Transition,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+PLUS, MINUS, HELD = range(3)
+
+
+@final
+@dataclass(frozen=True)
+class RelayComponent(Component):
+    """Output level * sign(s), anything between at s = 0, with s the input or its rate.
+
+    Where the output works against the rate of s, s can be held at zero (a sliding mode; stick, if s is a
+    velocity) by the output that does so, as long as its size does not exceed the level (Filippov 1988).
+
+    Attributes:
+        level: Size of the output, > 0.
+        of_rate: Whether s is the rate of the input, as for friction whose input is a displacement.
+    """
+
+    level: float
+    of_rate: bool
+
+    @property
+    def name(self) -> str:
+        """What it is called in events."""
+        return "friction" if self.of_rate else "relay"
+
+    @property
+    def mode_names(self) -> tuple[str, ...]:
+        """Names of the modes."""
+        return ("plus", "minus", "held")
+
+    @property
+    def state_count(self) -> int:
+        """None."""
+        return 0
+
+    @property
+    def output_jumps(self) -> bool:
+        """True."""
+        return True
+
+    @property
+    def continuous_rates(self) -> int:
+        """The switching function must not jump."""
+        return 1 if self.of_rate else 0
+
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return the level with its sign, or a constraint."""
+        if mode == HELD:
+            return Constrained()
+        return Explicit(0.0, (), self.level if mode == PLUS else -self.level)
+
+    def state_rates(self, mode: int) -> Reals:
+        """Return an empty matrix."""
+        return np.zeros((0, 0))
+
+    def switching_function(self, signals: Signals) -> Reals:
+        """Return s."""
+        return signals.input_rate if self.of_rate else signals.input
+
+    def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
+        """Return s with its sign, or the distances of the holding output from its limits."""
+        if mode == HELD:
+            return self._limits(signals)
+        side, other = (1.0, MINUS) if mode == PLUS else (-1.0, PLUS)
+        reverse, jump = (Transition(EventKind.SWITCH, other, (), (zeros,)) for zeros in (1, 0))
+        stick = Transition(EventKind.STICK, HELD, (), (0, 0))
+        return (Guard(side * self.switching_function(signals), stick if attracting else reverse, jump),)
+
+    def _limits(self, signals: Signals) -> tuple[Guard, Guard]:
+        """Return the distances of the holding output from its limits; at a located slip s' is zero too."""
+        level = self.level * signals.one
+        forwards, backwards = (
+            [Transition(EventKind.SLIP, target, (), (zeros,)) for zeros in (2, 1)] for target in (PLUS, MINUS)
+        )
+        return Guard(level - signals.output, *forwards), Guard(level + signals.output, *backwards)
+
+    def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
+        """Start with the sign of s; held where s is zero."""
+        mode = HELD if switching_value == 0 else PLUS if switching_value > 0 else MINUS
+        return mode, np.zeros(0)

@@ -1,0 +1,101 @@
+"""Simulate a loop exactly, from event to event."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.initial import initial_stretch
+from trimmer.motion.kernel import (
+    CYCLING,
+    EVENT_LIMIT,
+    FULL,
+    REACHED_END,
+    UNKNOWN_MODE,
+    march,
+)
+from trimmer.motion.motion import Motion, Outcome
+from trimmer.motion.tables import Log
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from trimmer.motion.loops import Loop
+
+OUTCOMES = {
+    REACHED_END: Outcome.COMPLETED,
+    CYCLING: Outcome.CHATTERING,
+    EVENT_LIMIT: Outcome.EVENT_LIMIT,
+}
+FIRST_ROWS = 1024
+"""Stretches of motion that the log has room for at first; it doubles when it is full."""
+
+
+def simulate(
+    loop: Loop,
+    duration: float,
+    *,
+    initial_state: ArrayLike | None = None,
+    impulse: float = 0.0,
+    element_output: float = 0.0,
+    event_limit: int = 1_000_000,
+) -> Motion:
+    """Follow the motion of a loop from t = 0.
+
+    Between events the state is known in closed form (a matrix exponential, with the drive among the states);
+    events are found on it as zeros of polynomials whose truncation is below rounding.
+
+    Args:
+        loop: What moves.
+        duration: Length of the motion, > 0, s.
+        initial_state: States of ``loop.model`` at t = 0, of shape (n,); zeros if not given. Only for a system
+            that was given in state space, since a transfer function has no states of its own.
+        impulse: Strength of an impulse at the input of the linear system at t = 0, in the unit of that input
+            times s; it adds B * impulse to the states.
+        element_output: Position of a load behind a backlash at t = 0, m, at rest; where the pin would lie
+            outside the gap, the load starts in contact instead.
+        event_limit: Greatest number of events.
+
+    Returns:
+        The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit.
+
+    Raises:
+        ValueError: if an argument is out of range, or the loop is not well posed.
+        UnsupportedMotionError: if the element or the system cannot be simulated.
+    """
+    if not (math.isfinite(duration) and duration > 0):
+        raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
+    if event_limit < 1:
+        raise ValueError(f"event_limit must be at least 1, not {event_limit!r}")
+    modes = loop.modes
+    mode, state = initial_stretch(loop, modes, initial_state, impulse, element_output)
+    log = _log(FIRST_ROWS, state.size)
+    log.mode[0], log.state[0], log.guard[0] = mode, state, -1
+    stretch = 0
+    while True:
+        reason, stretch, reached = march(modes.tables, log, stretch, duration, event_limit + 1)
+        if reason == UNKNOWN_MODE:
+            modes.tabulate(int(log.mode[stretch]))
+        elif reason == FULL:
+            log = _longer(log)
+        else:
+            used = Log._make(column[: stretch + 1].copy() for column in log)
+            return Motion(loop, float(reached), OUTCOMES[reason], used)
+
+
+def _log(rows: int, size: int) -> Log:
+    return Log(
+        start=np.zeros(rows),
+        mode=np.zeros(rows, dtype=np.int64),
+        state=np.zeros((rows, size)),
+        guard=np.zeros(rows, dtype=np.int64),
+        jumped=np.zeros(rows, dtype=np.bool_),
+        touches=np.zeros(rows, dtype=np.int64),
+    )
+
+
+def _longer(log: Log) -> Log:
+    """Return a log with twice the room."""
+    return Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)

@@ -1,0 +1,105 @@
+"""The flow of a mode over one step as a polynomial, and its guards in Bernstein form."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.linalg
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+
+DEGREE = 24
+"""Degree of the polynomials; with the step below, what follows is less than rounding."""
+REMAINDER = 2.0**-56
+"""Bound of the next term of the series of exp(M h), in balanced coordinates."""
+LONGEST_STEP = 1e6
+"""Step for motions that do not change at all, s."""
+
+
+@dataclass(frozen=True)
+class StepSeries:
+    """exp(M s h) for 0 <= s <= 1.
+
+    Attributes:
+        step: h, s.
+        terms: (M h)^k / k! for k = 0 to DEGREE, each n x n.
+    """
+
+    step: float
+    terms: Reals
+
+    @property
+    def whole(self) -> Reals:
+        """exp(M h)."""
+        whole: Reals = self.terms[::-1].sum(axis=0)
+        return whole
+
+
+def step_series(matrix: Reals, forcing: int) -> StepSeries:
+    """Return the series of a flow, for the longest step at which it is exact to rounding.
+
+    Args:
+        matrix: M, n x n, 1/s.
+        forcing: How many of the last entries of the state force the others and are not forced by them; their
+            size has nothing to do with how fast the series converges, so the step does not depend on it.
+    """
+    free, forced = matrix[:-forcing, :-forcing], matrix[-forcing:, -forcing:]
+    step = min(_longest_step(free), _longest_step(forced), LONGEST_STEP)
+    terms = np.empty((DEGREE + 1, *matrix.shape))
+    terms[0] = np.eye(matrix.shape[0])
+    scaled = matrix * step
+    for k in range(1, DEGREE + 1):
+        np.matmul(scaled, terms[k - 1], out=terms[k])
+        terms[k] /= k
+    return StepSeries(step, terms)
+
+
+def _longest_step(matrix: Reals) -> float:
+    balanced = scipy.linalg.matrix_balance(matrix, permute=False)[0]
+    size = float(np.linalg.norm(balanced, 1))
+    if size == 0.0:
+        return math.inf
+    power = np.linalg.matrix_power(balanced / size, DEGREE + 1)
+    smallest = float(np.finfo(float).tiny)
+    growth = size * max(float(np.linalg.norm(power, 1)), smallest) ** (1 / (DEGREE + 1))
+    return float((REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1)) / growth)
+
+
+def guard_polynomials(rows: Reals, series: StepSeries) -> Reals:
+    """Return the Bernstein coefficients of guards over one step, as functionals of its initial state.
+
+    Args:
+        rows: Guards, g x n.
+        series: The flow.
+
+    Returns:
+        Array (g, DEGREE + 1, n).
+    """
+    taylor = np.einsum("gi,kij->gkj", rows, series.terms)
+    polynomials: Reals = np.einsum("bk,gkj->gbj", bernstein_from_taylor(), taylor)
+    return polynomials
+
+
+@cache
+def bernstein_from_taylor() -> Reals:
+    """Return the matrix that turns coefficients of s^k into Bernstein coefficients on [0, 1]."""
+    return np.array(
+        [[math.comb(i, k) / math.comb(DEGREE, k) for k in range(DEGREE + 1)] for i in range(DEGREE + 1)]
+    )
+
+
+@cache
+def deflation() -> Reals:
+    """Return factors f[m, i]: if s^m p(s) has the Bernstein coefficients b, p has f[m, i] b[m + i]."""
+    factors = np.zeros((4, DEGREE + 1))
+    for m in range(4):
+        for i in range(DEGREE + 1 - m):
+            factors[m, i] = math.comb(DEGREE, i + m) / math.comb(DEGREE - m, i)
+    return factors

@@ -1,0 +1,97 @@
+"""The trimmer in motion: play at the pin, and friction between any two of its bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+import scipy.linalg
+
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.linear import InputChannels, pin_model
+from trimmer.motion.components import components_of
+from trimmer.motion.interconnection import Interconnection
+from trimmer.motion.loops import Loop, element_around
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.elements.element import Element
+    from trimmer.motion.drive import Drive
+    from trimmer.parameters import TrimmerParameters
+
+
+@final
+@dataclass(frozen=True)
+class BodyFriction:
+    """A force between two bodies that depends on the displacement of one relative to the other.
+
+    Attributes:
+        between: The relative displacement, or that of one body from the ground.
+        law: Force against that displacement, N: ``CoulombFriction``, ``ViscousFriction``, a sum of them.
+            A negative factor would drive the bodies instead.
+    """
+
+    between: Displacement
+    law: Element
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class TrimmerLoop(Loop):
+    """The linear trimmer with an element between pin and bridge, and with friction between bodies.
+
+    Attributes:
+        parameters: The trimmer.
+        element: Play between pin and driving bridge; None for a pin without play.
+        drive: Motion of the pin relative to the motor; None for the closed loop of harmonic balance, where
+            the pin follows -y.
+        output: y.
+        channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
+            too.
+        frictions: Forces between bodies.
+    """
+
+    parameters: TrimmerParameters
+    element: Element | None = None
+    drive: Drive | None = None
+    output: Displacement = CUTTER_RELATIVE_TO_GUARD
+    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY
+    frictions: tuple[BodyFriction, ...] = field(default=())
+
+    @property
+    def model(self) -> control.StateSpace:
+        """The linear trimmer from the bridge's motion to y."""
+        return pin_model(self.parameters, self.output, self.channels)
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations."""
+        base = element_around(self.model, self.element, self.drive)
+        if not self.frictions:
+            return base
+        parts = [
+            (component, factor, friction.between)
+            for friction in self.frictions
+            for component, factor in components_of(friction.law)
+        ]
+        forces = np.array([factor * self._acceleration(between) for _, factor, between in parts]).T
+        rows = np.array([between.row + (0.0,) * len(between.row) for _, _, between in parts])
+        return Interconnection(
+            A=base.A,
+            B=np.hstack([base.B, forces]),
+            C=np.vstack([base.C, rows]),
+            D=scipy.linalg.block_diag(base.D, np.zeros((len(parts), len(parts)))),
+            drive_gain=np.append(base.drive_gain, np.zeros(len(parts))),
+            components=base.components + tuple(component for component, _, _ in parts),
+            labels=base.labels
+            + tuple(f"{component.name} {between.label}" for component, _, between in parts),
+            drive=base.drive,
+            element_factors=base.element_factors,
+        )
+
+    def _acceleration(self, between: Displacement) -> np.ndarray:
+        """Return the rates of all states due to a unit force that works against a relative displacement."""
+        values = self.parameters
+        masses = np.array([values.m1, values.m2, values.m3, values.m4])
+        return np.concatenate([np.zeros(len(masses)), -np.array(between.row) / masses])
