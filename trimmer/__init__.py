@@ -79,6 +79,13 @@ if TYPE_CHECKING:
     from trimmer.motion.trimmer_loop import TrimmerLoop as TrimmerLoop
     from trimmer.nyquist import PointOnLocusError as PointOnLocusError
     from trimmer.nyquist import encirclements as encirclements
+    from trimmer.orbits.errors import OrbitNotFoundError as OrbitNotFoundError
+    from trimmer.orbits.errors import OrbitNotFoundWarning as OrbitNotFoundWarning
+    from trimmer.orbits.forced_orbit import forced_orbit as forced_orbit
+    from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
+    from trimmer.orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
+    from trimmer.orbits.periodic_orbits import periodic_orbits as periodic_orbits
     from trimmer.parameters import ParameterError as ParameterError
     from trimmer.parameters import TrimmerParameters as TrimmerParameters
     from trimmer.parameters import parameter_table as parameter_table
@@ -91,6 +98,7 @@ if TYPE_CHECKING:
     __version__: str
 
 _MODULES = {
+    "BalancedHarmonics": "orbits.multi_harmonic_balance",
     "Body": "displacement",
     "BodyFriction": "motion.trimmer_loop",
     "CUTTER_RELATIVE_TO_GUARD": "displacement",
@@ -119,8 +127,11 @@ _MODULES = {
     "Mode": "modal_analysis",
     "Motion": "motion.motion",
     "OpenLoop": "motion.loops",
+    "OrbitNotFoundError": "orbits.errors",
+    "OrbitNotFoundWarning": "orbits.errors",
     "Outcome": "motion.motion",
     "ParameterError": "parameters",
+    "PeriodicOrbit": "orbits.periodic_orbit",
     "PointOnLocusError": "nyquist",
     "RealAxisCrossing": "crossings",
     "Relay": "elements.relay",
@@ -146,6 +157,7 @@ _MODULES = {
     "dips": "extrema",
     "encirclements": "nyquist",
     "filtering_ratio": "low_pass",
+    "forced_orbit": "orbits.forced_orbit",
     "frequency_response": "frequency_domain",
     "gain_crossings": "crossings",
     "harmonic_balance": "balance.solve",
@@ -155,7 +167,9 @@ _MODULES = {
     "linear_model": "linear",
     "local_slope": "low_pass",
     "modes": "modal_analysis",
+    "multi_harmonic_balance": "orbits.multi_harmonic_balance",
     "parameter_table": "parameters",
+    "periodic_orbits": "orbits.periodic_orbits",
     "pin_model": "linear",
     "real_axis_crossings": "crossings",
     "resonance_peaks": "extrema",

@@ -61,6 +61,10 @@ class BacklashComponent(Component):
         """None: a jump of the contact force leads to separation."""
         return 0
 
+    def mirrored(self, mode: int) -> int:
+        """Return the mode on the other side."""
+        return (FREE, LOWER, UPPER)[mode]
+
     def output_law(self, mode: int) -> OutputLaw:
         """Return the position of the load."""
         if mode == FREE:

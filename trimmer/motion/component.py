@@ -133,6 +133,10 @@ class Component(ABC):
         """How many derivatives of the input, besides the input itself, must not jump."""
 
     @abstractmethod
+    def mirrored(self, mode: int) -> int:
+        """Return the mode that takes the place of one when input, states and output change their signs."""
+
+    @abstractmethod
     def output_law(self, mode: int) -> OutputLaw:
         """Return how the output follows in a mode."""
 

@@ -57,18 +57,19 @@ class Motion:
         loop: What moved.
         duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
         outcome: How the simulation ended.
+        log: The stretches between events, as the compiled march wrote them.
     """
 
     loop: Loop
     duration: float
     outcome: Outcome
-    _log: Log = field(repr=False)
+    log: Log = field(repr=False)
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """All events in order of time; simultaneous ones in the order in which they take effect."""
         listed: list[Event] = []
-        for stretch in range(1, len(self._log.start)):
+        for stretch in range(1, len(self.log.start)):
             event = self._event(stretch)
             if listed and _is_reversal(listed[-1], event):
                 listed[-1] = replace(event, kind=EventKind.SWITCH)
@@ -84,7 +85,7 @@ class Motion:
     @property
     def touches(self) -> int:
         """How many times a guard came to zero without a change of mode, to rounding (grazing contact)."""
-        return int(self._log.touches.sum())
+        return int(self.log.touches.sum())
 
     def state(self, times: ArrayLike) -> Reals:
         """Return the states of the linear system, of shape (n,) + shape of the times (s)."""
@@ -135,13 +136,13 @@ class Motion:
         flat = instants.ravel()
         sorted_already = bool((np.diff(flat) >= 0).all())
         order = None if sorted_already else np.argsort(flat, kind="stable")
-        visited = np.unique(self._log.mode)
+        visited = np.unique(self.log.mode)
         place = np.zeros(len(self.loop.modes.tables.step), dtype=np.int64)
         place[visited] = np.arange(len(visited))
         functionals = np.array([self._polynomials(int(mode), rows_of) for mode in visited])
         values = np.empty((functionals.shape[2] // (DEGREE + 1), flat.size))
         instants_in_order = flat if order is None else flat[order]
-        sample(self.loop.modes.tables, self._log, place, functionals, instants_in_order, values)
+        sample(self.loop.modes.tables, self.log, place, functionals, instants_in_order, values)
         if order is not None:
             values[:, order] = values.copy()
         shaped: Reals = values.reshape(-1, *instants.shape)
@@ -156,7 +157,7 @@ class Motion:
         return functionals
 
     def _event(self, stretch: int) -> Event:
-        log, modes = self._log, self.loop.modes
+        log, modes = self.log, self.loop.modes
         before = modes.mode(int(log.mode[stretch - 1]))
         entry = before.guards[int(log.guard[stretch])]
         transition = entry.guard.jumped if log.jumped[stretch] else entry.guard.reached

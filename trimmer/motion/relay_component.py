@@ -67,6 +67,10 @@ class RelayComponent(Component):
         """The switching function must not jump."""
         return 1 if self.of_rate else 0
 
+    def mirrored(self, mode: int) -> int:
+        """Return the mode on the other side."""
+        return (MINUS, PLUS, HELD)[mode]
+
     def output_law(self, mode: int) -> OutputLaw:
         """Return the level with its sign, or a constraint."""
         if mode == HELD:

@@ -45,6 +45,10 @@ class RigidComponent(Component):
         """None."""
         return 0
 
+    def mirrored(self, mode: int) -> int:
+        """Return the mode on the other side."""
+        return mode
+
     def output_law(self, mode: int) -> OutputLaw:
         """Return the identity."""
         return Explicit(1.0, (), 0.0)

@@ -51,6 +51,10 @@ class ViscousComponent(Component):
         """None."""
         return 0
 
+    def mirrored(self, mode: int) -> int:
+        """Return the mode on the other side."""
+        return mode
+
     def output_law(self, mode: int) -> OutputLaw:
         """Return the proportionality."""
         return RateProportional(self.coefficient)

@@ -1,0 +1,104 @@
+"""Exact periodic motion of driven loops."""
+
+from __future__ import annotations
+
+import control
+import numpy as np
+import pytest
+
+from trimmer import (
+    Body,
+    BodyFriction,
+    ClosedLoop,
+    CoulombFriction,
+    Displacement,
+    Drive,
+    Element,
+    FrictionBacklash,
+    InertiaBacklash,
+    InputChannels,
+    OpenLoop,
+    OrbitNotFoundError,
+    TrimmerLoop,
+    TrimmerParameters,
+    ViscousBacklash,
+    forced_orbit,
+    pin_model,
+    simulate,
+)
+
+DRIVE = Drive(0.0015, 2 * np.pi * 109.845)
+CUTTER_ON_GUARD = Displacement(Body.CUTTER, Body.GUARD)
+
+
+def open_loop(element: Element, drive: Drive = DRIVE) -> OpenLoop:
+    system = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
+    return OpenLoop(system, element, drive)
+
+
+@pytest.mark.parametrize(
+    "element", [FrictionBacklash(2e-4), ViscousBacklash(2e-4, 1e-3), InertiaBacklash(2e-4)]
+)
+def test_motion_behind_play_repeats_with_the_drive(element: Element) -> None:
+    loop = open_loop(element)
+    orbit = forced_orbit(loop)
+    later = simulate(loop, 1.0)
+    times = np.linspace(0.97, 1.0, 301)
+    exact = orbit.motion.output(np.mod(times, orbit.period))
+    assert later.output(times) == pytest.approx(exact, abs=1e-12)
+    assert orbit.stable
+
+
+def test_without_play_it_is_the_frequency_response() -> None:
+    parameters = TrimmerParameters.thesis()
+    orbit = forced_orbit(TrimmerLoop(parameters, drive=DRIVE))
+    times = np.linspace(0.0, orbit.period, 50, endpoint=False)
+    gain = complex(pin_model(parameters)(1j * DRIVE.omega))
+    expected = (gain * DRIVE.amplitude * np.exp(1j * DRIVE.omega * times)).imag
+    assert orbit.motion.output(times) == pytest.approx(expected, abs=1e-14)
+    modes = np.exp(np.linalg.eigvals(pin_model(parameters).A) * DRIVE.period)
+    assert np.sort(abs(orbit.multipliers)) == pytest.approx(np.sort(abs(modes)), rel=1e-9)
+
+
+@pytest.mark.parametrize("force", [0.25, 0.75, 5.0])
+def test_friction_that_sticks_and_slips_repeats_too(force: float) -> None:
+    friction = BodyFriction(CUTTER_ON_GUARD, CoulombFriction(force))
+    loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(2e-4), DRIVE, frictions=(friction,))
+    orbit = forced_orbit(loop)
+    later = simulate(loop, 1.0)
+    times = np.linspace(0.97, 1.0, 301)
+    exact = orbit.motion.output(np.mod(times, orbit.period))
+    assert later.output(times) == pytest.approx(exact, abs=1e-11)
+
+
+def test_friction_that_never_slips_leaves_the_place_open() -> None:
+    friction = BodyFriction(CUTTER_ON_GUARD, CoulombFriction(500.0))
+    loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(2e-4), DRIVE, frictions=(friction,))
+    orbit = forced_orbit(loop)
+    times = np.linspace(0.0, orbit.period, 50, endpoint=False)
+    assert np.ptp(orbit.motion.output(times)) < 1e-12
+    # Cutter and guard could be stuck elsewhere as well: a shift neither grows nor decays. The multiplier one
+    # is double (position and velocity), so rounding enters by its square root.
+    assert abs(orbit.multipliers - 1).min() < 1e-6
+    assert not orbit.stable
+
+
+def test_a_drive_within_the_gap_moves_nothing() -> None:
+    orbit = forced_orbit(open_loop(FrictionBacklash(4e-5), Drive(1.9e-5, 600.0)))
+    assert orbit.amplitude == pytest.approx(1.9e-5)
+    assert len(orbit.switching_times) == 0
+    assert not orbit.motion.output(np.linspace(0, orbit.period, 9)).any()
+
+
+def test_only_a_driven_loop_has_a_forced_motion() -> None:
+    system = control.tf([1], [1, 1, 1])
+    with pytest.raises(ValueError, match="periodic_orbits"):
+        forced_orbit(ClosedLoop(system, FrictionBacklash(1.0)))
+    with pytest.raises(ValueError, match="settling"):
+        forced_orbit(open_loop(FrictionBacklash(4e-5)), settling=-1)
+
+
+def test_an_unstable_system_has_no_settling_motion_to_find() -> None:
+    growing = OpenLoop(control.tf([1], [1, -1, 0]), FrictionBacklash(1.0), Drive(2.0, 1.0))
+    with pytest.raises(OrbitNotFoundError):
+        forced_orbit(growing)

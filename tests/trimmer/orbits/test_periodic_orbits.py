@@ -1,0 +1,176 @@
+"""Exact limit cycles: against closed forms, long simulations, and the balance of every harmonic."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import control
+import numpy as np
+import pytest
+import scipy.linalg
+import scipy.optimize
+
+from trimmer import (
+    ClosedLoop,
+    CoulombFriction,
+    FrictionBacklash,
+    InertiaBacklash,
+    InputChannels,
+    OrbitNotFoundWarning,
+    PeriodicOrbit,
+    Relay,
+    TrimmerParameters,
+    ViscousBacklash,
+    periodic_orbits,
+    pin_model,
+    simulate,
+)
+from trimmer.elements.element import Element
+from trimmer.orbits.return_map import arcs, flow, follow
+
+THIRD_ORDER = [
+    control.tf([1], [1, 2, 1, 0]),
+    control.tf([1], [1, 3, 3, 1]),
+    control.tf([2], np.polymul([1, 0.4, 4], [1, 1])),
+]
+BACKLASHES = [FrictionBacklash(1.0), ViscousBacklash(1.0, 3e-4), InertiaBacklash(1.0)]
+
+
+def thesis_loop() -> control.StateSpace:
+    return pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
+
+
+def tsypkin_half_period(system: control.StateSpace, near: float) -> float:
+    """Solve for the half period of an ideal relay in closed form (Tsypkin 1984; Åström 1995)."""
+    A, B, C = system.A, system.B, system.C
+
+    def switching(half: float) -> float:
+        order = len(A)
+        augmented = np.zeros((order + 1, order + 1))
+        augmented[:order, :order], augmented[:order, order:] = A, B
+        flow = scipy.linalg.expm(augmented * half)
+        at_switch = -np.linalg.solve(np.eye(order) + flow[:order, :order], flow[:order, order])
+        return float(C[0] @ at_switch)
+
+    return float(scipy.optimize.brentq(switching, 0.8 * near, 1.2 * near, xtol=1e-14))
+
+
+@pytest.mark.parametrize("plant", THIRD_ORDER)
+def test_relay_has_the_period_and_multipliers_of_its_closed_form(plant: control.TransferFunction) -> None:
+    (orbit,) = periodic_orbits(plant, Relay(1.0))
+    model = ClosedLoop(plant, Relay(1.0)).model
+    half = tsypkin_half_period(model, 0.5 * orbit.period)
+    assert orbit.period == pytest.approx(2 * half, rel=1e-11)
+    # Derivative of the map from switch to switch: (I - f c / (c f)) exp(A half), f being the rate there.
+    flow = scipy.linalg.expm(model.A * half)
+    at_switch = orbit.motion.state(orbit.switching_times[0])
+    plus = orbit.motion.element_output(orbit.switching_times[0] * (1 - 1e-9))
+    rate = model.A @ at_switch + model.B[:, 0] * plus
+    projection = np.eye(len(flow)) - np.outer(rate, model.C[0]) / (model.C[0] @ rate)
+    expected = np.sort(abs(np.linalg.eigvals(projection @ flow)) ** 2)[1:]
+    assert np.sort(abs(orbit.nontrivial_multipliers)) == pytest.approx(expected, rel=1e-6, abs=1e-12)
+    assert orbit.stable == bool((expected < 1).all())
+
+
+@pytest.mark.parametrize("element", BACKLASHES)
+def test_stable_orbit_is_where_a_long_simulation_ends(element: Element) -> None:
+    orbit = periodic_orbits(thesis_loop(), element)[0]
+    motion = simulate(ClosedLoop(thesis_loop(), element), 1.0, impulse=0.5)
+    times = motion.event_times
+    assert orbit.stable
+    assert times[-1] - times[-5] == pytest.approx(orbit.period, rel=1e-9)
+    last = motion.element_input(np.linspace(0.99, 1.0, 20001))
+    assert 0.5 * np.ptp(last) == pytest.approx(orbit.amplitude, rel=1e-6)
+
+
+@pytest.mark.parametrize("element", BACKLASHES)
+def test_multipliers_are_those_of_disturbed_motions(element: Element) -> None:
+    for orbit in periodic_orbits(thesis_loop(), element):
+        loop, start, mode = orbit.motion.loop, orbit.motion.log.state[0], int(orbit.motion.log.mode[0])
+        order = loop.modes.layout.order
+        sizes = abs(orbit.motion.state(np.linspace(0, orbit.period, 100))).max(axis=1)
+        columns = []
+        for each in range(order):
+            ends = []
+            for sign in (-1.0, 1.0):
+                disturbed = start.copy()
+                disturbed[each] += sign * 1e-6 * sizes[each]
+                log = follow(loop.modes, mode, disturbed, orbit.period)
+                assert log is not None
+                last = arcs(loop.modes, log, orbit.period)[-1]
+                ends.append((flow(loop.modes, last.mode, last.duration) @ last.state)[:order] / sizes)
+            columns.append((ends[1] - ends[0]) / 2e-6)
+        differences = np.sort(abs(np.linalg.eigvals(np.array(columns).T)))
+        assert np.sort(abs(orbit.multipliers)) == pytest.approx(differences, rel=1e-5, abs=1e-7)
+
+
+def piece(orbit: PeriodicOrbit, number: int, begin: float, end: float) -> complex:
+    """Integrate the output of the element times exp(-j n omega t) over a smooth piece."""
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    times = begin + 0.5 * (end - begin) * (nodes + 1.0)
+    values = orbit.motion.element_output(times) * np.exp(-1j * number * orbit.omega * times)
+    return complex(0.5 * (end - begin) * (values @ weights))
+
+
+@pytest.mark.parametrize("element", [*BACKLASHES, FrictionBacklash(1.0) + CoulombFriction(0.01)])
+def test_every_harmonic_is_in_balance(element: Element) -> None:
+    system = thesis_loop()
+    for orbit in periodic_orbits(system, element):
+        breaks = np.concatenate([[0.0], orbit.switching_times, [orbit.period]])
+        for number in (1, 3, 5):
+            integral = sum(piece(orbit, number, *ends) for ends in pairwise(breaks))
+            returned = -complex(system(1j * number * orbit.omega)) * integral * 2j / orbit.period
+            scale = abs(orbit.harmonics[0])
+            assert abs(orbit.harmonics[number - 1] - returned) < 1e-11 * scale
+        assert abs(orbit.harmonics[1::2]).max() < 1e-12 * abs(orbit.harmonics[0])
+
+
+def test_one_multiplier_is_one_and_residual_is_rounding() -> None:
+    for element in BACKLASHES:
+        for orbit in periodic_orbits(thesis_loop(), element):
+            assert abs(orbit.multipliers - 1).min() < 1e-9
+            assert orbit.residual < 1e-13
+            assert len(orbit.multipliers) == 8
+            assert len(orbit.nontrivial_multipliers) == 7
+
+
+@pytest.mark.parametrize("gap", [1e-9, 4e-6, 1e3])
+def test_orbit_scales_with_the_gap(gap: float) -> None:
+    unit = periodic_orbits(thesis_loop(), FrictionBacklash(1.0))
+    scaled = periodic_orbits(thesis_loop(), FrictionBacklash(gap))
+    for first, second in zip(unit, scaled, strict=True):
+        assert second.amplitude == pytest.approx(gap * first.amplitude, rel=1e-11)
+        assert second.period == pytest.approx(first.period, rel=1e-11)
+        assert abs(second.multipliers) == pytest.approx(abs(first.multipliers), rel=1e-6, abs=1e-9)
+
+
+def test_prediction_and_its_error_stand_beside_the_orbit() -> None:
+    orbit = periodic_orbits(thesis_loop(), FrictionBacklash(4e-6))[0]
+    assert orbit.prediction is not None
+    assert orbit.prediction.amplitude == pytest.approx(orbit.amplitude * (1 + orbit.amplitude_error))
+    assert orbit.prediction.frequency == pytest.approx(orbit.frequency * (1 + orbit.frequency_error))
+    # 8.31520 gap at 733.6306 Hz by harmonic balance, 8.28949 gap at 733.5681 Hz exactly.
+    assert orbit.amplitude_error == pytest.approx(3.1e-3, rel=0.01)
+    assert orbit.frequency_error == pytest.approx(8.5e-5, rel=0.01)
+
+
+def test_guesses_are_pairs_too_and_lead_to_the_same_orbit_once() -> None:
+    expected = periodic_orbits(thesis_loop(), FrictionBacklash(1.0))[0]
+    found = periodic_orbits(thesis_loop(), FrictionBacklash(1.0), [(8.0, 4600.0), (8.5, 4620.0)])
+    assert len(found) == 1
+    assert found[0].period == pytest.approx(expected.period, rel=1e-12)
+    assert math.isnan(found[0].amplitude_error)
+
+
+def test_no_orbit_means_a_warning_and_an_empty_list() -> None:
+    with pytest.warns(OrbitNotFoundWarning, match="amplitude 2 and omega 9 rad/s"):
+        assert periodic_orbits(control.tf([1], [1, 1, 1]), FrictionBacklash(1.0), [(2.0, 9.0)]) == []
+    with pytest.warns(OrbitNotFoundWarning):  # Inside the gap.
+        assert periodic_orbits(thesis_loop(), FrictionBacklash(1.0), [(0.3, 4600.0)]) == []
+
+
+@pytest.mark.parametrize("guess", [(-1.0, 3.0), (1.0, 0.0), (math.nan, 1.0), (1.0, math.inf)])
+def test_a_guess_must_be_positive_and_finite(guess: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match="of a guess must be positive and finite"):
+        periodic_orbits(thesis_loop(), FrictionBacklash(1.0), [guess])

@@ -1,0 +1,1 @@
+"""Exact periodic motions of switched loops: period, waveform, Floquet multipliers."""

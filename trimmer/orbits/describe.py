@@ -1,0 +1,55 @@
+"""From a state that returns to the description of its orbit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.motion import Motion, Outcome
+from trimmer.orbits.measures import extremes
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.return_map import arcs, follow
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.motion.loops import Loop
+    from trimmer.orbits.shooting import Return, Shot
+
+    Complexes = NDArray[np.complex128]
+
+
+def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | None) -> PeriodicOrbit:
+    """Describe the orbit of a state that returns."""
+    modes = loop.modes
+    chain = arcs(modes, shot.log, shot.span)
+    lowest, highest = extremes(modes, chain)
+    if problem.mirrored:
+        lowest, highest = min(lowest, -highest), max(highest, -lowest)
+    period = 2.0 * shot.span if problem.mirrored else shot.span
+    log = follow(modes, shot.mode, shot.state, period)
+    assert log is not None, "half of it was followed before"
+    return PeriodicOrbit(
+        period=period,
+        amplitude=0.5 * (highest - lowest),
+        multipliers=_multipliers(problem, shot),
+        driven=problem.driven,
+        residual=shot.miss,
+        motion=Motion(loop, period, Outcome.COMPLETED, log),
+        prediction=prediction,
+    )
+
+
+def _multipliers(problem: Return, shot: Shot) -> Complexes:
+    """Return the eigenvalues of the derivative of the return.
+
+    A load that is in contact once in a period has no freedom of its own, so as many are zero as components
+    have states; they are left out.
+    """
+    free = slice(problem.count)
+    values = np.linalg.eigvals((shot.slope[free, free] * problem.sizes[free]) / problem.sizes[free, None])
+    over_period = values**2 if problem.mirrored else values
+    largest_first = np.argsort(-abs(over_period), kind="stable")
+    return over_period[largest_first][: problem.modes.layout.order].astype(complex)

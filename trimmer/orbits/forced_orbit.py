@@ -1,0 +1,87 @@
+"""The exact periodic motion of a driven loop."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.initial import initial_stretch
+from trimmer.orbits.describe import orbit_of
+from trimmer.orbits.errors import OrbitNotFoundError
+from trimmer.orbits.return_map import arcs, flow, follow
+from trimmer.orbits.shooting import Return, solve
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.loops import Loop
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+    Reals = NDArray[np.float64]
+
+SETTLING = (8, 64, 512)
+"""Periods after which Newton's method is tried, one after the other, unless told otherwise."""
+
+
+def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
+    """Find the motion that repeats with the drive, starting from rest.
+
+    The loop is followed until its transients have decayed somewhat; from there Newton's method finds the
+    state that returns after one period of the drive.
+
+    Args:
+        loop: A loop with a drive.
+        settling: Periods of the drive to follow before Newton's method; 8, 64 and 512 if not given.
+
+    Returns:
+        The orbit, with the period of the drive. Its multipliers have no trivial one; a load at rest in its
+        gap, which could rest elsewhere as well, gives one that is 1.
+
+    Raises:
+        ValueError: if the loop has no drive, or ``settling`` is negative.
+        OrbitNotFoundError: if Newton's method finds no motion with the period of the drive.
+    """
+    drive = loop.modes.system.drive
+    if drive is None:
+        raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
+    if settling is not None and settling < 0:
+        raise ValueError(f"settling must not be negative, not {settling!r}")
+    mode, state = initial_stretch(loop, loop.modes, None, 0.0, 0.0)
+    followed = 0
+    for periods in SETTLING if settling is None else (settling,):
+        mode, state = _later(loop, mode, state, (periods - followed) * drive.period)
+        followed = periods
+        problem = Return(loop.modes, mirrored=False, driven=True, sizes=_sizes(loop, mode, state))
+        shot = solve(problem, mode, state, drive.period)
+        if shot is not None:
+            return orbit_of(loop, problem, shot, None)
+    raise OrbitNotFoundError(
+        f"no motion with the period of the drive, {drive.period:.6g} s, was found after {followed} periods; "
+        "the motion may repeat only after several periods, or not at all"
+    )
+
+
+def _later(loop: Loop, mode: int, state: Reals, duration: float) -> tuple[int, Reals]:
+    """Return mode and extended state after a time that is a whole number of periods, s."""
+    if duration == 0.0:
+        return mode, state
+    log = follow(loop.modes, mode, state, duration)
+    if log is None:
+        raise OrbitNotFoundError("events accumulate; simulate() tells where")
+    last = arcs(loop.modes, log, duration)[-1]
+    later = flow(loop.modes, last.mode, last.duration) @ last.state
+    # The drive begins its period anew, without the rounding of the march.
+    sine = loop.modes.layout.sine
+    later[sine:] = state[sine:]
+    return last.mode, later
+
+
+def _sizes(loop: Loop, mode: int, state: Reals) -> Reals:
+    """Return the size that each entry of the state reaches within a period."""
+    drive = loop.modes.system.drive
+    assert drive is not None
+    log = follow(loop.modes, mode, state, drive.period)
+    sizes: Reals = abs(state if log is None else np.vstack([log.state, state])).max(axis=0)
+    sizes[sizes == 0.0] = 1.0
+    return sizes

@@ -1,0 +1,108 @@
+"""From a prediction of harmonic balance to a state from which the exact orbit can be found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.elements.scaled_element import ScaledElement
+from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.elements.element import Element
+    from trimmer.motion.component import Component
+    from trimmer.motion.loops import ClosedLoop
+
+    Reals = NDArray[np.float64]
+
+PHASES = 720
+"""Phases among which the one to start from is chosen."""
+TOUCHING = 1e-9
+"""Distance from a side of the gap, relative to the gap, at which there is contact."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where to start the search for an orbit.
+
+    Attributes:
+        mode: Mode of the loop.
+        state: Extended state.
+        sizes: Size of each entry of the state along the orbit.
+    """
+
+    mode: int
+    state: Reals
+    sizes: Reals
+
+
+def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
+    """Return the mode and extended state in which the loop would be on its first harmonic.
+
+    The phase is in the middle of a contact, or of a half period of a relay, so that no event is near.
+
+    Args:
+        loop: The closed loop.
+        amplitude: Of the element's input.
+        omega: rad/s.
+    """
+    model, element, modes = loop.model, loop.element, loop.modes
+    leaves = _leaves(element)
+    phase = _quiet_phase(leaves, amplitude, omega)
+    response = np.linalg.solve(1j * omega * np.eye(model.nstates) - model.A, model.B[:, 0])
+    output = complex(element.describing_function(amplitude, omega)) * amplitude
+    state, sizes = np.zeros(modes.layout.size), np.ones(modes.layout.size)
+    state[: model.nstates] = (response * output * np.exp(1j * phase)).imag
+    state[-1] = 1.0
+    sizes[: model.nstates] = abs(response * output)
+    for first, component in zip(modes.layout.first_states, modes.system.components, strict=True):
+        count = component.state_count
+        sizes[first : first + count] = amplitude * omega ** np.arange(count)
+    chosen = tuple(
+        _mode(component, leaf, phase, amplitude, omega)
+        for component, leaf in zip(modes.system.components, leaves, strict=True)
+    )
+    return Start(modes.number(chosen), state, sizes)
+
+
+def _leaves(element: Element) -> list[Element]:
+    """Return the elements of a sum, without their factors, in the order of their components."""
+    match element:
+        case SumOfElements():
+            return [leaf for term in element.terms for leaf in _leaves(term)]
+        case ScaledElement():
+            return _leaves(element.element)
+    return [element]
+
+
+def _quiet_phase(leaves: list[Element], amplitude: float, omega: float) -> float:
+    """Return the middle of the upper contact of the first backlash, or an eighth of a period."""
+    phases = np.linspace(-np.pi, np.pi, PHASES)
+    for leaf in leaves:
+        gap = getattr(leaf, "gap", None)
+        if gap is None:
+            continue
+        distance = amplitude * np.sin(phases) - leaf.waveform(phases, amplitude, omega) - 0.5 * gap
+        contact = phases[abs(distance) <= TOUCHING * gap]
+        if contact.size:
+            return float(contact[contact.size // 2])
+    return 0.25 * np.pi
+
+
+def _mode(component: Component, leaf: Element, phase: float, amplitude: float, omega: float) -> int:
+    """Return the mode of a component on a sinusoid at a phase."""
+    match component:
+        case BacklashComponent():
+            play = amplitude * np.sin(phase) - float(leaf.waveform(phase, amplitude, omega))
+            if abs(abs(play) - 0.5 * component.gap) > TOUCHING * component.gap:
+                return FREE
+            return UPPER if play > 0 else LOWER
+        case RelayComponent():
+            return PLUS if (np.cos(phase) if component.of_rate else np.sin(phase)) > 0 else MINUS
+    return 0

@@ -1,0 +1,88 @@
+"""Extremes and harmonics of the element's input along a motion, from the flow itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.polynomial.polynomial import polyder, polyval
+
+from trimmer.motion.taylor import DEGREE
+from trimmer.orbits.return_map import flow
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.orbits.return_map import Arc
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+HARMONICS = 15
+"""Harmonics that an orbit lists."""
+POINTS = 33
+"""Points of a step among which the slope is seen to change sign; the fastest mode turns by about 2 rad."""
+NEWTON_STEPS = 4
+"""From such a bracket to an extreme that is exact to rounding."""
+
+
+def extremes(modes: ModeTables, chain: Sequence[Arc]) -> tuple[float, float]:
+    """Return the smallest and the largest input of the first component along a chain."""
+    values = [
+        value for arc in chain for value in _candidates(modes, arc, modes.mode(arc.mode).signals[0].input)
+    ]
+    return min(values), max(values)
+
+
+def _candidates(modes: ModeTables, arc: Arc, row: Reals) -> list[float]:
+    """Return a signal at the ends of an arc and where its rate is zero."""
+    size, step = modes.layout.size, float(modes.tables.step[arc.mode])
+    terms = modes.tables.series[arc.mode].reshape(size, DEGREE + 1, size) @ row
+    whole = modes.tables.whole[arc.mode].T
+    state, left, values = arc.state, arc.duration / step, []
+    while left > 0:
+        values += _extremes_of(state @ terms, min(left, 1.0))
+        state, left = whole @ state, left - 1.0
+    return values
+
+
+def _extremes_of(coefficients: Reals, end: float) -> list[float]:
+    """Return a polynomial at 0, at the end, and at its extremes in between."""
+    points = np.linspace(0.0, end, POINTS)
+    slope, curvature = polyder(coefficients), polyder(coefficients, 2)
+    slopes = polyval(points, slope)
+    turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
+    roots = 0.5 * (points[turning] + points[turning + 1])
+    for _ in range(NEWTON_STEPS):
+        roots -= polyval(roots, slope) / polyval(roots, curvature)
+    return [float(value) for value in polyval(np.concatenate([[0.0, end], roots]), coefficients)]
+
+
+def harmonics(modes: ModeTables, chain: Sequence[Arc]) -> Complexes:
+    """Return the complex amplitudes c_n, n = 1 to HARMONICS, of the first component's input e.
+
+    e = Im Σ c_n exp(j n omega t) + constant. The integral of exp(-j n omega t) Z over an arc is known:
+    (M - j n omega)^-1 applied to the difference at its ends.
+
+    Args:
+        modes: Modes of the loop.
+        chain: Arcs of one period.
+    """
+    period = sum(arc.duration for arc in chain)
+    rotations = 2j * np.pi / period * np.arange(1, HARMONICS + 1)
+    identity = np.eye(modes.layout.size)
+    totals = np.zeros(HARMONICS, dtype=complex)
+    begin = 0.0
+    for arc in chain:
+        mode = modes.mode(arc.mode)
+        end = flow(modes, arc.mode, arc.duration) @ arc.state
+        difference = np.exp(-rotations * (begin + arc.duration))[:, None] * end
+        difference -= np.exp(-rotations * begin)[:, None] * arc.state
+        matrices = mode.matrix - rotations[:, None, None] * identity
+        totals += np.linalg.solve(matrices, difference[..., None])[..., 0] @ mode.signals[0].input
+        begin += arc.duration
+    amplitudes: Complexes = 2j * totals / period
+    return amplitudes

@@ -1,0 +1,120 @@
+"""Harmonic balance with several harmonics: from the describing function to the exact orbit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.optimize
+
+from trimmer.orbits.errors import OrbitNotFoundError
+from trimmer.orbits.steady_response import steady_response
+from trimmer.orbits.trigonometric import OddPolynomial
+
+if TYPE_CHECKING:
+    import control
+    from numpy.typing import NDArray
+
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.elements.element import Element
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+BALANCED = 1e-9
+"""Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""
+
+
+@dataclass(frozen=True, eq=False)
+class BalancedHarmonics:
+    """A solution of harmonic balance for the odd harmonics up to an order.
+
+    Attributes:
+        order: Highest harmonic.
+        amplitude: Half of peak to peak of the element's input.
+        omega: rad/s.
+        harmonics: Complex amplitudes c_1, c_3 ... of the element's input Im Σ c_n exp(j n omega t); c_1 > 0.
+        residual: Largest imbalance of a harmonic relative to the first one.
+    """
+
+    order: int
+    amplitude: float
+    omega: float
+    harmonics: Complexes
+    residual: float
+
+    @property
+    def frequency(self) -> float:
+        """Hz."""
+        return self.omega / (2.0 * math.pi)
+
+
+def multi_harmonic_balance(
+    system: control.LTI, element: Element, cycle: LimitCycle, orders: Sequence[int] = (1, 3, 5, 7, 9)
+) -> list[BalancedHarmonics]:
+    """Solve c_n + G(jn omega) U_n(c) = 0 for odd n up to each order, each from the solution before.
+
+    U_n is the n-th harmonic of the element's steady output for the whole input, not for its first harmonic
+    alone. Order 1 is the describing function's prediction; with growing order the solutions converge to the
+    exact periodic orbit (Mees 1972).
+
+    Args:
+        system: G, one input and one output.
+        element: The nonlinear element.
+        cycle: The limit cycle that the describing function predicts.
+        orders: Odd numbers that rise.
+
+    Returns:
+        One solution per order.
+
+    Raises:
+        ValueError: if the orders are not odd, positive and rising.
+        OrbitNotFoundError: if there is no solution near the one before.
+    """
+    if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
+        raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
+    return list(_solutions(system, element, cycle, orders))
+
+
+def _solutions(
+    system: control.LTI, element: Element, cycle: LimitCycle, orders: Sequence[int]
+) -> Iterator[BalancedHarmonics]:
+    harmonics, omega = np.array([cycle.amplitude + 0j]), cycle.omega
+    for order in orders:
+        harmonics = np.append(harmonics, np.zeros((order + 1) // 2 - len(harmonics)))
+        solution = _solve(system, element, order, harmonics, omega)
+        harmonics, omega = solution.harmonics, solution.omega
+        yield solution
+
+
+def _solve(
+    system: control.LTI, element: Element, order: int, harmonics: Complexes, omega: float
+) -> BalancedHarmonics:
+    amplitude = float(harmonics[0].real)
+
+    def unpacked(unknowns: Reals) -> tuple[OddPolynomial, float]:
+        first, ratio = unknowns[:2]
+        coefficients = np.empty(len(unknowns) // 2, dtype=np.complex128)
+        coefficients[0], coefficients[1:] = first, unknowns[2::2] + 1j * unknowns[3::2]
+        return OddPolynomial(amplitude * coefficients), ratio * omega
+
+    def imbalance(unknowns: Reals) -> Reals:
+        given, trial = unpacked(unknowns)
+        output = steady_response(element, given, trial) if trial > 0 else None
+        if output is None:
+            return np.full(len(unknowns), 1e3)
+        gains = np.atleast_1d(system(1j * trial * given.numbers))
+        residuals = (given.coefficients + gains * output) / amplitude
+        return np.column_stack([residuals.real, residuals.imag]).ravel()
+
+    rest = np.column_stack([harmonics[1:].real, harmonics[1:].imag]).ravel() / amplitude
+    start = np.concatenate([[1.0, 1.0], rest])
+    found = scipy.optimize.root(imbalance, start, method="hybr", options={"xtol": 1e-14})
+    residual = float(abs(imbalance(found.x)).max())
+    if residual > BALANCED:
+        raise OrbitNotFoundError(f"no solution with harmonics up to {order} lies near that of lower order")
+    given, solved = unpacked(found.x)
+    return BalancedHarmonics(order, given.largest(), solved, given.coefficients, residual)

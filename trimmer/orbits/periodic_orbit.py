@@ -1,0 +1,100 @@
+"""An exact periodic motion of a switched loop."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.orbits.measures import harmonics
+from trimmer.orbits.return_map import arcs
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.motion.motion import Motion
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+NEUTRAL = 1e-6
+"""Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicOrbit:
+    """A periodic solution of a closed or driven loop, exact to rounding.
+
+    Attributes:
+        period: s.
+        amplitude: Half of peak to peak of the nonlinear element's input, m.
+        multipliers: Floquet multipliers, as many as the linear system has states, by falling modulus. Without
+            drive one of them is 1: it belongs to a shift along the orbit.
+        driven: Whether a drive sets the period.
+        residual: Miss of the return after one period, relative to the sizes of the states.
+        motion: The motion over one period; its events are the switching times.
+        prediction: The limit cycle of harmonic balance it was found from, if any.
+    """
+
+    period: float
+    amplitude: float
+    multipliers: Complexes
+    driven: bool
+    residual: float
+    motion: Motion
+    prediction: LimitCycle | None
+
+    @property
+    def frequency(self) -> float:
+        """1 / period, Hz."""
+        return 1.0 / self.period
+
+    @property
+    def omega(self) -> float:
+        """2 π / period, rad/s."""
+        return 2.0 * np.pi / self.period
+
+    @cached_property
+    def harmonics(self) -> Complexes:
+        """Complex amplitudes of the element's input e at 1, 2, 3 ... times the frequency, of shape (15,).
+
+        e = Im Σ harmonics[n-1] exp(j n omega t), with t counted from the start of ``motion``.
+        """
+        return harmonics(self.motion.loop.modes, arcs(self.motion.loop.modes, self.motion.log, self.period))
+
+    @property
+    def nontrivial_multipliers(self) -> Complexes:
+        """The multipliers without the one of a shift along the orbit."""
+        if self.driven:
+            return self.multipliers
+        return np.delete(self.multipliers, int(np.argmin(abs(self.multipliers - 1.0))))
+
+    @property
+    def stable(self) -> bool:
+        """Whether neighbouring motions approach it: all multipliers but the trivial one have |z| < 1.
+
+        A multiplier that is 1 to rounding neither grows nor decays; with one the answer is False.
+        """
+        return bool((abs(self.nontrivial_multipliers) < 1.0 - NEUTRAL).all())
+
+    @property
+    def switching_times(self) -> Reals:
+        """Times of the events within one period, s, from the start of ``motion``."""
+        return self.motion.event_times
+
+    @property
+    def amplitude_error(self) -> float:
+        """Error of the predicted amplitude relative to the exact one; NaN without prediction."""
+        if self.prediction is None:
+            return float("nan")
+        return self.prediction.amplitude / self.amplitude - 1.0
+
+    @property
+    def frequency_error(self) -> float:
+        """Error of the predicted frequency relative to the exact one; NaN without prediction."""
+        if self.prediction is None:
+            return float("nan")
+        return self.prediction.frequency / self.frequency - 1.0

@@ -1,0 +1,130 @@
+"""The motion from a state over a time, and its derivative by that state (saltation matrices)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.kernel import FULL, REACHED_END, UNKNOWN_MODE, march
+from trimmer.motion.tables import Log
+from trimmer.motion.taylor import DEGREE
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.mode_tables import ModeTables
+
+    Reals = NDArray[np.float64]
+
+FIRST_ROWS = 64
+MOST_EVENTS = 10_000
+"""Events in one period, beyond which there is no orbit to speak of."""
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A stretch of motion of positive length with what ends it.
+
+    Attributes:
+        duration: s.
+        mode: Its mode.
+        state: Extended state at its start.
+        guard: Guard that ends it; -1 if time does.
+        reset: The state after all that happens at its end from the state before, n x n.
+        following: Mode afterwards.
+    """
+
+    duration: float
+    mode: int
+    state: Reals
+    guard: int
+    reset: Reals
+    following: int
+
+
+def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log | None:
+    """March from a state for a time, s; return what happened, or None if events accumulate."""
+    log = _log(FIRST_ROWS, mode, state)
+    stretch = 0
+    while True:
+        reason, stretch, _ = march(modes.tables, log, stretch, duration, MOST_EVENTS)
+        if reason == UNKNOWN_MODE:
+            modes.tabulate(int(log.mode[stretch]))
+        elif reason == FULL:
+            log = Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
+        elif reason == REACHED_END:
+            return Log._make(column[: stretch + 1].copy() for column in log)
+        else:
+            return None
+
+
+def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
+    """Return the stretches of positive length; what happens at one instant is taken together.
+
+    The last stretch ends at ``end``, s, by time.
+    """
+    stops = np.append(log.start[1:], end)
+    lasting = [each for each in range(len(stops)) if stops[each] > log.start[each]]
+    chain = []
+    for stretch, following in zip(lasting, [*lasting[1:], None], strict=True):
+        reset = np.eye(modes.layout.size)
+        for event in range(stretch + 1, (len(stops) if following is None else following + 1)):
+            reset = modes.tables.reset[log.mode[event - 1], log.guard[event]].T @ reset
+        chain.append(
+            Arc(
+                duration=float(stops[stretch] - log.start[stretch]),
+                mode=int(log.mode[stretch]),
+                state=log.state[stretch],
+                guard=-1 if following is None else int(log.guard[stretch + 1]),
+                reset=reset,
+                following=int(log.mode[stretch if following is None else following]),
+            )
+        )
+    return chain
+
+
+def flow(modes: ModeTables, mode: int, duration: float) -> Reals:
+    """Return exp(M duration) of a mode."""
+    tables, size = modes.tables, modes.layout.size
+    steps, fraction = divmod(duration / tables.step[mode], 1.0)
+    terms = tables.series[mode].reshape(size, DEGREE + 1, size)
+    rest = np.einsum("jki,k->ij", terms, fraction ** np.arange(DEGREE + 1))
+    whole: Reals = np.linalg.matrix_power(tables.whole[mode].T, int(steps))
+    propagator: Reals = rest @ whole
+    return propagator
+
+
+def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
+    """Return how the state at the end of a chain of arcs depends on that at its start, and that state.
+
+    An event that comes later by dt lets the old flow act for dt longer and the new one shorter, which is the
+    saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the guard g and the flows f
+    (Leine and Nijmeijer 2004, section 7).
+    """
+    total = np.eye(modes.layout.size)
+    for arc in chain:
+        transition = flow(modes, arc.mode, arc.duration)
+        before = transition @ arc.state
+        total = transition @ total
+        if arc.guard >= 0:
+            row = modes.tables.guard_rows[arc.mode, arc.guard]
+            rate = modes.mode(arc.mode).matrix @ before
+            rate_after = modes.mode(arc.following).matrix @ (arc.reset @ before)
+            jump = np.outer(rate_after - arc.reset @ rate, row) / (row @ rate)
+            total = (arc.reset + jump) @ total
+    return total, before
+
+
+def _log(rows: int, mode: int, state: Reals) -> Log:
+    log = Log(
+        start=np.zeros(rows),
+        mode=np.zeros(rows, dtype=np.int64),
+        state=np.zeros((rows, state.size)),
+        guard=np.full(rows, -1, dtype=np.int64),
+        jumped=np.zeros(rows, dtype=np.bool_),
+        touches=np.zeros(rows, dtype=np.int64),
+    )
+    log.mode[0], log.state[0] = mode, state
+    return log

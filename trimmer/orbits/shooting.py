@@ -1,0 +1,140 @@
+"""Newton's method for a state that returns, exactly or with its signs changed, after a time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.orbits.return_map import arcs, derivative, follow
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.motion.tables import Log
+
+    Reals = NDArray[np.float64]
+
+MOST_ITERATIONS = 40
+MOST_HALVINGS = 8
+"""Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
+CLOSED = 1e-10
+"""Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
+SETTLED = 1e-14
+"""Miss at which Newton's method stops, since only rounding is left."""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """A motion from a state over a span.
+
+    Attributes:
+        mode: Mode at the start.
+        state: Extended state at the start.
+        span: Its duration, s.
+        log: What happened.
+        end: Extended state at the end, with its signs changed if the return is mirrored.
+        slope: Derivative of ``end`` by ``state`` at fixed span.
+        rate: Derivative of ``end`` by the span.
+        miss: Largest difference of end and state relative to the sizes of the entries.
+    """
+
+    mode: int
+    state: Reals
+    span: float
+    log: Log
+    end: Reals
+    slope: Reals
+    rate: Reals
+    miss: float
+
+
+@dataclass(frozen=True)
+class Return:
+    """What is asked for.
+
+    Attributes:
+        modes: Modes of the loop.
+        mirrored: Whether the state returns with its signs changed, after half a period.
+        driven: Whether the span is given by a drive; otherwise it is unknown, as in a loop without drive.
+        sizes: Size of each entry of the state, for comparing them.
+    """
+
+    modes: ModeTables
+    mirrored: bool
+    driven: bool
+    sizes: Reals
+
+    @property
+    def count(self) -> int:
+        """Entries of the state that are unknown: the first ones; drive and one are not."""
+        return self.modes.layout.sine
+
+    def shoot(self, mode: int, state: Reals, span: float) -> Shot | None:
+        """Follow the motion; None if events accumulate or it does not end in the mode it has to."""
+        log = follow(self.modes, mode, state, span)
+        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self._final(mode):
+            return None
+        chain = arcs(self.modes, log, span)
+        slope, end = derivative(self.modes, chain)
+        rate = self.modes.mode(int(log.mode[-1])).matrix @ end
+        if self.mirrored:
+            slope, end, rate = -slope, -end, -rate
+        miss = float((abs(end - state) / self.sizes)[: self.count].max())
+        return Shot(mode, state, span, log, end, slope, rate, miss)
+
+    def step(self, shot: Shot) -> tuple[Reals, float]:
+        """Return Newton's correction of state and span."""
+        free = slice(self.count)
+        scale = self.sizes[free]
+        matrix = (shot.slope[free, free] - np.eye(self.count)) * scale / scale[:, None]
+        gap = (shot.state - shot.end)[free] / scale
+        correction = np.zeros_like(shot.state)
+        if self.driven:
+            correction[free] = np.linalg.solve(matrix, gap) * scale
+            return correction, 0.0
+        # The state may slide along the orbit; the correction shall be at right angles to it.
+        tangent = (self.modes.mode(shot.mode).matrix @ shot.state)[free] / scale
+        by_span = shot.rate[free] / scale * shot.span
+        bordered = np.block([[matrix, by_span[:, None]], [tangent[None], np.zeros((1, 1))]])
+        solution = np.linalg.solve(bordered, np.append(gap, 0.0))
+        correction[free] = solution[:-1] * scale
+        return correction, float(solution[-1]) * shot.span
+
+    def _final(self, mode: int) -> int:
+        if not self.mirrored:
+            return mode
+        components = self.modes.system.components
+        each = zip(components, self.modes.component_modes(mode), strict=True)
+        return self.modes.number(tuple(component.mirrored(one) for component, one in each))
+
+
+def solve(problem: Return, mode: int, state: Reals, span: float) -> Shot | None:
+    """Find the return near a guess, or None if Newton's method does not get there."""
+    shot = problem.shoot(mode, state, span)
+    for _ in range(MOST_ITERATIONS):
+        if shot is None or shot.miss <= SETTLED:
+            break
+        following = _improved(problem, shot)
+        if following is None:
+            break
+        shot = following
+    return shot if shot is not None and shot.miss <= CLOSED else None
+
+
+def _improved(problem: Return, shot: Shot) -> Shot | None:
+    """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
+    try:
+        correction, longer = problem.step(shot)
+    except np.linalg.LinAlgError:
+        return None
+    share = 1.0
+    for _ in range(MOST_HALVINGS):
+        span = shot.span + share * longer
+        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if span > 0 else None
+        if trial is not None and trial.miss < shot.miss:
+            return trial
+        share *= 0.5
+    return None

@@ -1,0 +1,118 @@
+"""The steady output of an element for an odd periodic input of any shape, by its harmonics."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.backlash_component import BacklashComponent
+from trimmer.motion.components import components_of
+from trimmer.motion.errors import UnsupportedMotionError
+from trimmer.motion.relay_component import RelayComponent
+from trimmer.motion.viscous_component import ViscousComponent
+from trimmer.orbits.trigonometric import falls_through_zero
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from trimmer.elements.element import Element
+    from trimmer.motion.component import Component
+    from trimmer.orbits.trigonometric import OddPolynomial
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
+"""Gauss-Legendre quadrature; each piece of an output is smooth, so it is exact to rounding."""
+
+
+def steady_response(element: Element, given: OddPolynomial, omega: float) -> Complexes | None:
+    """Return the odd harmonics of the output, as many as the input has; None if there is no steady output.
+
+    The output of a backlash is the one with two contacts in a period.
+
+    Args:
+        element: Any element with a description in time.
+        given: The input.
+        omega: rad/s.
+    """
+    total = np.zeros(len(given.coefficients), dtype=complex)
+    for component, factor in components_of(element):
+        response = _of_component(component, given, omega)
+        if response is None:
+            return None
+        total += factor * response
+    return total
+
+
+def _of_component(component: Component, given: OddPolynomial, omega: float) -> Complexes | None:
+    match component:
+        case ViscousComponent():
+            return component.coefficient * 1j * given.numbers * omega * given.coefficients
+        case RelayComponent():
+            return _relay(component, given)
+        case BacklashComponent():
+            return _backlash(component, given, omega)
+    raise UnsupportedMotionError(f"{component!r} has no steady response to a periodic input")
+
+
+def _relay(component: RelayComponent, given: OddPolynomial) -> Complexes | None:
+    derivative = 1 if component.of_rate else 0
+    switch = falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
+    if switch is None:
+        return None
+    return _harmonics(
+        given, [(switch, switch + math.pi, lambda phase: np.full(phase.shape, -component.level))]
+    )
+
+
+def _backlash(component: BacklashComponent, given: OddPolynomial, omega: float) -> Complexes | None:
+    gamma, half_gap = omega * component.time_constant, 0.5 * component.gap
+
+    def force(phase: Reals) -> Reals:
+        if math.isinf(gamma):
+            return given(phase, 2)
+        return gamma * given(phase, 2) + given(phase, 1)
+
+    leave = falls_through_zero(force, *_period_around(given))
+    if leave is None:
+        return None
+    position, velocity = float(given(leave)) - half_gap, float(given(leave, 1))
+
+    def flight(phase: Reals) -> Reals:
+        elapsed = phase - leave
+        if gamma == 0.0:
+            return np.full(phase.shape, position)
+        if math.isinf(gamma):
+            return position + velocity * elapsed
+        return position - velocity * gamma * np.expm1(-elapsed / gamma)
+
+    def contact(phase: Reals) -> Reals:
+        return given(phase) + half_gap
+
+    meet = falls_through_zero(lambda phase: contact(phase) - flight(phase), leave + 1e-9, leave + math.pi)
+    if meet is None:
+        return None
+    return _harmonics(given, [(leave, meet, flight), (meet, leave + math.pi, contact)])
+
+
+def _period_around(given: OddPolynomial) -> tuple[float, float]:
+    """Return a period that begins where the first harmonic rises through zero."""
+    begin = -float(np.angle(given.coefficients[0])) - 0.25 * math.pi
+    return begin, begin + 2.0 * math.pi
+
+
+def _harmonics(
+    given: OddPolynomial, pieces: list[tuple[float, float, Callable[[Reals], Reals]]]
+) -> Complexes:
+    """Integrate pieces that make up half a period; the other half has the signs changed."""
+    total = np.zeros(len(given.coefficients), dtype=complex)
+    for begin, end, output in pieces:
+        phases = begin + 0.5 * (end - begin) * (NODES + 1.0)
+        kernel = np.exp(-1j * np.multiply.outer(given.numbers, phases))
+        total += kernel @ (output(phases) * WEIGHTS) * 0.5 * (end - begin)
+    return 2j / math.pi * total

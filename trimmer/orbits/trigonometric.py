@@ -1,0 +1,61 @@
+"""Odd trigonometric polynomials, e(θ) = Im Σ c_n exp(j n θ) over n = 1, 3, 5 ..."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.optimize
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+POINTS = 721
+"""Points of half a period among which the sign of a function is seen to change."""
+
+
+@dataclass(frozen=True, eq=False)
+class OddPolynomial:
+    """A trigonometric polynomial of odd harmonics.
+
+    Attributes:
+        coefficients: c_1, c_3, c_5 ...
+    """
+
+    coefficients: Complexes
+
+    @property
+    def numbers(self) -> NDArray[np.int64]:
+        """1, 3, 5 ..."""
+        return 2 * np.arange(len(self.coefficients)) + 1
+
+    def __call__(self, phase: Reals | float, derivative: int = 0) -> Reals:
+        """Evaluate it, or a derivative by the phase, at phases in rad."""
+        factors = self.coefficients * (1j * self.numbers) ** derivative
+        values: Reals = (np.exp(1j * np.multiply.outer(phase, self.numbers)) @ factors).imag
+        return values
+
+    def largest(self) -> float:
+        """Return the largest value over a period."""
+        phases = np.linspace(0.0, 2.0 * np.pi, 2 * POINTS)
+        best = float(phases[int(np.argmax(self(phases)))])
+        width = float(phases[1])
+        found = scipy.optimize.brentq(lambda phase: float(self(phase, 1)), best - width, best + width)
+        return float(self(found))
+
+
+def falls_through_zero(function: Callable[[Reals], Reals], begin: float, end: float) -> float | None:
+    """Return where a function first falls through zero between two phases, rad; None if it does not."""
+    phases = np.linspace(begin, end, POINTS)
+    values = function(phases)
+    falls = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
+    if not falls.size:
+        return None
+    low, high = phases[falls[0]], phases[falls[0] + 1]
+    return float(scipy.optimize.brentq(lambda phase: float(function(np.array(phase))), low, high, xtol=1e-15))
