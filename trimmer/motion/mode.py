@@ -123,6 +123,8 @@ def _inputs(
     undisturbed[:, : layout.order] = system.C
     if system.drive is not None:
         undisturbed[:, layout.sine] = system.drive_gain * system.drive.amplitude
+    if not system.D.any():
+        return undisturbed, np.zeros((count, selection.shape[1]))
     loop = np.eye(count) - system.D * gains
     if np.linalg.matrix_rank(loop) < count:
         raise IllPosedLoopError("the direct feedthrough of the system cancels a component that is in contact")

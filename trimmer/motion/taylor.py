@@ -20,7 +20,7 @@ DEGREE = 24
 REMAINDER = 2.0**-56
 """Bound of the next term of the series of exp(M h), in balanced coordinates."""
 LONGEST_STEP = 1e6
-"""Step for motions that do not change at all, s."""
+"""About the longest step, s, for motions that hardly change."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +50,9 @@ def step_series(matrix: Reals, forcing: int) -> StepSeries:
         forcing: How many of the last entries of the state force the others and are not forced by them; their
             size has nothing to do with how fast the series converges, so the step does not depend on it.
     """
-    free, forced = matrix[:-forcing, :-forcing], matrix[-forcing:, -forcing:]
-    step = min(_longest_step(free), _longest_step(forced), LONGEST_STEP)
+    forced = float(np.linalg.norm(matrix[-forcing:, -forcing:], 1))
+    growth = max(_growth(matrix[:-forcing, :-forcing]), forced, 1.0 / LONGEST_STEP)
+    step = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1)) / growth
     terms = np.empty((DEGREE + 1, *matrix.shape))
     terms[0] = np.eye(matrix.shape[0])
     scaled = matrix * step
@@ -61,15 +62,14 @@ def step_series(matrix: Reals, forcing: int) -> StepSeries:
     return StepSeries(step, terms)
 
 
-def _longest_step(matrix: Reals) -> float:
+def _growth(matrix: Reals) -> float:
+    """Return the root of the norm of the power of the matrix that bounds the remainder, 1/s."""
     balanced = scipy.linalg.matrix_balance(matrix, permute=False)[0]
     size = float(np.linalg.norm(balanced, 1))
     if size == 0.0:
-        return math.inf
+        return 0.0
     power = np.linalg.matrix_power(balanced / size, DEGREE + 1)
-    smallest = float(np.finfo(float).tiny)
-    growth = size * max(float(np.linalg.norm(power, 1)), smallest) ** (1 / (DEGREE + 1))
-    return float((REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1)) / growth)
+    return float(size * float(np.linalg.norm(power, 1)) ** (1 / (DEGREE + 1)))
 
 
 def guard_polynomials(rows: Reals, series: StepSeries) -> Reals:

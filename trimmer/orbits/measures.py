@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.polynomial.polynomial import polyder, polyval
 
 from trimmer.motion.taylor import DEGREE
 from trimmer.orbits.return_map import flow
@@ -25,6 +24,8 @@ HARMONICS = 15
 """Harmonics that an orbit lists."""
 POINTS = 33
 """Points of a step among which the slope is seen to change sign; the fastest mode turns by about 2 rad."""
+GRID = np.linspace(0.0, 1.0, POINTS)[:, None] ** np.arange(DEGREE + 1)
+"""Powers of these points."""
 NEWTON_STEPS = 4
 """From such a bracket to an extreme that is exact to rounding."""
 
@@ -51,14 +52,17 @@ def _candidates(modes: ModeTables, arc: Arc, row: Reals) -> list[float]:
 
 def _extremes_of(coefficients: Reals, end: float) -> list[float]:
     """Return a polynomial at 0, at the end, and at its extremes in between."""
-    points = np.linspace(0.0, end, POINTS)
-    slope, curvature = polyder(coefficients), polyder(coefficients, 2)
-    slopes = polyval(points, slope)
+    powers = np.arange(len(coefficients))
+    scaled = coefficients * end**powers
+    slope = scaled[1:] * powers[1:]
+    slopes = GRID[:, :-1] @ slope
     turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
-    roots = 0.5 * (points[turning] + points[turning + 1])
+    roots = (turning + 0.5) / (POINTS - 1)
     for _ in range(NEWTON_STEPS):
-        roots -= polyval(roots, slope) / polyval(roots, curvature)
-    return [float(value) for value in polyval(np.concatenate([[0.0, end], roots]), coefficients)]
+        at = roots[:, None] ** powers
+        roots = roots - (at[:, :-1] @ slope) / (at[:, :-2] @ (slope[1:] * powers[1:-1]))
+    inner = roots[:, None] ** powers @ scaled
+    return [float(scaled[0]), float(scaled.sum()), *inner.tolist()]
 
 
 def harmonics(modes: ModeTables, chain: Sequence[Arc]) -> Complexes:
