@@ -1,31 +1,41 @@
 """Proof or disproof that two expressions are the same, with the way it was settled.
 
 SymPy's ``equals`` may answer ``None``; that is never agreement here. A difference is first evaluated at
-exact rational points, which disproves quickly, and is then reduced to zero, which proves. Where reduction
-fails the points are what is left, and the proof says so.
+exact rational points, which disproves quickly, and is then reduced to zero, which proves: by expansion, with
+sines and cosines as exponentials, or by SymPy's simplification. Where reduction fails the points are what is
+left, and the proof says so.
 """
 
 from __future__ import annotations
 
 import random
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 from sympy.core.function import AppliedUndef
+
+from derivations.exponentials import expands_to_zero
 
 QUICK_POINTS = 2
 POINTS = 12
 DIGITS = 60
 PRIME = "'"
 NEGLIGIBLE = sympy.Float(10) ** -40
+_CIRCULAR = (sympy.sin, sympy.cos, sympy.exp)
 
 
 @dataclass(frozen=True)
 class Proof:
-    """Whether an identity holds, and how that was settled."""
+    """Whether an identity holds, how that was settled, and whether points are all that speaks for it."""
 
     holds: bool
     method: str
+    sampled: bool = False
+
+
+class UnprovenError(ValueError):
+    """Two expressions that a derivation takes for equal are not, or only points speak for it."""
 
 
 def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy.true) -> Proof:
@@ -37,21 +47,37 @@ def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy
         assume: a condition on the symbols; points that violate it are not tried.
 
     Returns:
-        The proof: by evaluation at a point where the sides differ, by simplification of the difference to
-        zero, or by evaluation at ``POINTS`` random rational points to ``DIGITS`` digits.
+        The proof: by evaluation at a point where the sides differ, by reduction of the difference to zero, or
+        by evaluation at ``POINTS`` random points to ``DIGITS`` digits; the points are rational, whole or odd
+        as the symbols are.
     """
     difference = _with_plain_symbols(sympy.sympify(left) - sympy.sympify(right))
     counterexample = _find_counterexample(difference, assume, QUICK_POINTS)
     if counterexample is not None:
         return Proof(False, f"the sides differ at {counterexample}")
-    if difference == 0 or sympy.expand(difference) == 0 or _numerator(difference) == 0:
-        return Proof(True, "difference expands to zero")
+    expansion = _expansion(difference)
+    if expansion is not None:
+        return expansion
     if sympy.simplify(difference) == 0:
         return Proof(True, "difference simplifies to zero")
     counterexample = _find_counterexample(difference, assume, POINTS)
     if counterexample is not None:
         return Proof(False, f"the sides differ at {counterexample}")
-    return Proof(True, f"difference below 1e-40 at {POINTS} random rational points, {DIGITS} digits")
+    method = f"difference below 1e-40 at {POINTS} random rational points, {DIGITS} digits"
+    return Proof(True, method, sampled=True)
+
+
+@cache
+def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> Proof:
+    """Prove that two expressions are equal, which is expected: points are tried only where expansion fails.
+
+    Raises:
+        UnprovenError: naming what was to be proven, if they differ or only points speak for it.
+    """
+    proof = _expansion(_with_plain_symbols(left - right)) or prove_equal(left, right)
+    if not proof.holds or proof.sampled:
+        raise UnprovenError(f"{name} is not proven: {proof.method}")
+    return proof
 
 
 def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> Proof:
@@ -85,6 +111,17 @@ def _numerator(difference: sympy.Expr) -> sympy.Expr:
     return sympy.expand(sympy.fraction(sympy.together(difference))[0])
 
 
+def _expansion(difference: sympy.Expr) -> Proof | None:
+    """Prove by expansion that a difference is zero; None if it is not, or is not found to be."""
+    if difference == 0:
+        return Proof(True, "difference expands to zero")
+    if difference.has(*_CIRCULAR) and expands_to_zero(difference):
+        return Proof(True, "difference expands to zero in exponentials")
+    if sympy.expand(difference) == 0 or _numerator(difference) == 0:
+        return Proof(True, "difference expands to zero")
+    return None
+
+
 def _find_counterexample(difference: sympy.Expr, assume: sympy.Basic, points: int) -> str | None:
     symbols = sorted(difference.free_symbols | assume.free_symbols, key=str)
     generator = random.Random(20230517)
@@ -101,11 +138,16 @@ def _random_point(
     symbols: list[sympy.Symbol], assume: sympy.Basic, generator: random.Random
 ) -> dict[sympy.Symbol, sympy.Rational]:
     for _ in range(1000):
-        point = {symbol: _random_rational(generator) for symbol in symbols}
+        point = {symbol: _random_value(symbol, generator) for symbol in symbols}
         if assume == sympy.true or assume.subs(point) == sympy.true:
             return point
     raise ValueError(f"no random point satisfies {assume}")
 
 
-def _random_rational(generator: random.Random) -> sympy.Rational:
+def _random_value(symbol: sympy.Symbol, generator: random.Random) -> sympy.Rational:
+    """Return an odd number from 3 on, a whole number or a fraction, whatever the symbol is declared as."""
+    if symbol.is_odd:
+        return sympy.Integer(2 * generator.randint(1, 40) + 1)
+    if symbol.is_integer:
+        return sympy.Integer(generator.randint(1, 97))
     return sympy.Rational(generator.randint(1, 997), generator.randint(1, 97))

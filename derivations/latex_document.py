@@ -1,9 +1,10 @@
-"""The derivation as a LaTeX document of its own."""
+"""The derivations as a LaTeX document of their own."""
 
 from __future__ import annotations
 
 import re
 
+from derivations.element_quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative
@@ -14,7 +15,7 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \usepackage{amsmath}
 \usepackage{breqn}
 \setcounter{MaxMatrixCols}{20}
-\title{The linear trimmer: derivation}
+\title{The trimmer: derivation}
 \author{}
 \date{}
 \begin{document}
@@ -24,10 +25,25 @@ Numbers at the right are those of the same equation in the thesis.
 END = "\\end{document}\n"
 
 
-def latex_document(derivation: LinearTrimmer) -> str:
-    """Return the derivation, all coefficients of the transfer function and the nomenclature as LaTeX."""
-    sections = [_section(step) for step in narrative(derivation)]
-    return "\n".join((PREAMBLE, *sections, _all_coefficients(derivation), _nomenclature(), END))
+def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str:
+    """Return the derivation of the linear trimmer and that of its elements as LaTeX.
+
+    Added are all coefficients of the transfer function and the nomenclature.
+    """
+    linear = (_section(step) for step in narrative(derivation))
+    nonlinear = (_section(step) for step in elements)
+    return "\n".join(
+        (
+            PREAMBLE,
+            "\\part{The linear trimmer}",
+            *linear,
+            _all_coefficients(derivation),
+            "\\part{The describing functions}",
+            *nonlinear,
+            _nomenclature(),
+            END,
+        )
+    )
 
 
 def _section(step: Step) -> str:
@@ -62,7 +78,7 @@ def _all_coefficients(derivation: LinearTrimmer) -> str:
 def _nomenclature() -> str:
     rows = (
         f"${latex(quantity.symbol)}$ & {quantity.meaning} & {quantity.unit.text} \\\\"
-        for quantity in QUANTITIES
+        for quantity in QUANTITIES + ELEMENT_QUANTITIES
     )
     return (
         "\n".join(

@@ -29,12 +29,13 @@ class Formula:
 
 @dataclass(frozen=True)
 class Step:
-    """A step of the derivation."""
+    """A step of the derivation; ``settles`` are ids of statements of the thesis that it settles."""
 
     id: str
     title: str
     text: str
     formulas: tuple[Formula, ...]
+    settles: tuple[str, ...] = ()
 
 
 def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:

@@ -25,6 +25,8 @@ SECOND = Unit("s", TIME)
 HERTZ = Unit("Hz", TIME**-1)
 RADIAN_PER_SECOND = Unit("rad/s", TIME**-1)
 PER_SECOND = Unit("1/s", TIME**-1)
+NEWTON = Unit("N", FORCE)
+RADIAN = Unit("rad", NUMBER)
 ONE = Unit("1", NUMBER)
 
 

@@ -19,6 +19,10 @@ class Segment:
     end: sympy.Expr
     value: sympy.Expr
 
+    def position(self, phase: sympy.Expr) -> sympy.Expr:
+        """Return the value at a phase."""
+        return self.value.subs(THETA, phase)
+
 
 @dataclass(frozen=True)
 class Waveform:

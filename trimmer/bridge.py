@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import sympy
 from sympy.printing.pycode import pycode
 
+from derivations.element_narrative import element_narrative
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
 from derivations.symbols import PARAMETERS
@@ -49,12 +50,16 @@ class DerivedSources:
 
 
 def derive_sources() -> DerivedSources:
-    """Derive the linear trimmer and return it as Python source and as LaTeX."""
+    """Derive the linear trimmer as Python source and as LaTeX, and the describing functions as LaTeX.
+
+    Raises:
+        UnprovenError: if an equation of the describing functions is not proven.
+    """
     derivation = derive_linear_trimmer()
     functions = (_function_source(function) for function in _functions(derivation))
     return DerivedSources(
         module="\n\n".join((HEADER, *functions)),
-        latex=latex_document(derivation),
+        latex=latex_document(derivation, element_narrative()),
     )
 
 

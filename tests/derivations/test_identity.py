@@ -3,7 +3,7 @@
 import pytest
 import sympy
 
-from derivations.identity import prove_equal, prove_equal_matrices
+from derivations.identity import UnprovenError, prove_equal, prove_equal_matrices, require_equal
 from derivations.symbols import k2, m1, q1, t
 
 x, y = sympy.symbols("x y", positive=True)
@@ -46,6 +46,29 @@ def test_hard_identity_is_settled_by_points_and_says_so():
     left = 4 * sympy.atan(sympy.Rational(1, 5)) - sympy.atan(sympy.Rational(1, 239))
     assert prove_equal(left, sympy.pi / 4).holds
     assert not prove_equal(left, sympy.pi / 4 + sympy.Rational(1, 10**25)).holds
+
+
+def test_points_alone_are_no_proof_where_one_is_required():
+    left = 4 * sympy.atan(sympy.Rational(1, 5)) - sympy.atan(sympy.Rational(1, 239))
+    assert prove_equal(left, sympy.pi / 4).sampled
+    with pytest.raises(UnprovenError, match="Machin's formula is not proven: difference below"):
+        require_equal("Machin's formula", left, sympy.pi / 4)
+    with pytest.raises(UnprovenError, match="x is not proven: the sides differ at"):
+        require_equal("x", x, x + y)
+    assert not require_equal("x", x + y - y, x).sampled
+
+
+def test_exponentials_of_symbols_prove_what_expansion_alone_does_not():
+    proof = prove_equal(sympy.sin(x + y), sympy.sin(x) * sympy.cos(y) + sympy.cos(x) * sympy.sin(y))
+    assert proof.holds
+    assert "exponentials" in proof.method
+
+
+def test_points_are_whole_or_odd_where_the_symbol_is():
+    odd, whole = sympy.Symbol("n", odd=True), sympy.Symbol("m", integer=True)
+    assert prove_equal(sympy.sin(sympy.pi * odd / 2) ** 2, sympy.Integer(1)).holds
+    assert prove_equal(sympy.exp(2 * sympy.I * sympy.pi * whole), sympy.Integer(1)).holds
+    assert not prove_equal(sympy.sin(sympy.pi * whole / 2) ** 2, sympy.Integer(1)).holds
 
 
 def test_assumption_limits_the_points():

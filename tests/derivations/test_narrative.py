@@ -8,7 +8,7 @@ import sympy
 from derivations.latex import latex
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import derive_linear_trimmer
-from derivations.narrative import narrative
+from derivations.narrative import Formula, Step, narrative
 from derivations.symbols import c2, k2, q1, t, u_dot
 
 
@@ -45,7 +45,8 @@ def test_a_power_balance_that_does_not_close_stops_the_story(derivation):
 
 
 def test_document_has_balanced_braces_and_all_coefficients(derivation):
-    text = latex_document(derivation)
+    element = Step("df-one", "One", "Text.", (Formula("N_{1} = 1", "2.41"),))
+    text = latex_document(derivation, (element,))
     assert text.startswith(r"\documentclass")
     assert text.rstrip().endswith(r"\end{document}")
     assert text.count("{") == text.count("}")
@@ -53,3 +54,7 @@ def test_document_has_balanced_braces_and_all_coefficients(derivation):
     for power in range(8):
         assert f"a_{{{power}}} = " in text
     assert latex(c2) in text
+    assert (
+        text.index("\\part{The linear trimmer}") < text.index("\\section{One}") < text.index("Nomenclature")
+    )
+    assert "number={2.41}" in text

@@ -27,11 +27,16 @@ def test_committed_module_is_the_derived_one(sources):
     assert GENERATED.read_text(encoding="utf-8") == sources.module, "run `make derive` and commit the result"
 
 
-def test_source_does_not_depend_on_the_hash_seed(sources):
-    code = "from trimmer.bridge import derive_sources; print(derive_sources().module, end='')"
+def test_sources_do_not_depend_on_the_hash_seed(sources):
+    code = "from trimmer.bridge import derive_sources as d; s = d(); print(s.module + s.latex, end='')"
     environment = os.environ | {"PYTHONHASHSEED": "12345", "PYTHONIOENCODING": "utf-8"}
     printed = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, env=environment)
-    assert printed.stdout.decode("utf-8") == sources.module
+    assert printed.stdout.decode("utf-8") == sources.module + sources.latex
+
+
+def test_latex_tells_the_describing_functions_too(sources):
+    for title in ("Ideal relay", "Friction-controlled backlash", "Viscous-controlled backlash"):
+        assert rf"\section{{{title}}}" in sources.latex
 
 
 def test_generated_functions_agree_with_sympy():

@@ -1,4 +1,4 @@
-"""``trimmer derive``: make the numeric module again, and write the derivation as LaTeX."""
+"""``trimmer derive``: make the numeric module again, and write the derivations as LaTeX."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _configure(parser: ArgumentParser) -> None:
         type=Path,
         metavar="FILE",
         default=DIRECTORY / "derivation.tex",
-        help="where to write the derivation as LaTeX (default: %(default)s)",
+        help="where to write the derivations as LaTeX (default: %(default)s)",
     )
 
 
@@ -34,19 +34,19 @@ def _run(arguments: Namespace) -> int:
     from trimmer.generated import linear_trimmer
 
     installed = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
-    print("deriving the linear trimmer ...", file=sys.stderr)
+    print("deriving the linear trimmer and the describing functions ...", file=sys.stderr)
     sources = derive_sources()
     write_whole(arguments.module, sources.module)
     write_whole(arguments.latex, sources.latex)
     state = "the same as the one in use" if sources.module == installed else "different from the one in use"
     print(f"{arguments.module}: numeric module, {state}")
-    print(f"{arguments.latex}: derivation")
+    print(f"{arguments.latex}: derivations")
     return 0
 
 
 COMMAND = Command(
     "derive",
-    "derive the equations of motion again; write the numeric module and the derivation as LaTeX",
+    "derive equations of motion and describing functions again; write numeric module and LaTeX",
     _configure,
     _run,
 )
