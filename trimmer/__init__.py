@@ -89,6 +89,32 @@ if TYPE_CHECKING:
     from trimmer.parameters import ParameterError as ParameterError
     from trimmer.parameters import TrimmerParameters as TrimmerParameters
     from trimmer.parameters import parameter_table as parameter_table
+    from trimmer.signals.csv_layout import CsvLayout as CsvLayout
+    from trimmer.signals.csv_layout import DecimalSign as DecimalSign
+    from trimmer.signals.csv_layout import Delimiter as Delimiter
+    from trimmer.signals.missing import MissingValues as MissingValues
+    from trimmer.signals.read import read_signal as read_signal
+    from trimmer.signals.signal import Signal as Signal
+    from trimmer.signals.signal import SignalError as SignalError
+    from trimmer.signals.wav import BitDepth as BitDepth
+    from trimmer.signals.wav import WavFile as WavFile
+    from trimmer.signals.wav import write_wav as write_wav
+    from trimmer.signals.write import write_signal as write_signal
+    from trimmer.spectra.analysis import SpectrumAnalysis as SpectrumAnalysis
+    from trimmer.spectra.analysis import analyse_signal as analyse_signal
+    from trimmer.spectra.classification import ClassifiedPeak as ClassifiedPeak
+    from trimmer.spectra.classification import Harmonic as Harmonic
+    from trimmer.spectra.classification import LimitCycleLine as LimitCycleLine
+    from trimmer.spectra.classification import Match as Match
+    from trimmer.spectra.classification import NaturalMode as NaturalMode
+    from trimmer.spectra.classification import classify as classify
+    from trimmer.spectra.harmonics import HarmonicFit as HarmonicFit
+    from trimmer.spectra.harmonics import fit_harmonics as fit_harmonics
+    from trimmer.spectra.peaks import Peak as Peak
+    from trimmer.spectra.peaks import peaks as peaks
+    from trimmer.spectra.spectrum import Spectrum as Spectrum
+    from trimmer.spectra.spectrum import amplitude_spectrum as amplitude_spectrum
+    from trimmer.spectra.window import Window as Window
     from trimmer.time_domain import SteadyState as SteadyState
     from trimmer.time_domain import TimeResponse as TimeResponse
     from trimmer.time_domain import steady_state as steady_state
@@ -99,12 +125,17 @@ if TYPE_CHECKING:
 
 _MODULES = {
     "BalancedHarmonics": "orbits.multi_harmonic_balance",
+    "BitDepth": "signals.wav",
     "Body": "displacement",
     "BodyFriction": "motion.trimmer_loop",
     "CUTTER_RELATIVE_TO_GUARD": "displacement",
     "Certificate": "balance.limit_cycle",
+    "ClassifiedPeak": "spectra.classification",
     "ClosedLoop": "motion.loops",
     "CoulombFriction": "elements.coulomb_friction",
+    "CsvLayout": "signals.csv_layout",
+    "DecimalSign": "signals.csv_layout",
+    "Delimiter": "signals.csv_layout",
     "Displacement": "displacement",
     "DisplacementError": "displacement",
     "Drive": "motion.drive",
@@ -116,26 +147,37 @@ _MODULES = {
     "FileWriteError": "files",
     "FrequencyRangeError": "balance.errors",
     "FrictionBacklash": "elements.friction_backlash",
+    "Harmonic": "spectra.classification",
     "HarmonicBalance": "balance.limit_cycle",
+    "HarmonicFit": "spectra.harmonics",
     "IdentifiedTimeConstant": "identification",
     "IllPosedLoopError": "motion.errors",
     "InertiaBacklash": "elements.inertia_backlash",
     "InputChannels": "linear",
     "LimitCycle": "balance.limit_cycle",
+    "LimitCycleLine": "spectra.classification",
     "LinearElementError": "balance.errors",
     "LinearSummary": "linear_summary",
+    "Match": "spectra.classification",
+    "MissingValues": "signals.missing",
     "Mode": "modal_analysis",
     "Motion": "motion.motion",
+    "NaturalMode": "spectra.classification",
     "OpenLoop": "motion.loops",
     "OrbitNotFoundError": "orbits.errors",
     "OrbitNotFoundWarning": "orbits.errors",
     "Outcome": "motion.motion",
     "ParameterError": "parameters",
+    "Peak": "spectra.peaks",
     "PeriodicOrbit": "orbits.periodic_orbit",
     "PointOnLocusError": "nyquist",
     "RealAxisCrossing": "crossings",
     "Relay": "elements.relay",
     "ScaledElement": "elements.scaled_element",
+    "Signal": "signals.signal",
+    "SignalError": "signals.signal",
+    "Spectrum": "spectra.spectrum",
+    "SpectrumAnalysis": "spectra.analysis",
     "SteadyState": "time_domain",
     "SumOfElements": "elements.sum_of_elements",
     "TimeResponse": "time_domain",
@@ -150,13 +192,19 @@ _MODULES = {
     "UnsupportedSystemError": "frequency_domain",
     "ViscousBacklash": "elements.viscous_backlash",
     "ViscousFriction": "elements.viscous_friction",
+    "WavFile": "signals.wav",
+    "Window": "spectra.window",
     "ZeroPoleGain": "zero_pole_gain",
+    "amplitude_spectrum": "spectra.spectrum",
+    "analyse_signal": "spectra.analysis",
     "asymptotic_roll_off": "low_pass",
     "bandwidth": "low_pass",
     "bandwidth_crossings": "low_pass",
+    "classify": "spectra.classification",
     "dips": "extrema",
     "encirclements": "nyquist",
     "filtering_ratio": "low_pass",
+    "fit_harmonics": "spectra.harmonics",
     "forced_orbit": "orbits.forced_orbit",
     "frequency_response": "frequency_domain",
     "gain_crossings": "crossings",
@@ -169,8 +217,10 @@ _MODULES = {
     "modes": "modal_analysis",
     "multi_harmonic_balance": "orbits.multi_harmonic_balance",
     "parameter_table": "parameters",
+    "peaks": "spectra.peaks",
     "periodic_orbits": "orbits.periodic_orbits",
     "pin_model": "linear",
+    "read_signal": "signals.read",
     "real_axis_crossings": "crossings",
     "resonance_peaks": "extrema",
     "simulate": "motion.simulation",
@@ -179,6 +229,8 @@ _MODULES = {
     "time_response": "time_domain",
     "transfer_function": "linear",
     "undamped_modes": "modal_analysis",
+    "write_signal": "signals.write",
+    "write_wav": "signals.wav",
     "write_whole": "files",
 }
 

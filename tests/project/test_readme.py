@@ -19,7 +19,7 @@ def readme(project_folder: Path) -> str:
 def test_python_examples_print_what_is_shown(readme: str) -> None:
     examples = re.findall(r"```python\n(.*?)```", readme, flags=re.DOTALL)
     shown = re.findall(r"```text\n(.*?)```", readme, flags=re.DOTALL)
-    assert len(examples) == 2
+    assert len(examples) == 3
     for example, output in zip(examples, shown, strict=True):
         ended = subprocess.run([sys.executable, "-c", example], capture_output=True, text=True, check=True)
         assert ended.stdout == output
@@ -27,7 +27,7 @@ def test_python_examples_print_what_is_shown(readme: str) -> None:
 
 def test_command_line_examples_run(readme: str, tmp_path: Path) -> None:
     lines = re.findall(r"^    (trimmer .*)$", readme, flags=re.MULTILINE)
-    assert len(lines) == 5
+    assert len(lines) == 9
     start = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
     for line in lines:
         command = [sys.executable, "-c", start, *shlex.split(line)[1:]]

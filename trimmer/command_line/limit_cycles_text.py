@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
+from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
     import control
@@ -26,7 +27,7 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
         (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
         for cycle in balance.limit_cycles
     ]
-    lines = [f"Limit cycles of {element!r}", *_table(_HEADS, rows)]
+    lines = [f"Limit cycles of {element!r}", *table(_HEADS, rows)]
     lowest, highest = certificate.omegas
     others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
     outside = "; none exist outside" if certificate.outside_excluded else ""
@@ -73,7 +74,7 @@ def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
     if not found:
         return "no M/D gives a limit cycle at this frequency"
     rows = [(f"{each.time_constant:.6g}", *_cycle_row(each.limit_cycle)) for each in found]
-    return "\n".join(["Time constants M/D", *_table(("M/D, s", *_HEADS[:5]), rows)])
+    return "\n".join(["Time constants M/D", *table(("M/D, s", *_HEADS[:5]), rows)])
 
 
 def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
@@ -109,14 +110,6 @@ def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
         "amplitudes": [_finite(end) for end in region.amplitudes],
         "omegas": [_finite(end) for end in region.omegas],
     }
-
-
-def _table(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
-    if not rows:
-        return ["  none"]
-    listed = [heads, *rows]
-    widths = [max(len(row[column]) for row in listed) for column in range(len(heads))]
-    return ["  " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in listed]
 
 
 def _range(ends: tuple[float, float]) -> str:

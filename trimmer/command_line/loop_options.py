@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import control
 
     from trimmer.elements.element import Element
+    from trimmer.parameters import TrimmerParameters
 
 CHANNELS = ("displacement", "both")
 
@@ -99,12 +100,12 @@ def add_loop_options(parser: ArgumentParser) -> None:
     )
 
 
-def add_element_options(parser: ArgumentParser) -> None:
-    """Add the options that choose the element."""
+def add_element_options(parser: ArgumentParser, *, required: bool = True) -> None:
+    """Add the options that choose the element, which may be left out unless required."""
     parser.add_argument(
         "--element",
         choices=[choice.name for choice in ELEMENTS],
-        required=True,
+        required=required,
         help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; ideal relay",
     )
     parser.add_argument("--gap", type=float, metavar="M", help="total clearance of the backlash, m")
@@ -122,11 +123,21 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
     """
     from trimmer.displacement import Displacement
     from trimmer.linear import InputChannels, pin_model
+
+    output, channels = Displacement.parse(arguments.output), InputChannels(arguments.channels)
+    return pin_model(chosen_parameters(arguments), output, channels)
+
+
+def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
+    """Read the parameters from the file that was given, or take the thesis's.
+
+    Raises:
+        ParameterError: if the file cannot be used.
+    """
     from trimmer.parameters import TrimmerParameters
 
     chosen = arguments.parameters
-    parameters = TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
-    return pin_model(parameters, Displacement.parse(arguments.output), InputChannels(arguments.channels))
+    return TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
 
 
 def chosen_element(arguments: Namespace) -> Element:

@@ -9,7 +9,16 @@ from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 
 import trimmer
-from trimmer.command_line import derive, identify, limit_cycles, linear, parameters
+from trimmer.command_line import (
+    derive,
+    identify,
+    limit_cycles,
+    linear,
+    orbits,
+    parameters,
+    simulate,
+    spectrum,
+)
 from trimmer.command_line.command import Command
 from trimmer.errors import TrimmerError
 
@@ -48,6 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))

@@ -1,0 +1,66 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.trimmer.signals.reading import message_for
+from trimmer.signals.csv_layout import CsvLayout, DecimalSign
+from trimmer.signals.read import read_signal
+
+THREE = "time [s],pin [m],pin,q2-q4 [m]\n0.0,1,2,3\n0.1,1,2,4\n"
+
+
+@pytest.mark.parametrize("choice", [4, "4", "q2-q4", "q2-q4 [m]", "Q2-Q4", " q2-q4 "])
+def test_a_column_is_chosen_by_name_or_number(file, choice) -> None:
+    signal = read_signal(file(THREE), column=choice)
+    assert signal.values.tolist() == [3.0, 4.0]
+    assert (signal.name, signal.unit) == ("q2-q4", "m")
+
+
+def test_a_name_of_digits_comes_before_a_number(file) -> None:
+    path = file("time,b,2 [m]\n0,7,8\n1,7,9\n")
+    assert read_signal(path, column="2").values.tolist() == [8.0, 9.0]
+    assert read_signal(path, column=2).values.tolist() == [7.0, 7.0]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            {},
+            ": there are 4: 1 'time [s]', 2 'pin [m]', 3 'pin', 4 'q2-q4 [m]'; choose one by name or number",
+        ),
+        ({"column": "q2-q3"}, ": no column is named 'q2-q3'; did you mean 'q2-q4'?"),
+        ({"column": "velocity"}, ": no column is named 'velocity'; there are 4: 1 'time [s]'"),
+        ({"column": "pin"}, ": columns 2 and 3 are named 'pin'; choose by number"),
+        ({"column": 5}, ": there is no column 5; there are 4"),
+        ({"column": "0"}, ": there is no column 0; there are 4"),
+        ({"column": -1}, ": there is no column -1"),
+        ({"column": ""}, ": no column is named ''"),
+        ({"column": 1, "time_column": 1}, ": the signal and the time stamps cannot both be 1 'time [s]'"),
+        ({"column": "time"}, ": the signal and the time stamps cannot both be 1 'time [s]'"),
+        ({"column": 4, "time_column": "clock"}, ": no column is named 'clock'"),
+    ],
+)
+def test_a_column_that_is_not_there_is_told_with_those_that_are(file, options, message: str) -> None:
+    assert message_for(file(THREE), **options).startswith(message)
+
+
+def test_several_columns_of_time_stamps_are_told(file) -> None:
+    path = file("t,time,y\n0,0,1\n1,1,2\n")
+    assert message_for(path) == ": 1 't' and 2 'time' may both be time stamps; choose one (--time)"
+    assert read_signal(path, time_column="t", column="y").values.tolist() == [1.0, 2.0]
+
+
+def test_time_stamps_alone_are_told(file) -> None:
+    assert "holds time stamps alone" in message_for(file("t\n0\n1\n"))
+
+
+def test_decimal_commas_that_were_taken_for_delimiters_are_suspected(file) -> None:
+    path = file("0,001\n0,002\n")
+    assert "say that the comma is the decimal sign (--decimal comma)" in message_for(path, sample_rate=1)
+    layout = CsvLayout(decimal=DecimalSign.COMMA)
+    assert read_signal(path, sample_rate=1, layout=layout).values.tolist() == [0.001, 0.002]
+    assert "2 cells in the heading" not in message_for(path, sample_rate=1)
+    assert ", line 1: 1 cell in the heading, but 2 in the data" in message_for(
+        file("y\n0,001\n"), sample_rate=1
+    )

@@ -1,0 +1,124 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.trimmer.signals.reading import message_for
+from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
+from trimmer.signals.read import read_signal
+
+TWO = [0.25, -1500.0]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "0.25\n-1500\n",
+        "0.25\r\n-1500\r\n",
+        "0.25\r-1500",
+        "\n\n .25 \n-1.5E3\n\n\n",
+        "0,25\n-1500,0\n\n",
+        "# made by hand, 2024\ny\n0.25\n# in between\n-1.5e+3\n# the end\n",
+        '"0.25"\n"-1500"\n',
+        "y [µm]\n+0.25\n-1500.\n",
+        "y [µm]\n0.25\n-1500\n".encode("latin-1"),
+        "y\n0.25\n-1500\n".encode("utf-8-sig"),
+        "a title\n\ny\n0.25\n-1500\n",
+    ],
+)
+def test_one_column_needs_no_choice(file, content) -> None:
+    layout = CsvLayout(decimal=DecimalSign.COMMA) if b"0,25" in file(content).read_bytes() else CsvLayout()
+    signal = read_signal(file(content), sample_rate=10, layout=layout)
+    assert signal.values.tolist() == TWO
+    assert signal.sample_rate == 10.0
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "time,y\n0.0,0.25\n0.1,-1500\n",
+        "time;y\n0,0;0,25\n0,1;-1500\n",
+        "time;y\n0.0;0.25\n0.1;-1500\n",
+        "time\ty\n0,0\t0,25\n0,1\t-1500\n",
+        'time,y\n"0,0","0,25"\n"0,1",-1500\n',
+        "time;y;\n0.0;0.25;\n0.1;-1500;\n",
+        "time;y\n0.0;0.25;\n0.1;-1500; \n",
+        "Time;y\n(ms);(m)\n\n0;0,25\n100;-1500\n",
+        "Run 3;May\nTime;y\nms;\n0;0,25\n100;-1500\n",
+        "ms;m\nTime;y\n0;0,25\n0,1;-1500\n",
+        "T [us];y [m]\n0;0,25\n100000;-1500\n",
+        "the signal, and time\ny, t\n0.25, 0.0\n-1500, 0.1\n",
+    ],
+)
+def test_time_stamps_give_the_rate(file, content: str) -> None:
+    signal = read_signal(file(content))
+    assert signal.values.tolist() == TWO
+    assert signal.sample_rate == pytest.approx(10.0, rel=1e-15)
+    assert (signal.name, signal.start) == ("y", 0.0)
+
+
+@pytest.mark.parametrize(
+    ("content", "options", "message"),
+    [
+        ("0.0 1.0\n0.1 2.0\n", {}, ", line 1: '0.0 1.0' is several numbers; separate columns by comma"),
+        ("0.0|1.0\n0.1|2.0\n", {}, ", line 1: '0.0|1.0' is several numbers; separate columns by comma"),
+        ("t;y\n0;1.5\n1;2,5\n", {}, ", line 3: decimals have a point in line 2 and a comma in line 3"),
+        ("t;y\n0;1.234,5\n1;2,5\n", {}, ", line 2: '1.234,5' has a point and a comma"),
+        (
+            "t,y\n0.0,1.5\n0.1,2.5\n",
+            {"layout": CsvLayout(Delimiter.SEMICOLON)},
+            ", line 2: '0.0,1.5' has a point and a comma; choose the delimiter that fits",
+        ),
+        (
+            "0;1.5\n",
+            {"layout": CsvLayout(decimal=DecimalSign.COMMA), "column": 2},
+            ", line 1: '1.5' is no number",
+        ),
+        (
+            "0;1,5\n",
+            {"layout": CsvLayout(decimal=DecimalSign.POINT), "column": 2},
+            ", line 1: '1,5' is no number",
+        ),
+        ("y\n1\n2 mm\n", {}, ", line 3: '2 mm' is not a number; put # before lines"),
+        ("y\n1\n1_000\n", {}, ", line 3: '1_000' is not a number"),
+        ("y\n1\n1+1\n", {}, ", line 3: '1+1' is not a number"),
+        ("y\n1\n0x10\n", {}, ", line 3: '0x10' is not a number"),
+        ("y\n1\n١\n", {}, ", line 3: '١' is not a number"),
+        ("y\n1\n__import__('os')\n", {}, ", line 3: \"__import__('os')\" is not a number"),
+        ("y\n1\n" + 60 * "z" + "\n", {}, ", line 3: 'zzzz"),
+        ("y\n1\n1e999\n", {}, ", line 3: '1e999' is too large for a number"),
+        ("y\n1\ninf\n", {}, ", line 3: 'inf' is not finite; was the sensor overloaded?"),
+        ("y\n1\n-Infinity\n", {}, ", line 3: '-Infinity' is not finite"),
+        ("a,b\n1,2\n3\n", {"column": "b"}, ", line 3: 1 cell separated by comma, where line 2 has 2: '3'"),
+        (
+            "a,b\n1,2\n3,4,5\n",
+            {"column": "b"},
+            ", line 3: 3 cells separated by comma, where line 2 has 2: '3,4,5'",
+        ),
+        (
+            "a;b\n1;2\n3,4\n",
+            {"column": "b"},
+            ", line 3: 1 cell separated by semicolon, where line 2 has 2: '3,4'",
+        ),
+        ('a,b\n1,"2\n3,4\n', {"column": "b"}, ", line 2: quotation marks are not in pairs around cells"),
+        ("only words\n", {}, ": holds no number"),
+        ("# 1\n", {}, ": holds no number"),
+        ("", {}, ": is empty"),
+        (" \n\n", {}, ": is empty"),
+        (b"PK\x03\x04...", {}, ": is a spreadsheet or another zip file; export"),
+        (b"RIFF....WAVE", {}, ": is a RIFF file, such as WAV"),
+        ("y\n1\n".encode("utf-16"), {}, ": is UTF-16 text; save it as UTF-8"),
+        ("y\n1\n".encode("utf-16-le"), {}, ", line 1: byte 0x00 does not occur in CSV text"),
+        (b"y\n1\n2\x01\n", {}, ", line 3: byte 0x01 does not occur"),
+    ],
+)
+def test_what_is_wrong_with_the_content_is_told_with_its_line(file, content, options, message: str) -> None:
+    told = message_for(file(content), sample_rate=10, **options)
+    assert told.startswith(message)
+    assert len(told) < 250
+
+
+def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+    assert message_for(tmp_path / "none.csv", sample_rate=1) == ": no such file"
+    assert "is a folder" in message_for(tmp_path, sample_rate=1)

@@ -1,0 +1,66 @@
+"""From a file to what its peaks are: the parts together, on signals whose content is known."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.signals.read import read_signal
+from trimmer.signals.signal import Signal
+from trimmer.signals.write import write_signal
+from trimmer.spectra.analysis import analyse_signal
+from trimmer.spectra.classification import Harmonic, LimitCycleLine, NaturalMode
+from trimmer.spectra.window import Window
+
+RATE, DRIVE = 20_000.0, 109.845
+MODES, CYCLES = (222.35, 354.84, 549.59, 1139.5), (733.6,)
+PARTS = {DRIVE: 1e-3, 3 * DRIVE: 5e-5, 5 * DRIVE: 2e-5, 356.0: 1e-5, 733.0: 3e-5, 900.0: 5e-6}
+
+
+@pytest.fixture
+def signal() -> Signal:
+    times = np.arange(20_001) / RATE
+    values = sum(size * np.sin(2 * np.pi * f * times + f) for f, size in PARTS.items())
+    return Signal(values, RATE, "q2-q4", "m")
+
+
+@pytest.mark.parametrize("window", Window)
+def test_each_part_of_a_signal_is_found_and_named(tmp_path: Path, signal: Signal, window: Window) -> None:
+    write_signal(tmp_path / "a.csv", signal)
+    analysis = analyse_signal(read_signal(tmp_path / "a.csv"), DRIVE, MODES, CYCLES, window)
+    found = {round(each.peak.frequency, 3): each for each in analysis.peaks}
+    assert sorted(found) == [pytest.approx(frequency, abs=0.05) for frequency in sorted(PARTS)]
+    kinds = [each.explanation and type(each.explanation.origin) for _, each in sorted(found.items())]
+    assert kinds == [Harmonic, Harmonic, NaturalMode, Harmonic, LimitCycleLine, None]
+    assert analysis.harmonics is not None
+    expected = [PARTS.get(order * DRIVE, 0.0) for order in analysis.harmonics.orders]
+    np.testing.assert_allclose(analysis.harmonics.amplitudes, expected, rtol=0, atol=1e-9)
+
+
+def test_the_output_of_a_play_has_the_harmonics_of_its_describing_functions() -> None:
+    """A friction-controlled play on a sine, by its rule sample by sample (Listing A.7 of the thesis)."""
+    amplitude, gap, samples = 1.5e-3, 4e-4, 40_000
+    pin = amplitude * np.sin(2 * np.pi * 110 * np.arange(samples) / 1e6)
+    bridge, outputs = 0.0, []
+    for position in pin.tolist():
+        bridge = min(max(bridge, position - gap / 2), position + gap / 2)
+        outputs.append(bridge)
+    steady = Signal(np.array(outputs[-(samples * 3) // 4 :]), 1e6)
+    fit = analyse_signal(steady, drive=110.0).harmonics
+    assert fit is not None
+    element = FrictionBacklash(gap)
+    for order in (1, 3, 5, 7):
+        expected = amplitude * abs(element.describing_function(amplitude, harmonic=order))
+        assert fit.amplitudes[order - 1] == pytest.approx(expected, rel=2e-3)
+    even = fit.amplitudes[1:10:2]  # above, harmonic 21 leaks in, which is not fitted
+    assert even.max() < 1e-6 * fit.amplitudes[2]
+
+
+def test_without_a_drive_there_are_no_harmonics(signal: Signal) -> None:
+    analysis = analyse_signal(signal, limit=1)
+    assert analysis.harmonics is None
+    assert len(analysis.peaks) == 1
+    assert analysis.peaks[0].candidates == ()

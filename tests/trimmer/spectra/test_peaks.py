@@ -1,0 +1,199 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from trimmer.signals.signal import SignalError
+from trimmer.spectra.noise import noise_threshold
+from trimmer.spectra.peaks import MOST_PEAKS, peaks
+from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra.window import Window
+
+TAPERED = [window for window in Window if window is not Window.RECTANGULAR]
+SAMPLES = 1000
+RATE = 500.0
+PARTED = {Window.RECTANGULAR: 3, Window.HANN: 3, Window.BLACKMAN_HARRIS: 5, Window.FLAT_TOP: 6}
+"""Bins by which two sines must be apart, as ``peaks`` states."""
+NOISE_FACTORS = {
+    Window.RECTANGULAR: 0.9,
+    Window.HANN: 1.5,
+    Window.BLACKMAN_HARRIS: 2.1,
+    Window.FLAT_TOP: 6.5,
+}
+"""The figures that ``peaks`` states."""
+
+
+def sines(places, amplitudes, phases) -> np.ndarray:
+    """Add sines up; places are in bins."""
+    turns = 2 * np.pi * np.multiply.outer(np.arange(SAMPLES) / SAMPLES, np.asarray(places))
+    return (np.asarray(amplitudes) * np.cos(turns + np.asarray(phases))).sum(axis=1)
+
+
+def found(values: np.ndarray, window: Window, **options) -> np.ndarray:
+    """Places in bins and amplitudes of the peaks, by place, shape (number, 2)."""
+    spectrum = amplitude_spectrum(values, RATE, window)
+    listed = [(peak.frequency / spectrum.bin_width, peak.amplitude) for peak in peaks(spectrum, **options)]
+    return np.array(sorted(listed)).reshape(-1, 2)
+
+
+@pytest.mark.parametrize("window", Window)
+@settings(max_examples=50)
+@given(place=st.floats(8, 490), amplitude=st.floats(1e-9, 1e9), phase=st.floats(-3.1, 3.1))
+def test_one_sine_is_found_exactly(window: Window, place: float, amplitude: float, phase: float) -> None:
+    spectrum = amplitude_spectrum(5 * amplitude + sines([place], [amplitude], [phase]), RATE, window)
+    (peak,) = peaks(spectrum)
+    assert peak.frequency / spectrum.bin_width == pytest.approx(place, abs=1e-9)
+    assert peak.amplitude == pytest.approx(amplitude, rel=1e-9)
+    assert peak.phase == pytest.approx(phase, abs=1e-8)
+
+
+@pytest.mark.parametrize("window", Window)
+@settings(max_examples=50)
+@given(
+    place=st.floats(10, 470),
+    more=st.floats(0.0, 10.0),
+    ratio=st.floats(0.5, 2.0),
+    phases=st.tuples(st.floats(-3.1, 3.1), st.floats(-3.1, 3.1)),
+)
+def test_two_close_sines_are_found_exactly(
+    window: Window, place: float, more: float, ratio: float, phases
+) -> None:
+    places = [place, place + PARTED[window] + more]
+    result = found(sines(places, [1.0, ratio], phases), window)
+    np.testing.assert_allclose(result, [[places[0], 1.0], [places[1], ratio]], rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("window", TAPERED)
+def test_harmonics_of_a_drive_that_falls_between_bins_are_found_exactly(window: Window) -> None:
+    orders = np.arange(1, 30, 2)
+    result = found(sines(15.123 * orders, orders**-2.0, orders), window)
+    np.testing.assert_allclose(result, np.stack([15.123 * orders, orders**-2.0], axis=1), rtol=1e-9)
+
+
+@pytest.mark.parametrize("window", TAPERED)
+def test_leakage_is_no_peak_and_hides_none_that_is_larger(window: Window) -> None:
+    """Beside a large sine between two bins, only what is there is found: nothing, or a small sine."""
+    large, small = (100.4, 1.0), (160.7, 3e-3)
+    assert len(found(sines([large[0]], [1.0], [0.3]), window)) == 1
+    result = found(sines(*zip(large, small, strict=True), [0.3, 1.0]), window)
+    np.testing.assert_allclose(result, [large, small], rtol=1e-8)
+
+
+def test_without_a_window_leakage_counts_as_noise() -> None:
+    assert len(found(sines([100.4], [1.0], [0.3]), Window.RECTANGULAR)) == 1
+    small = sines([100.4, 160.7], [1.0, 3e-3], [0.3, 1.0])
+    assert len(found(small, Window.RECTANGULAR)) == 1
+    larger = found(sines([100.4, 160.7], [1.0, 0.1], [0.3, 1.0]), Window.RECTANGULAR)
+    np.testing.assert_allclose(larger, [[100.4, 1.0], [160.7, 0.1]], rtol=1e-8)
+
+
+def test_without_a_window_a_whole_number_of_periods_shows_small_peaks_too() -> None:
+    orders = np.arange(1, 40, 2)
+    result = found(sines(12 * orders, orders**-2.0, orders), Window.RECTANGULAR)
+    np.testing.assert_allclose(result, np.stack([12.0 * orders, orders**-2.0], axis=1), rtol=1e-9)
+
+
+def test_without_interpolation_the_frequency_would_be_off_by_up_to_half_a_bin() -> None:
+    spectrum = amplitude_spectrum(sines([100.5], [1.0], [0.0]), RATE, Window.HANN)
+    assert abs(np.argmax(spectrum.amplitude) - 100.5) == 0.5
+    assert spectrum.amplitude.max() == pytest.approx(8 / (3 * np.pi), rel=1e-4)  # Hann between two bins
+
+
+@pytest.mark.parametrize("window", Window)
+def test_noise_makes_frequencies_uncertain_as_stated(window: Window) -> None:
+    random = np.random.default_rng(7)
+    deviation, trials = 0.05, 150
+    errors = []
+    for _ in range(trials):
+        place = random.uniform(100, 101)
+        values = sines([place], [1.0], [random.uniform(-3, 3)]) + deviation * random.normal(size=SAMPLES)
+        errors.append(found(values, window, limit=1)[0, 0] - place)
+    factor = np.std(errors) / (deviation / np.sqrt(SAMPLES))
+    assert factor == pytest.approx(NOISE_FACTORS[window], rel=0.2)
+    assert abs(np.mean(errors)) < 4 * np.std(errors) / np.sqrt(trials)
+
+
+@pytest.mark.parametrize("window", Window)
+def test_white_noise_seldom_gives_a_peak(window: Window) -> None:
+    random = np.random.default_rng(5)
+    alarms = sum(len(found(random.normal(size=2000), window)) > 0 for _ in range(300))
+    assert alarms <= 12  # 1.5 % stated; 12 or more of 300 have a probability of 0.2 %
+    loud = sum(len(found(random.normal(size=2000), window, false_alarm=0.9)) > 0 for _ in range(50))
+    assert loud > 15
+
+
+def test_the_threshold_follows_noise_along_the_spectrum() -> None:
+    random = np.random.default_rng(3)
+    size = np.where(np.arange(4000) < 2000, 1.0, 100.0)
+    amplitude = size * random.rayleigh(size=4000)
+    threshold = noise_threshold(amplitude, 0.01)
+    expected = np.sqrt(2 * np.log(4000 / 0.01))
+    assert threshold[1000] == pytest.approx(expected, rel=0.1)
+    assert threshold[3000] == pytest.approx(100 * expected, rel=0.1)
+
+
+def test_a_sine_below_the_noise_is_not_claimed_and_one_above_is_found() -> None:
+    random = np.random.default_rng(11)
+    noise = random.normal(size=SAMPLES)
+    assert len(found(noise + sines([200.3], [0.05], [0.0]), Window.HANN)) == 0
+    result = found(noise + sines([200.3], [1.0], [0.0]), Window.HANN)
+    assert result[:, 0] == pytest.approx([200.3], abs=0.2)
+
+
+def test_a_vibration_that_dies_out_is_one_peak_at_its_frequency() -> None:
+    """A lightly damped mode, as after an impulse: a broad peak, not a line."""
+    times = np.arange(4000)
+    for rate_of_decay in (1e-4, 1e-3, 5e-3):
+        values = np.exp(-rate_of_decay * times) * np.cos(2 * np.pi * 0.1234 * times)
+        spectrum = amplitude_spectrum(values, 1.0, Window.HANN)
+        (largest,) = peaks(spectrum, limit=1)
+        assert largest.frequency / spectrum.bin_width == pytest.approx(493.6, abs=0.6)
+
+
+@settings(max_examples=50)
+@given(
+    values=st.lists(st.tuples(st.floats(8, 490), st.floats(1, 9), st.floats(-3, 3)), min_size=1, max_size=4),
+    scale=st.sampled_from([1e-12, 2e-6, 1e9]),
+)
+def test_units_do_not_matter(values, scale: float) -> None:
+    assume(len({place for place, _, _ in values}) == len(values))
+    signal = sines(*zip(*values, strict=True))
+    before, after = found(signal, Window.HANN), found(scale * signal, Window.HANN)
+    assert before.shape == after.shape
+    np.testing.assert_allclose(after, before * [1.0, scale], rtol=1e-6)
+
+
+def test_peaks_come_by_amplitude_and_the_limit_keeps_the_largest() -> None:
+    spectrum = amplitude_spectrum(sines([50.2, 90.4, 130.6], [1.0, 3.0, 2.0], [0, 1, 2]), RATE)
+    assert [round(peak.amplitude, 6) for peak in peaks(spectrum)] == [3.0, 2.0, 1.0]
+    assert peaks(spectrum, limit=2) == peaks(spectrum)[:2]
+
+
+def test_a_constant_signal_has_no_peak() -> None:
+    assert peaks(amplitude_spectrum(np.full(100, 3.0), 1.0)) == ()
+    assert peaks(amplitude_spectrum(np.zeros(16), 1.0, Window.FLAT_TOP)) == ()
+
+
+def test_the_number_of_peaks_is_bounded() -> None:
+    values = np.zeros(5000)
+    values[::5] = 1.0  # harmonics at every fifth of the sample rate
+    values[::7] += np.sin(np.arange(715))
+    assert len(peaks(amplitude_spectrum(values, 1.0, Window.RECTANGULAR), false_alarm=0.99)) <= MOST_PEAKS
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"limit": 0}, "limit is 0: ask for one peak or more"),
+        ({"smallest": 1.0}, "smallest is 1.0"),
+        ({"smallest": -0.1}, "smallest is -0.1"),
+        ({"smallest": np.nan}, "smallest is nan"),
+        ({"false_alarm": 0.0}, "false_alarm is 0.0: it is a probability"),
+        ({"false_alarm": 1.0}, "false_alarm is 1.0"),
+    ],
+)
+def test_options_out_of_their_range_are_refused(options, message: str) -> None:
+    with pytest.raises(SignalError, match=message):
+        peaks(amplitude_spectrum(np.zeros(100), 1.0), **options)

@@ -1,0 +1,79 @@
+"""A simulated motion as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.component import EventKind
+
+if TYPE_CHECKING:
+    from trimmer.motion.motion import Motion
+
+SHARE = 0.1
+"""Share of the motion, at its end, that the summary describes."""
+POINTS = 20_001
+REPEATING = (EventKind.IMPACT, EventKind.SWITCH)
+ONE_SIDE = ("upper contact", "plus")
+
+
+def as_text(motion: Motion) -> str:
+    """Summarise a motion: how it ended, what happened, and how it moves at the end."""
+    counts = Counter((event.component, event.kind.value) for event in motion.events)
+    lines = [
+        f"Motion of {motion.duration:.6g} s: {motion.outcome.value}",
+        *(f"  {component}: {number} x {kind}" for (component, kind), number in sorted(counts.items())),
+    ]
+    if not counts:
+        lines.append("  no event: the motion is linear")
+    lines.append(f"The last {SHARE:.0%} of it, half of peak to peak:")
+    lines += [f"  {name:<8}{value:.6g} m" for name, value in _ranges(motion).items()]
+    frequency = _frequency(motion)
+    if frequency is not None:
+        lines.append(f"  impacts on one side, or reversals in one direction: {frequency:.6g} per second")
+    return "\n".join(lines)
+
+
+def as_json(motion: Motion) -> str:
+    """Give a motion as JSON: outcome, every event, and the ranges at the end; SI units."""
+    content = {
+        "duration": motion.duration,
+        "outcome": motion.outcome.name.lower(),
+        "touches": motion.touches,
+        "events": [
+            {"time": each.time, "kind": each.kind.value, "component": each.component, "mode": each.mode}
+            for each in motion.events
+        ],
+        "last_amplitudes": _ranges(motion),
+        "last_frequency": _frequency(motion),
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _ranges(motion: Motion) -> dict[str, float]:
+    times = np.linspace((1.0 - SHARE) * motion.duration, motion.duration, POINTS)
+    signals = {
+        motion.loop.model.output_labels[0]: motion.output(times),
+        "pin": motion.element_input(times),
+        "bridge": motion.element_output(times),
+    }
+    return {name: 0.5 * float(np.ptp(values)) for name, values in signals.items()}
+
+
+def _frequency(motion: Motion) -> float | None:
+    """Return how often an event repeats at the end, Hz; None if a drive sets it or it happens once.
+
+    Impacts on one side of the gap and reversals in one direction happen once in a simple period.
+    """
+    if motion.loop.modes.system.drive is not None:
+        return None
+    begin = (1.0 - SHARE) * motion.duration
+    times = [
+        event.time
+        for event in motion.events
+        if event.time >= begin and event.kind in REPEATING and event.mode in ONE_SIDE
+    ]
+    return None if len(times) < 2 or times[0] == times[-1] else (len(times) - 1) / (times[-1] - times[0])

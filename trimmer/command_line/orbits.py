@@ -1,0 +1,44 @@
+"""``trimmer orbits``: exact limit cycles of a trimmer, beside what harmonic balance predicts."""
+
+from __future__ import annotations
+
+import warnings
+from argparse import ArgumentParser, Namespace
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.loop_options import (
+    add_element_options,
+    add_loop_options,
+    chosen_element,
+    linear_part,
+)
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_element_options(parser)
+    add_loop_options(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.balance.solve import limit_cycles
+    from trimmer.command_line.loop_options import OptionError
+    from trimmer.command_line.orbits_text import as_json, as_text
+    from trimmer.orbits.errors import OrbitNotFoundWarning
+    from trimmer.orbits.periodic_orbits import periodic_orbits
+
+    element, system = chosen_element(arguments), linear_part(arguments)
+    predictions = limit_cycles(system, element)
+    with warnings.catch_warnings():
+        # The table says it too, beside the prediction.
+        warnings.simplefilter("ignore", OrbitNotFoundWarning)
+        try:
+            orbits = periodic_orbits(system, element, predictions)
+        except ValueError as error:
+            raise OptionError(str(error)) from error
+    print((as_json if arguments.json else as_text)(element, predictions, orbits))
+    return 0
+
+
+COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
+"""The subcommand."""

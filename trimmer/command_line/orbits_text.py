@@ -1,0 +1,75 @@
+"""Exact orbits as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.table import table
+
+if TYPE_CHECKING:
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.elements.element import Element
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "error", "predicted Hz", "error")
+
+
+def as_text(element: Element, predictions: Sequence[LimitCycle], orbits: Sequence[PeriodicOrbit]) -> str:
+    """Lay orbits out as a table, each beside its prediction."""
+    lines = [f"Exact limit cycles of {element!r}", *table(HEADS, [_row(orbit) for orbit in orbits])]
+    lines += [
+        f"predicted, but not found: amplitude {each.amplitude:.6g} at {each.frequency:.6g} Hz"
+        for each in _without_orbit(predictions, orbits)
+    ]
+    lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
+    return "\n".join(lines)
+
+
+def as_json(element: Element, predictions: Sequence[LimitCycle], orbits: Sequence[PeriodicOrbit]) -> str:
+    """Give orbits as JSON: full precision, SI units."""
+    content = {
+        "element": repr(element),
+        "orbits": [_entry(orbit) for orbit in orbits],
+        "not_found": [
+            {"amplitude": each.amplitude, "frequency": each.frequency}
+            for each in _without_orbit(predictions, orbits)
+        ],
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _largest(orbit: PeriodicOrbit) -> float:
+    return float(max(abs(orbit.nontrivial_multipliers)))
+
+
+def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
+    prediction = orbit.prediction
+    assert prediction is not None, "every orbit here comes from a prediction"
+    return (
+        *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", "yes" if orbit.stable else "no"),
+        f"{_largest(orbit):.4g}",
+        *(f"{prediction.amplitude:.6g}", f"{orbit.amplitude_error:+.2%}"),
+        *(f"{prediction.frequency:.6g}", f"{orbit.frequency_error:+.3%}"),
+    )
+
+
+def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
+    return {
+        "amplitude": orbit.amplitude,
+        "period": orbit.period,
+        "frequency": orbit.frequency,
+        "stable": orbit.stable,
+        "multipliers": [[value.real, value.imag] for value in orbit.multipliers.tolist()],
+        "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
+        "switching_times": orbit.switching_times.tolist(),
+        "residual": orbit.residual,
+        "amplitude_error": orbit.amplitude_error,
+        "frequency_error": orbit.frequency_error,
+    }
+
+
+def _without_orbit(predictions: Sequence[LimitCycle], orbits: Sequence[PeriodicOrbit]) -> list[LimitCycle]:
+    found = [orbit.prediction for orbit in orbits]
+    return [each for each in predictions if each not in found]

@@ -1,0 +1,133 @@
+"""``trimmer spectrum``: the spectrum of a measured signal, and what its peaks may be."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.loop_options import OptionError, add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.signal_options import add_signal_options, chosen_signal, positive, positive_whole
+
+if TYPE_CHECKING:
+    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.command_line.spectrum_text import Predictions
+    from trimmer.signals.signal import Signal
+    from trimmer.signals.wav import WavFile
+    from trimmer.spectra.analysis import SpectrumAnalysis
+
+WINDOWS = ("rectangular", "hann", "blackman-harris", "flat-top")
+BIT_DEPTHS = (16, 24)
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_signal_options(parser)
+    parser.add_argument(
+        "--drive",
+        type=positive,
+        metavar="HZ",
+        help="frequency of the drive, whose harmonics are fitted, and looked for among the peaks",
+    )
+    parser.add_argument(
+        "--gap",
+        type=positive,
+        metavar="M",
+        help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
+        "are looked for too",
+    )
+    parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
+    parser.add_argument(
+        "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
+    )
+    add_loop_options(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    parser.add_argument(
+        "--plot", type=Path, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
+    )
+    parser.add_argument("--wav", type=Path, metavar="FILE", help="write the signal as sound into a .wav file")
+    parser.add_argument(
+        "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.spectrum_text import as_json, as_text
+    from trimmer.signals.signal import SignalError
+
+    _check_targets(arguments)
+    signal = chosen_signal(arguments)
+    predictions = _predictions(arguments)
+    try:
+        analysis = _analysis(arguments, signal, predictions)
+        _draw(arguments, analysis)
+        wav = _written_wav(arguments, signal)
+    except SignalError as error:
+        raise OptionError(f"{arguments.file}: {error}") from error
+    print((as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav))
+    return 0
+
+
+def _check_targets(arguments: Namespace) -> None:
+    """Refuse names of files that cannot be meant, before any work is done."""
+    if arguments.plot is not None:
+        from trimmer.command_line.locus_picture import check_format
+
+        check_format(arguments.plot)
+    if arguments.wav is not None and arguments.wav.suffix.lower() != ".wav":
+        raise OptionError(f"--wav {arguments.wav}: the name must end in .wav")
+    for option in ("plot", "wav"):
+        target = getattr(arguments, option)
+        if target is not None and target.resolve() == arguments.file.resolve():
+            raise OptionError(f"--{option} {target}: is the file of the signal; name another one to write")
+
+
+def _predictions(arguments: Namespace) -> Predictions:
+    """Find natural modes, and limit cycles if a gap is given."""
+    from trimmer.balance.solve import harmonic_balance
+    from trimmer.command_line.spectrum_text import Predictions
+    from trimmer.elements.friction_backlash import FrictionBacklash
+    from trimmer.modal_analysis import modes
+
+    cycles: tuple[LimitCycle, ...] = ()
+    if arguments.gap is not None:
+        cycles = harmonic_balance(linear_part(arguments), FrictionBacklash(arguments.gap)).limit_cycles
+    return Predictions(
+        source="the thesis's trimmer" if arguments.parameters is None else str(arguments.parameters),
+        natural_frequencies=tuple(mode.frequency for mode in modes(chosen_parameters(arguments))),
+        gap=arguments.gap,
+        limit_cycles=tuple(cycle.frequency for cycle in cycles if cycle.stable),
+    )
+
+
+def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) -> SpectrumAnalysis:
+    from trimmer.spectra.analysis import analyse_signal
+    from trimmer.spectra.window import Window
+
+    return analyse_signal(
+        signal,
+        arguments.drive,
+        predictions.natural_frequencies,
+        predictions.limit_cycles,
+        Window[arguments.window.upper().replace("-", "_")],
+        arguments.limit,
+    )
+
+
+def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
+    if arguments.plot is not None:
+        from trimmer.command_line.spectrum_picture import draw
+        from trimmer.files import write_whole
+
+        write_whole(arguments.plot, draw(analysis, arguments.plot.suffix[1:].lower()))
+
+
+def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
+    if arguments.wav is None:
+        return None
+    from trimmer.signals.wav import BitDepth, write_wav
+
+    return write_wav(arguments.wav, signal.values, signal.sample_rate, BitDepth(arguments.bits))
+
+
+COMMAND = Command("spectrum", "spectrum of a measured signal, and what its peaks may be", _configure, _run)

@@ -1,0 +1,203 @@
+"""The spectrum of a signal as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.command_line.table import table
+from trimmer.spectra.classification import (
+    MODEL_TOLERANCE,
+    TOLERANCE_BINS,
+    ClassifiedPeak,
+    Harmonic,
+    LimitCycleLine,
+    Match,
+    NaturalMode,
+    Origin,
+)
+
+if TYPE_CHECKING:
+    from trimmer.signals.wav import WavFile
+    from trimmer.spectra.analysis import SpectrumAnalysis
+    from trimmer.spectra.harmonics import HarmonicFit
+
+_SMALLEST_HARMONIC = 1e-4
+"""Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""
+
+
+@dataclass(frozen=True)
+class Predictions:
+    """Frequencies that the model predicts.
+
+    Attributes:
+        source: Which trimmer it is the model of.
+        natural_frequencies: Of the natural modes, Hz; 0 for an overdamped one.
+        gap: Total clearance of the play, m; None if no limit cycles were asked for.
+        limit_cycles: Of the stable limit cycles, Hz.
+    """
+
+    source: str
+    natural_frequencies: tuple[float, ...]
+    gap: float | None
+    limit_cycles: tuple[float, ...]
+
+
+def as_text(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
+    """Lay spectrum, harmonics and peaks out as short tables."""
+    sections = [list(_head(file, analysis))]
+    if analysis.harmonics is not None:
+        sections.append(list(_harmonics(analysis.harmonics, analysis.signal.unit)))
+    sections.append(list(_peaks(analysis)))
+    sections.append(list(_candidates(analysis, predictions)))
+    if wav is not None:
+        sections.append([_told_wav(wav, analysis)])
+    return "\n\n".join("\n".join(lines) for lines in sections)
+
+
+def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
+    """Give spectrum, harmonics and peaks as JSON: full precision, SI units, phases of cosines in rad."""
+    signal, spectrum, fit = analysis.signal, analysis.spectrum, analysis.harmonics
+    content = {
+        "file": str(file),
+        "signal": {"name": signal.name, "unit": signal.unit, "samples": signal.values.size}
+        | {"sample_rate": signal.sample_rate, "start": signal.start, "interpolated": signal.interpolated},
+        "spectrum": {"window": spectrum.window.word, "bin_width": spectrum.bin_width, "mean": spectrum.mean},
+        "harmonics": None if fit is None else _fit(fit),
+        "natural_frequencies": predictions.natural_frequencies,
+        "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
+        "peaks": [_peak(classified) for classified in analysis.peaks],
+        "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _head(file: Path, analysis: SpectrumAnalysis) -> Iterator[str]:
+    signal, spectrum = analysis.signal, analysis.spectrum
+    yield (
+        f"{signal.heading} of {file}: {signal.values.size} samples at {signal.sample_rate:.9g} Hz, "
+        f"{signal.duration:.6g} s"
+    )
+    yield (
+        f"bins {spectrum.bin_width:.6g} Hz apart, {spectrum.window.word} window, mean {spectrum.mean:.6g} "
+        "taken off"
+    )
+    if signal.interpolated:
+        yield f"{signal.interpolated} samples were missing and are interpolated"
+
+
+def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
+    largest = float(fit.amplitudes.max())
+    rows = [
+        (str(order), f"{order * fit.drive:.6g}", f"{amplitude:.6g}", f"{np.angle(c, deg=True):.1f}")
+        for order, amplitude, c in zip(fit.orders, fit.amplitudes, fit.coefficients, strict=True)
+        if amplitude > _SMALLEST_HARMONIC * largest
+    ]
+    yield f"Harmonics of the drive at {fit.drive:.9g} Hz, by least squares with Hann weights"
+    yield from table(("order", "Hz", _with_unit("amplitude", unit), "phase, deg"), rows)
+    yield f"  they explain {100 * fit.explained:.4g} % of the variance; {fit.residual:.3g} rms is left"
+
+
+def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
+    heads = ("Hz", _with_unit("amplitude", analysis.signal.unit), "may be", "bins off", "or also", "bins off")
+    rows = [
+        (
+            f"{classified.peak.frequency:.6g}",
+            f"{classified.peak.amplitude:.6g}",
+            *_told(classified.explanation, "unexplained"),
+            *_told_other(classified),
+        )
+        for classified in analysis.peaks
+    ]
+    yield "Peaks, placed between bins, by amplitude"
+    yield from table(heads, rows)
+
+
+def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterator[str]:
+    yield "Candidates"
+    if analysis.harmonics is not None:
+        yield f"  harmonics of {analysis.harmonics.drive:.9g} Hz"
+    listed = _listed(frequency for frequency in predictions.natural_frequencies if frequency > 0)
+    yield f"  natural modes of {predictions.source}: {listed}"
+    if predictions.gap is not None:
+        listed = _listed(predictions.limit_cycles)
+        yield f"  stable limit cycles with a gap of {predictions.gap:g} m (harmonic balance): {listed}"
+    yield (
+        f"  a peak may be what is within {TOLERANCE_BINS:g} bin of it, or {100 * MODEL_TOLERANCE:g} % for "
+        "modes and limit cycles"
+    )
+
+
+def _told_wav(wav: WavFile, analysis: SpectrumAnalysis) -> str:
+    rate = analysis.signal.sample_rate
+    resampled = "" if rate == wav.sample_rate else f", resampled from {rate:.9g} Hz"
+    full_scale = f"{wav.full_scale:.6g} {analysis.signal.unit}".rstrip()
+    return (
+        f"Sound: {wav.samples} samples at {wav.sample_rate} Hz{resampled}, {wav.bit_depth.value} bits; "
+        f"full scale is {full_scale}"
+    )
+
+
+def _fit(fit: HarmonicFit) -> dict[str, Any]:
+    return {
+        "drive": fit.drive,
+        "amplitudes": fit.amplitudes.tolist(),
+        "phases": np.angle(fit.coefficients).tolist(),
+        "residual": fit.residual,
+        "explained": fit.explained,
+    }
+
+
+def _peak(classified: ClassifiedPeak) -> dict[str, Any]:
+    explanation = classified.explanation
+    return {
+        **vars(classified.peak),
+        "explanation": None if explanation is None else _origin(explanation.origin),
+        "ambiguous": classified.ambiguous,
+        "candidates": [
+            {
+                **_origin(match.origin),
+                "distance_bins": match.distance,
+                "tolerance_bins": match.tolerance,
+                "fits": match.fits,
+            }
+            for match in classified.candidates
+        ],
+    }
+
+
+def _origin(origin: Origin) -> dict[str, Any]:
+    match origin:
+        case Harmonic():
+            return {"kind": "harmonic", **vars(origin), "odd": origin.odd}
+        case NaturalMode():
+            return {"kind": "natural mode", **vars(origin)}
+        case LimitCycleLine():
+            return {"kind": "limit cycle", **vars(origin)}
+
+
+def _told(match: Match | None, otherwise: str) -> tuple[str, str]:
+    return (
+        (otherwise, "") if match is None else (match.origin.label, f"{round(match.distance, 2) + 0.0:+.2f}")
+    )
+
+
+def _told_other(classified: ClassifiedPeak) -> tuple[str, str]:
+    """Tell the second explanation; of an unexplained peak, what it is nearest to, though too far from."""
+    if classified.explanation is not None or not classified.candidates:
+        return _told(classified.second, "")
+    label, distance = _told(min(classified.candidates, key=lambda match: abs(match.distance)), "")
+    return f"nearest: {label}", distance
+
+
+def _with_unit(text: str, unit: str) -> str:
+    return f"{text}, {unit}" if unit else text
+
+
+def _listed(frequencies: Iterable[float]) -> str:
+    return ", ".join(f"{frequency:.6g} Hz" for frequency in frequencies) or "none"

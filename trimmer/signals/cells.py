@@ -1,0 +1,141 @@
+"""Cells of a CSV file as numbers; text is never evaluated."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trimmer.signals.csv_layout import COMMENT, DecimalSign
+from trimmer.signals.text_file import SignalFileError
+
+MISSING = frozenset(
+    {"", "-", "--", "?", "n/a", "#n/a", "na", "nan", "+nan", "-nan", "nan(ind)", "-nan(ind)", "null", "none"}
+)
+"""What stands for a missing value, whatever its capitals."""
+
+_INFINITE = frozenset({"inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "∞", "-∞"})
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?", flags=re.ASCII)
+_NUMERIC = re.compile(r"[+-]?[.,]?[0-9][0-9.,'eE+|\s-]*", flags=re.ASCII)
+_PLAIN = re.compile(r"[0-9.eE+\s-]+", flags=re.ASCII)
+_SHOWN_LENGTH = 40
+
+
+def is_missing(cell: str) -> bool:
+    """Say whether a cell stands for a missing value."""
+    return cell.strip().casefold() in MISSING
+
+
+def is_numeric(cell: str) -> bool:
+    """Say whether a cell is a number, or digits that were meant as one or several."""
+    return _NUMERIC.fullmatch(cell.strip()) is not None
+
+
+def is_text(cell: str) -> bool:
+    """Say whether a cell is neither numeric nor stands for a number."""
+    return not (is_numeric(cell) or is_missing(cell) or cell.strip().casefold() in _INFINITE)
+
+
+def shown(cell: str) -> str:
+    """Give a cell as text for a message, shortened if it is long."""
+    text = repr(cell)
+    return text if len(text) <= _SHOWN_LENGTH else f"{text[: _SHOWN_LENGTH - 3]}..."
+
+
+def numbers_in(
+    cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign | None, place: str
+) -> NDArray[np.float64]:
+    """Read a column of numbers.
+
+    Args:
+        cells: Cells of the column.
+        lines: Number of the line of each.
+        decimal: Decimal sign; None to find it out.
+        place: File, for messages.
+
+    Returns:
+        Numbers, shape (number of cells,); NaN where the value is missing.
+
+    Raises:
+        SignalFileError: for the first cell that is neither a number nor missing, or is infinite; or if some
+            numbers have a decimal comma and others a point.
+    """
+    plain = _plain_numbers(cells, decimal)
+    if plain is not None:
+        return plain
+    sign = decimal or _decimal_sign(cells, lines, place)
+    numbers = np.empty(len(cells))
+    for index, (cell, line) in enumerate(zip(cells, lines, strict=True)):
+        text = _with_point(cell.strip(), sign)
+        if _NUMBER.fullmatch(text):
+            numbers[index] = float(text)
+        elif is_missing(cell):
+            numbers[index] = math.nan
+        else:
+            raise SignalFileError(f"{place}, line {line}: {_reason(cell, sign)}")
+        if math.isinf(numbers[index]):
+            raise SignalFileError(f"{place}, line {line}: {shown(cell)} is too large for a number")
+    return numbers
+
+
+def _plain_numbers(cells: Sequence[str], decimal: DecimalSign | None) -> NDArray[np.float64] | None:
+    """Read a column at once, several times faster; None if it holds anything but finite numbers."""
+    text = "\n".join(cells)
+    if decimal is not DecimalSign.POINT and "," in text and "." not in text:
+        text = text.replace(",", ".")
+    elif decimal is DecimalSign.COMMA and "." in text:
+        return None
+    if not _PLAIN.fullmatch(text):
+        return None
+    try:
+        numbers = np.array(list(map(float, text.split("\n"))))
+    except ValueError:
+        return None
+    return numbers if np.isfinite(numbers).all() else None
+
+
+def _with_point(text: str, sign: DecimalSign) -> str:
+    """Write a number with a decimal point; empty for one that has a point in place of a comma."""
+    if sign is DecimalSign.POINT:
+        return text
+    return "" if "." in text else text.replace(",", ".")
+
+
+def _decimal_sign(cells: Sequence[str], lines: Sequence[int], place: str) -> DecimalSign:
+    first: dict[DecimalSign, int] = {}
+    for cell, line in zip(cells, lines, strict=True):
+        signs = [sign for sign in DecimalSign if sign.value in cell]
+        if len(signs) == 2 and is_numeric(cell):
+            raise SignalFileError(
+                f"{place}, line {line}: {shown(cell)} has a point and a comma; choose the delimiter "
+                "that fits, and write thousands without a sign"
+            )
+        for sign in signs:
+            first.setdefault(sign, line)
+    if len(first) == 2:
+        point, comma = first[DecimalSign.POINT], first[DecimalSign.COMMA]
+        raise SignalFileError(
+            f"{place}, line {max(point, comma)}: decimals have a point in line {point} and a comma in line "
+            f"{comma}; write them with one sign, and thousands without"
+        )
+    return next(iter(first), DecimalSign.POINT)
+
+
+def _reason(cell: str, sign: DecimalSign) -> str:
+    text = cell.strip()
+    if text.casefold() in _INFINITE:
+        return (
+            f"{shown(cell)} is not finite; was the sensor overloaded? Leave the cell empty if it is missing"
+        )
+    if ("," if sign is DecimalSign.POINT else ".") in text:
+        return f"{shown(cell)} is no number with a decimal {sign.word}"
+    parts = re.split(r"[\s|]+", text)
+    if len(parts) > 1 and all(map(is_numeric, parts)):
+        return (
+            f"{shown(cell)} is several numbers; separate columns by comma, semicolon or tab, "
+            "and write thousands without spaces"
+        )
+    return f"{shown(cell)} is not a number; put {COMMENT} before lines that are neither heading nor data"

@@ -1,0 +1,100 @@
+"""How the columns and decimals of a CSV file are written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from itertools import islice
+
+
+class Delimiter(Enum):
+    """What stands between two columns."""
+
+    COMMA = ","
+    SEMICOLON = ";"
+    TAB = "\t"
+
+    @property
+    def word(self) -> str:
+        """Name of the sign, as in ``comma``."""
+        return self.name.lower()
+
+
+class DecimalSign(Enum):
+    """What stands before the decimals of a number."""
+
+    POINT = "."
+    COMMA = ","
+
+    @property
+    def word(self) -> str:
+        """Name of the sign, as in ``comma``."""
+        return self.name.lower()
+
+
+@dataclass(frozen=True)
+class CsvLayout:
+    """What is known about a CSV file; None stands for what is to be found out from its content.
+
+    Attributes:
+        delimiter: What stands between two columns. Found out: the first of tab, semicolon and comma that
+            occurs in a line that begins with a number. Where decimals have a comma, a comma is no delimiter.
+        decimal: What stands before decimals. Found out from the numbers of each column.
+    """
+
+    delimiter: Delimiter | None = None
+    decimal: DecimalSign | None = None
+
+
+COMMENT = "#"
+"""A line that begins with this sign is skipped."""
+
+_SNIFFED_LINES = 100
+_BEGINS_WITH_NUMBER = re.compile(r'\s*"?[+-]?[.,]?[0-9]')
+
+
+def is_comment(line: str) -> bool:
+    """Say whether a line is a comment."""
+    return COMMENT in line and line.lstrip().startswith(COMMENT)
+
+
+def delimiter_of(lines: Sequence[str], layout: CsvLayout) -> Delimiter | None:
+    """Find what stands between columns; None if there is one column only."""
+    if layout.delimiter is not None:
+        return layout.delimiter
+    sample = _sample(lines)
+    for delimiter in (Delimiter.TAB, Delimiter.SEMICOLON, Delimiter.COMMA):
+        if delimiter.value == "," and layout.decimal is DecimalSign.COMMA:
+            continue
+        if any(delimiter.value in line.strip() for line in sample):
+            return delimiter
+    return None
+
+
+def ends_with_delimiter(lines: Sequence[str], delimiter: Delimiter | None) -> bool:
+    """Say whether the delimiter ends each line of numbers, instead of standing between columns only.
+
+    A last column that is empty throughout looks alike, unless the heading has a name for it.
+    """
+    if delimiter is None:
+        return False
+    sign = delimiter.value
+    numbers = [line.strip(" ") for line in _sample(lines)]
+    most = max(line.count(sign) for line in numbers)
+    return all(line.endswith(sign) for line in numbers) and not any(
+        line.count(sign) == most and not line.strip(" ").endswith(sign) for line in _filled(lines)
+    )
+
+
+def _sample(lines: Sequence[str]) -> list[str]:
+    """Take some lines with numbers, or whatever lines there are: headings may hold any sign."""
+    numbers = list(islice(filter(_BEGINS_WITH_NUMBER.match, lines), _SNIFFED_LINES))
+    return numbers or _filled(lines)
+
+
+def _filled(lines: Sequence[str]) -> list[str]:
+    """Take some lines from the beginning that are neither empty nor comments."""
+    filled = (line for line in lines if line.strip() and not is_comment(line))
+    return list(islice(filled, _SNIFFED_LINES))

@@ -1,0 +1,73 @@
+"""What is done about missing values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trimmer.signals.text_file import SignalFileError
+
+LARGEST_SHARE = 0.1
+"""Largest share of samples that may be interpolated."""
+
+
+class MissingValues(Enum):
+    """What is done about missing values.
+
+    ``REFUSE``: they are an error. ``INTERPOLATE``: those at the beginning and the end are cut off, those
+    between others are interpolated along a straight line.
+    """
+
+    REFUSE = "refuse"
+    INTERPOLATE = "interpolate"
+
+
+@dataclass(frozen=True)
+class Filled:
+    """Samples without gaps: those from place ``begin`` on, of which ``interpolated`` are not measured."""
+
+    values: NDArray[np.float64]
+    begin: int
+    interpolated: int
+
+
+def fill(values: NDArray[np.float64], lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
+    """Deal with the missing values (NaN) of a column.
+
+    Args:
+        values: Values, shape (n,).
+        lines: Number of the line of each.
+        missing: What to do.
+        place: File, for messages.
+
+    Raises:
+        SignalFileError: if there are missing values and they are refused, or too many are missing.
+    """
+    present = np.flatnonzero(~np.isnan(values))
+    absent = np.flatnonzero(np.isnan(values))
+    if present.size == 0:
+        raise SignalFileError(f"{place}: every value of the column is missing")
+    if absent.size == 0:
+        return Filled(values, 0, 0)
+    told = f"{place}, line {lines[int(absent[0])]}: {_count(absent.size)}"
+    if missing is MissingValues.REFUSE:
+        raise SignalFileError(
+            f"{told}; remove lines at the beginning or end, or have values between others interpolated "
+            "(--missing interpolate)"
+        )
+    begin, end = int(present[0]), int(present[-1]) + 1
+    inside = np.arange(begin, end)
+    interpolated = inside.size - present.size
+    if interpolated > LARGEST_SHARE * inside.size:
+        raise SignalFileError(
+            f"{told}, more than {100 * LARGEST_SHARE:g} % of the samples, too many to interpolate"
+        )
+    return Filled(np.interp(inside, present, values[present]), begin, interpolated)
+
+
+def _count(missing: int) -> str:
+    return "a value is missing" if missing == 1 else f"the first of {missing} missing values"

@@ -1,0 +1,93 @@
+"""Reading a measured signal from a CSV file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trimmer.signals.cells import numbers_in
+from trimmer.signals.columns import ColumnChoice, Columns, chosen_columns
+from trimmer.signals.csv_layout import CsvLayout
+from trimmer.signals.csv_table import CsvTable, read_table
+from trimmer.signals.missing import MissingValues, fill
+from trimmer.signals.signal import Signal, checked_rate, split_heading
+from trimmer.signals.text_file import SignalFileError
+from trimmer.signals.time_stamps import agreed_rate, rate_of
+from trimmer.signals.units import SECONDS
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+_FOUND_OUT = CsvLayout()
+
+
+def read_signal(
+    path: Path | str,
+    *,
+    column: ColumnChoice = None,
+    time_column: ColumnChoice = None,
+    sample_rate: float | None = None,
+    layout: CsvLayout = _FOUND_OUT,
+    missing: MissingValues = MissingValues.REFUSE,
+) -> Signal:
+    """Read a signal from a CSV file: columns of numbers, with a heading or without.
+
+    Lines that begin with ``#`` are skipped. Columns are separated by comma, semicolon or tab, decimals have a
+    point or a comma, and the encoding is UTF-8 or Latin-1. A column of time stamps gives the sample rate; it
+    is in seconds unless its heading says ``[ms]``, ``[us]`` or ``[ns]``. Values are read to the last digit,
+    and never evaluated as anything but numbers.
+
+    Args:
+        path: The file.
+        column: Column of the signal, by name or number. Not needed if there is one beside the time stamps.
+        time_column: Column of the time stamps. Not needed if it is named ``t``, ``time`` or ``timestamp``.
+        sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used.
+        layout: Delimiter and decimal sign, where they are not to be found out.
+        missing: What to do about empty cells and those that say ``nan``, ``n/a`` or the like.
+
+    Raises:
+        SignalFileError: if the file cannot be read as such, with the line and what to do; for missing and
+            infinite values; for time stamps that are not at equal distances; if the sample rate is not known.
+        SignalError: if the sample rate is not a positive number.
+    """
+    path = Path(path)
+    given = None if sample_rate is None else checked_rate(sample_rate)
+    table = read_table(path, layout)
+    columns = chosen_columns(table, column, time_column)
+    lines = table.lines
+    filled = fill(
+        numbers_in(table.column(columns.signal), lines, layout.decimal, str(path)), lines, missing, str(path)
+    )
+    kept = slice(filled.begin, filled.begin + filled.values.size)
+    times = _times(table, columns, layout)
+    if times is None and given is None:
+        raise SignalFileError(
+            f"{path}: no sample rate; give it (--rate), or name the column of time stamps (--time)"
+        )
+    rate, start = given, 0.0
+    if times is not None:
+        stamped = rate_of(times[kept], lines[kept], str(path))
+        rate, start = (
+            stamped if given is None else agreed_rate(given, stamped, str(path)),
+            float(times[kept][0]),
+        )
+    assert rate is not None
+    name, unit = _name_and_unit(table, columns.signal)
+    return Signal(filled.values, rate, name, unit, start, filled.interpolated)
+
+
+def _times(table: CsvTable, columns: Columns, layout: CsvLayout) -> NDArray[np.float64] | None:
+    if columns.time is None:
+        return None
+    unit = split_heading(table.headings[columns.time])[1] if table.headings else ""
+    if unit not in SECONDS:
+        known = ", ".join(unit for unit in SECONDS if unit)
+        raise SignalFileError(f"{table.path}: time stamps in {unit!r} are not known; known units: {known}")
+    stamps = numbers_in(table.column(columns.time), table.lines, layout.decimal, str(table.path))
+    return stamps * SECONDS[unit]
+
+
+def _name_and_unit(table: CsvTable, place: int) -> tuple[str, str]:
+    name, unit = split_heading(table.headings[place]) if table.headings else ("", "")
+    return name or f"column {place + 1}", unit

@@ -1,0 +1,124 @@
+"""A signal sampled at equal distances in time."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.errors import TrimmerError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
+
+LARGEST_VALUE = 1e300
+"""Largest sample; sums and products with larger ones would not be numbers any more."""
+
+
+class SignalError(TrimmerError, ValueError):
+    """A signal that cannot be used, with the reason and what to do."""
+
+
+@dataclass(frozen=True, eq=False)
+class Signal:
+    """A signal sampled at equal distances in time.
+
+    Attributes:
+        values: Samples, shape (n,), n >= 1, finite, in ``unit``; a copy of what was given, not writable.
+        sample_rate: Samples per second, Hz, > 0.
+        name: What it is, one line; in a file it is the heading of the column.
+        unit: Unit of the values, empty if it is not known.
+        start: Time of the first sample, s.
+        interpolated: How many of the samples are not measured but interpolated.
+
+    Raises:
+        SignalError: if any of these does not hold.
+    """
+
+    values: NDArray[np.float64]
+    sample_rate: float
+    name: str = "signal"
+    unit: str = ""
+    start: float = 0.0
+    interpolated: int = 0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "values", checked_samples(self.values))
+        object.__setattr__(self, "sample_rate", checked_rate(self.sample_rate))
+        if not math.isfinite(self.start):
+            raise SignalError(f"start is {self.start!r}: the time of the first sample must be finite")
+        if split_heading(self.heading) != (self.name, self.unit) or not self.name:
+            raise SignalError(
+                f"a signal cannot have the name {self.name!r} and the unit {self.unit!r}: both are one line "
+                "of printable signs with single spaces and no brackets at the end; the name is not empty"
+            )
+
+    @property
+    def heading(self) -> str:
+        """Name, followed by the unit in brackets if there is one; ``split_heading`` takes it apart."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        """Times of the samples, s, shape (n,)."""
+        return np.asarray(self.start + np.arange(self.values.size) / self.sample_rate)
+
+    @property
+    def duration(self) -> float:
+        """Number of samples over sample rate, s: each sample stands for one sampling interval."""
+        return self.values.size / self.sample_rate
+
+
+def split_heading(heading: str) -> tuple[str, str]:
+    """Take the heading of a column apart: name, and unit in brackets at its end, empty if there is none.
+
+    Each run of spaces and line ends becomes one space; what cannot be printed becomes U+FFFD.
+    """
+    spaced = " ".join(heading.split())
+    text = "".join(sign if sign.isprintable() else "\N{REPLACEMENT CHARACTER}" for sign in spaced)
+    match = _HEADING.fullmatch(text)
+    assert match is not None  # the name takes whatever the unit does not
+    unit = match["square"] or match["round"] or ""
+    return (match["name"], unit.strip()) if match["name"] else (text, "")
+
+
+def checked_samples(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Copy samples into an array that cannot be written to.
+
+    Raises:
+        SignalError: if they are not a sequence of finite real numbers, there is none, or one is too large.
+    """
+    try:
+        given = np.asarray(values)
+        samples = np.array(given, dtype=np.float64) if given.dtype.kind in "fiu" else None
+    except (TypeError, ValueError):  # nested lists of unequal length
+        samples = None
+    if samples is None or samples.ndim != 1 or samples.size == 0:
+        raise SignalError("the samples of a signal must be real numbers in one dimension, at least one")
+    unusable = np.flatnonzero(~np.isfinite(samples))
+    if unusable.size:
+        first = int(unusable[0])
+        raise SignalError(
+            f"{unusable.size} of {samples.size} samples are not finite, the first is sample {first + 1} "
+            f"({samples[first]})"
+        )
+    if np.abs(samples).max() > LARGEST_VALUE:
+        raise SignalError(f"samples above {LARGEST_VALUE:g} cannot be computed with; use another unit")
+    samples.flags.writeable = False
+    return samples
+
+
+def checked_rate(sample_rate: float) -> float:
+    """Check a sample rate, Hz.
+
+    Raises:
+        SignalError: if it is not a positive and finite number.
+    """
+    if isinstance(sample_rate, bool) or not 0 < sample_rate < math.inf:
+        raise SignalError(f"the sample rate must be a positive number of hertz, not {sample_rate!r}")
+    return float(sample_rate)

@@ -1,0 +1,27 @@
+"""Units in the headings of files."""
+
+from __future__ import annotations
+
+import re
+
+SECONDS = {"": 1.0, "s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ns": 1e-9}
+"""Units of time, in seconds; a heading without unit means seconds."""
+
+_LENGTHS = {"m", "mm", "um", "µm", "μm", "nm"}
+_OTHERS = _LENGTHS | {"m/s", "mm/s", "m/s2", "m/s²", "m/s^2", "g", "N", "Pa", "V", "mV"}
+_BRACKETED = re.compile(r"\[[^][]*\]|\([^()]*\)")
+
+
+def is_unit(cell: str) -> bool:
+    """Say whether a cell of a heading holds a unit alone, in brackets or a common one; or nothing."""
+    return cell.strip() in SECONDS or cell.strip() in _OTHERS or _is_bracketed(cell)
+
+
+def in_brackets(cell: str) -> str:
+    """Give a unit in brackets, as it has them or with new ones; nothing stays nothing."""
+    unit = cell.strip()
+    return unit if not unit or _is_bracketed(unit) else f"[{unit}]"
+
+
+def _is_bracketed(cell: str) -> bool:
+    return _BRACKETED.fullmatch(cell.strip()) is not None

@@ -1,0 +1,6 @@
+"""Spectra of sampled signals, and what peaks they have.
+
+In the order of use: ``window`` and ``spectrum`` give the amplitude spectrum, ``peaks`` its peaks
+between bins, with ``noise`` for what is none; ``harmonics`` fits the harmonics of a known drive to the
+samples; ``classification`` says what a peak may be; ``analysis`` does all of that for one signal.
+"""

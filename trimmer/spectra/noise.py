@@ -1,0 +1,31 @@
+"""How large a bin must be to be more than noise."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import median_filter
+
+NEIGHBOURHOOD = 401
+"""Number of bins over which noise is taken as white."""
+
+
+def noise_threshold(amplitude: NDArray[np.float64], false_alarm: float) -> NDArray[np.float64]:
+    """Find the amplitude that noise alone exceeds with a given probability, in any bin of a spectrum.
+
+    The amplitude of Gaussian noise in a bin has a Rayleigh distribution with median s sqrt(2 ln 2), and
+    exceeds a with probability exp(-(a/s)**2/2). The median is taken over the ``NEIGHBOURHOOD`` of each bin,
+    so that noise may change along the spectrum; a few lines among the bins hardly move it. It is uncertain
+    itself, which makes false alarms somewhat more frequent: 1.5 % where 1 % is asked for, in 1000 bins.
+
+    Args:
+        amplitude: Amplitude of each bin, shape (m,).
+        false_alarm: Probability that any of the m bins exceeds the threshold by noise, 0 < p < 1.
+
+    Returns:
+        Threshold for each bin, shape (m,).
+    """
+    median = median_filter(amplitude, min(NEIGHBOURHOOD, amplitude.size), mode="reflect")
+    return np.asarray(median * math.sqrt(math.log(amplitude.size / false_alarm) / math.log(2.0)))

@@ -1,0 +1,81 @@
+"""The amplitude spectrum of a sampled signal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.signals.signal import SignalError, checked_rate, checked_samples
+from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+FEWEST_SAMPLES = 16
+"""Fewest samples of which a spectrum is made: the main lobe of the widest window has 10 bins."""
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """An amplitude spectrum, single-sided: a sine of amplitude a shows a, at a bin that it falls on.
+
+    Attributes:
+        lines: Complex amplitudes, in the signal's unit, shape (samples // 2 + 1,): c of
+            Re(c exp(j omega t)) with t = 0 at the first sample, so the angle of c is the phase of a cosine.
+        window: The window that the signal was multiplied with; its sum is divided out.
+        sample_rate: Sample rate of the signal, Hz.
+        samples: Number of samples of the signal.
+        mean: Mean of the signal, in its unit, which was taken off before windowing.
+    """
+
+    lines: NDArray[np.complex128]
+    window: Window
+    sample_rate: float
+    samples: int
+    mean: float
+
+    @property
+    def bin_width(self) -> float:
+        """Distance of neighbouring bins, Hz: sample rate over number of samples."""
+        return self.sample_rate / self.samples
+
+    @cached_property
+    def frequency(self) -> NDArray[np.float64]:
+        """Frequency of each bin, Hz, from 0 to half the sample rate."""
+        return np.asarray(np.arange(self.lines.size) * self.bin_width)
+
+    @cached_property
+    def amplitude(self) -> NDArray[np.float64]:
+        """Amplitude at each bin, in the signal's unit."""
+        return np.asarray(np.abs(self.lines))
+
+
+def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window = Window.HANN) -> Spectrum:
+    """Compute the amplitude spectrum of a signal without its mean.
+
+    Args:
+        signal: Samples, shape (n,), n >= ``FEWEST_SAMPLES``.
+        sample_rate: Samples per second, Hz.
+        window: Window function.
+
+    Raises:
+        SignalError: if samples or sample rate cannot be used, or there are too few samples.
+    """
+    values = checked_samples(np.asarray(signal))
+    rate = checked_rate(sample_rate)
+    if values.size < FEWEST_SAMPLES:
+        raise SignalError(
+            f"{values.size} samples are too few for a spectrum; {FEWEST_SAMPLES} or more are needed"
+        )
+    scale = float(np.abs(values).max()) or 1.0  # keeps sums of large samples finite
+    relative = values / scale
+    mean = float(relative.mean())
+    weights = window.samples(values.size)
+    lines = np.fft.rfft((relative - mean) * weights) * (2.0 / weights.sum())
+    lines[0] /= 2.0  # 0 Hz, and half the sample rate, are there once and not at negative frequencies too
+    if values.size % 2 == 0:
+        lines[-1] /= 2.0
+    return Spectrum(lines * scale, window, rate, values.size, scale * mean)

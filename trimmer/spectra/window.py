@@ -1,0 +1,66 @@
+"""Window functions, and the transform of each, which is the shape that a pure sine has in a spectrum."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+class Window(Enum):
+    """A cosine-sum window; the value is its coefficients, for ``scipy.signal.windows.general_cosine``.
+
+    ``RECTANGULAR`` is no window: right for a whole number of periods, with slow leakage (-13 dB) otherwise.
+    ``HANN`` parts peaks 4 bins apart, with leakage of -31 dB that falls by 18 dB per octave.
+    ``BLACKMAN_HARRIS`` parts peaks 8 bins apart, with leakage of -92 dB.
+    ``FLAT_TOP`` shows amplitudes to 0.01 dB in the bins themselves, with peaks 10 bins wide.
+    """
+
+    RECTANGULAR = (1.0,)
+    HANN = (0.5, 0.5)
+    BLACKMAN_HARRIS = (0.35875, 0.48829, 0.14128, 0.01168)
+    FLAT_TOP = (0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368)
+
+    @property
+    def word(self) -> str:
+        """Name, as in ``blackman-harris``."""
+        return self.name.lower().replace("_", "-")
+
+    @property
+    def half_width(self) -> int:
+        """Half the width of the main lobe, in bins: farther from a sine there is only leakage."""
+        return len(self.value)
+
+    def samples(self, count: int) -> NDArray[np.float64]:
+        """Evaluate the window at ``count`` samples, as one period of a periodic window."""
+        from scipy.signal.windows import general_cosine
+
+        return np.asarray(general_cosine(count, self.value, sym=False))
+
+    def transform(self, bins: ArrayLike, count: int) -> NDArray[np.complex128]:
+        """Evaluate the window's Fourier transform relative to its value at 0.
+
+        That is sum(w_n exp(-2 pi j x n / N)) / sum(w_n) at x bins, in closed form: a cosine-sum window is a
+        sum of shifted Dirichlet kernels (Harris, 1978).
+
+        Args:
+            bins: Distances x from the sine, in bins, any shape.
+            count: Number of samples N.
+        """
+        orders = np.arange(1 - len(self.value), len(self.value))
+        sizes = np.take(self.value, np.abs(orders)) * np.where(orders == 0, 1.0, 0.5)
+        shifted = np.subtract.outer(np.asarray(bins, dtype=np.float64), orders)
+        return np.asarray(_dirichlet(shifted, count) @ (sizes * (-1.0) ** orders / self.value[0]))
+
+
+def _dirichlet(x: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
+    """Evaluate sum(exp(-2 pi j x n / N), n = 0 .. N - 1) / N for N = ``count``, in the shape of ``x``."""
+    whole = np.round(x / count)
+    turn = x - count * whole  # the kernel has period N
+    # sin(pi turn)/(N sin(pi turn/N)) by sinc, which knows the limit at 0.
+    size = np.sinc(turn) / np.sinc(turn / count)
+    return np.asarray(size * np.exp(-1j * np.pi * turn * (count - 1) / count))
