@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from derivations.element_quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
-from derivations.narrative import narrative
+from derivations.narrative import Step, narrative
 from derivations.symbols import PARAMETERS, QUANTITIES
+from report.answers import answers
 from report.claim import Entry, Finding
+from report.corrected_results import corrected_results
 from report.document import (
     Chapter,
     DerivationStep,
@@ -16,6 +19,7 @@ from report.document import (
     Figure,
     NomenclatureRow,
     ParameterRow,
+    Program,
 )
 from report.evidence import Evidence
 from report.highlights import highlights
@@ -41,25 +45,31 @@ def assemble(
     evidence: Evidence,
     findings: tuple[Finding, ...],
     figures: tuple[Figure, ...],
+    elements: tuple[Step, ...],
+    programs: tuple[Program, ...],
     inventory: Mapping[str, Entry],
 ) -> Document:
-    """Return the finished document."""
+    """Return the finished document; ``elements`` are the steps to the describing functions."""
     return Document(
         title=TITLE,
         highlights=highlights(evidence),
         chapters=_chapters(findings, inventory),
         statements_in_thesis=len(inventory),
-        derivation=_derivation(evidence, findings),
+        derivation=_derivation(narrative(evidence.derivation), findings),
         figures=figures,
         nomenclature=tuple(
             NomenclatureRow(latex(quantity.symbol), quantity.meaning, quantity.unit.text)
-            for quantity in QUANTITIES
+            for quantity in QUANTITIES + ELEMENT_QUANTITIES
         ),
         parameters=tuple(
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
             for quantity, value in zip(PARAMETERS, evidence.numbers.parameters.values(), strict=True)
         ),
         provenance=provenance(),
+        programs=programs,
+        describing_functions=_derivation(elements, findings),
+        answers=answers(evidence),
+        corrected=corrected_results(evidence),
     )
 
 
@@ -78,7 +88,7 @@ def _in_thesis_order(
     return tuple(sorted(own, key=lambda finding: finding.section.split(".")))
 
 
-def _derivation(evidence: Evidence, findings: tuple[Finding, ...]) -> tuple[DerivationStep, ...]:
+def _derivation(steps: tuple[Step, ...], findings: tuple[Finding, ...]) -> tuple[DerivationStep, ...]:
     judged = {finding.id for finding in findings}
     return tuple(
         DerivationStep(
@@ -86,11 +96,13 @@ def _derivation(evidence: Evidence, findings: tuple[Finding, ...]) -> tuple[Deri
             title=step.title,
             text=step.text,
             equations=tuple(Equation(formula.latex, formula.thesis) for formula in step.formulas),
-            claims=tuple(
-                dict.fromkeys(
-                    f"eq-{formula.thesis}" for formula in step.formulas if f"eq-{formula.thesis}" in judged
-                )
-            ),
+            claims=tuple(claim for claim in _claims(step) if claim in judged),
         )
-        for step in narrative(evidence.derivation)
+        for step in steps
     )
+
+
+def _claims(step: Step) -> tuple[str, ...]:
+    """Return the ids of the claims that a step bears on, each once."""
+    equations = (f"eq-{formula.thesis}" for formula in step.formulas if formula.thesis)
+    return tuple(dict.fromkeys((*equations, *step.settles)))

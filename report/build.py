@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 
-from report import content_cache
+from report.content_key import content_key
 from report.document import Document
+from report.octave.archive import write_files
 from report.progress import Progress
 from report.provenance import provenance
-from report.rendering.render import RenderedFiles, render
+from report.rendering.render import render
+from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.rendering.selection import select
+from report.stage_store import StageStore
 from trimmer.files import write_whole
 
 LOG = "build.log"
+CACHE = ".cache"
+"""Folder of what is kept for the next build, in the report's."""
+CONTENT = "content"
+OCTAVE = "octave"
+"""Folder of the corrected listings, in the report's."""
 
 
 @dataclass(frozen=True)
@@ -22,13 +32,13 @@ class Built:
     """Result of a build: its document, the files, the log of the stages' times, and the time it took, s."""
 
     document: Document
-    files: RenderedFiles
+    files: Mapping[Format, Path]
     log: Path
     seconds: float
 
 
-def build(directory: Path) -> Built:
-    """Make the report and write it into a folder.
+def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
+    """Make the report, or the part of it that is wanted, and write it into a folder.
 
     Nothing is written before everything has been made, so a failure leaves the previous report whole.
 
@@ -36,24 +46,27 @@ def build(directory: Path) -> Built:
         ClaimIdError: if a claim is not in the inventory or stands twice.
         ContradictionError: if two independent derivations disagree.
         FileWriteError: if a file cannot be written.
+        UnknownChapterError: if a chapter is wanted that has no claims.
     """
     started = time.perf_counter()
     progress = Progress()
     write_whole(directory / LOG, "a build is under way, or was interrupted\n")  # fails now, not at the end
-    document = _content(directory, progress)
-    (files,) = progress.run("render", [document], lambda finished: render(finished, directory))
+    document = select(_content(directory, progress), request.chapters)
+    (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request))
+    write_files(document.programs, directory / OCTAVE)
     log = directory / LOG
     write_whole(log, progress.log())
     return Built(document, files, log, time.perf_counter() - started)
 
 
 def _content(directory: Path, progress: Progress) -> Document:
-    key = content_cache.content_key()
-    kept = content_cache.load(directory, key)
+    key = content_key()
+    store = StageStore(directory / CACHE)
+    kept: Document | None = store.load(CONTENT, key)
     if kept is not None:
         (current,) = progress.run("kept", [kept], lambda content: replace(content, provenance=provenance()))
         return current
     (stages,) = progress.run("load", ["report.stages"], import_module)  # SymPy, SciPy, Matplotlib: seconds
-    document: Document = stages.make_document(progress)
-    content_cache.store(directory, key, document)
+    document: Document = stages.make_document(progress, store)
+    store.keep(CONTENT, key, document)
     return document

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import webbrowser
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from report.rendering.request import Format, Paper, Request
 from trimmer.command_line.command import Command
+from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
     from report.build import Built
 
 DIRECTORY = Path("build") / "report"
+
+
+class NothingToOpenError(TrimmerError, ValueError):
+    """The report was to be opened in a browser, but not to be written as HTML."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -22,13 +29,55 @@ def _configure(parser: ArgumentParser) -> None:
         default=DIRECTORY,
         help="folder for report.html, report.pdf, claims.json and build.log (default: %(default)s)",
     )
+    parser.add_argument(
+        "--only",
+        nargs="+",
+        metavar="CHAPTER",
+        default=[],
+        help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone",
+    )
+    parser.add_argument(
+        "--format",
+        nargs="+",
+        choices=[form.value for form in Format],
+        default=[form.value for form in Format],
+        help="forms to write (default: all)",
+    )
+    parser.add_argument(
+        "--paper",
+        choices=[paper.value for paper in Paper],
+        default=Paper.A4.value,
+        help="size of the pages of the PDF (default: %(default)s)",
+    )
+    parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
 
 
 def _run(arguments: Namespace) -> int:
+    request = _request(arguments)
     from report.build import build
 
-    print(_summary(build(arguments.directory)))
+    built = build(arguments.directory, request)
+    print(_summary(built))
+    if arguments.open:
+        webbrowser.open(built.files[Format.HTML].resolve().as_uri())
     return 0
+
+
+def _request(arguments: Namespace) -> Request:
+    """Read what is wanted, before anything is computed.
+
+    Raises:
+        NothingToOpenError: if the HTML is to be opened and not to be written.
+        UnknownChapterError: if the thesis has no such chapter.
+    """
+    from report.inventory import read_inventory
+    from report.rendering.selection import chapter_numbers
+
+    chapter_numbers(arguments.only, {entry.chapter for entry in read_inventory().values()})
+    formats = frozenset(Format(name) for name in arguments.format)
+    if arguments.open and Format.HTML not in formats:
+        raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
+    return Request(tuple(arguments.only), formats, Paper(arguments.paper))
 
 
 def _summary(built: Built) -> str:
@@ -36,11 +85,12 @@ def _summary(built: Built) -> str:
 
     verdicts = [finding.verdict for finding in built.document.findings]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict.value}" for verdict in Verdict)
-    paths = (built.files.html, built.files.pdf, built.files.claims, built.log)
+    chapters = ", ".join(chapter.number for chapter in built.document.chapters)
+    part = f" of {chapters} alone" if built.document.omitted else ""
     return "\n".join(
         (
-            f"{len(verdicts)} claims judged in {built.seconds:.1f} s: {counts}",
-            *(f"  {path}" for path in paths),
+            f"{len(verdicts)} claims{part} judged in {built.seconds:.1f} s: {counts}",
+            *(f"  {path}" for path in (*built.files.values(), built.log)),
         )
     )
 

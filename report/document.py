@@ -66,6 +66,42 @@ class Highlight:
 
 
 @dataclass(frozen=True)
+class Answer:
+    """A research question, its answers in the thesis and now (Markdown), and the ids of the claims behind."""
+
+    question: str
+    thesis: str
+    now: str
+    claims: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class CorrectedResult:
+    """A prediction of the thesis beside the corrected ones.
+
+    ``claim`` is the id of its claim; ``quantity`` and ``remark`` are plain text with TeX mathematics between
+    dollar signs. The three values are digits in ``unit``, or words, or empty where there is none.
+    """
+
+    claim: str
+    quantity: str
+    printed: str
+    harmonic_balance: str
+    exact_orbit: str
+    unit: str = ""
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the thesis: number, title, and the ids of the figures in it."""
+
+    number: str
+    title: str
+    figures: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Chapter:
     """A chapter or appendix of the thesis with the findings in it, in thesis order."""
 
@@ -86,8 +122,22 @@ class Provenance:
 
 
 @dataclass(frozen=True)
+class Program:
+    """A corrected program of appendix A: file name, id of the claim on what it corrects (or empty), text.
+
+    ``title`` says what it computes, ``faults`` what was wrong in the thesis's listing; both are plain text.
+    """
+
+    name: str
+    claim: str
+    title: str
+    faults: tuple[str, ...]
+    text: str
+
+
+@dataclass(frozen=True)
 class Document:
-    """The whole report."""
+    """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out."""
 
     title: str
     highlights: tuple[Highlight, ...]
@@ -98,6 +148,12 @@ class Document:
     nomenclature: tuple[NomenclatureRow, ...]
     parameters: tuple[ParameterRow, ...]
     provenance: Provenance
+    programs: tuple[Program, ...] = ()
+    describing_functions: tuple[DerivationStep, ...] = ()
+    answers: tuple[Answer, ...] = ()
+    corrected: tuple[CorrectedResult, ...] = ()
+    sections: tuple[Section, ...] = ()
+    omitted: tuple[Chapter, ...] = ()
 
     @property
     def findings(self) -> tuple[Finding, ...]:

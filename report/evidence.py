@@ -8,6 +8,7 @@ from derivations.laplace import GeneralSystem, TransformedSystem, general_system
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
 from report.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
 from report.linear_numbers import LinearNumbers, solve_linear
+from report.motion_numbers import MotionNumbers, solve_motion
 from trimmer import TrimmerParameters
 
 
@@ -29,6 +30,7 @@ class Evidence:
     transformed: TransformedSystem
     numbers: LinearNumbers
     cycles: LimitCycleNumbers
+    motion: MotionNumbers
 
 
 def derive() -> Derived:
@@ -41,7 +43,8 @@ def solve(derived: Derived) -> Evidence:
     """Solve the thesis's trimmer with the derived equations."""
     numbers = solve_linear(derived.trimmer, TrimmerParameters.thesis())
     cycles = solve_limit_cycles(numbers)
-    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers, cycles)
+    motion = solve_motion(numbers, cycles)
+    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers, cycles, motion)
 
 
 def gather() -> Evidence:

@@ -8,6 +8,7 @@ import control
 import mpmath
 import numpy as np
 
+from report.equivalent_nonlinearity import EquivalentNumbers, solve_equivalent
 from report.linear_numbers import LinearNumbers
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
@@ -37,7 +38,8 @@ class LimitCycleNumbers:
 
     ``friction`` and ``inertia`` belong to the thesis's loop (pin displacement only), ``..._both_channels`` to
     the loop with the pin's velocity too, ``friction_listing`` to the rounded coefficients of Listing A.9.
-    ``viscous`` holds all limit cycles for each of ``TIME_CONSTANTS`` in the thesis's loop.
+    ``viscous`` holds all limit cycles for each of ``TIME_CONSTANTS`` in the thesis's loop. ``equivalent`` is
+    about backlash and friction together, for the gaps and forces of section 5.2.5.
     """
 
     listing: control.TransferFunction
@@ -47,6 +49,7 @@ class LimitCycleNumbers:
     inertia: Pair
     inertia_both_channels: Pair
     viscous: tuple[tuple[LimitCycle, ...], ...]
+    equivalent: EquivalentNumbers
 
 
 def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
@@ -54,16 +57,23 @@ def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
     listing = control.tf(list(LISTING_NUMERATOR), list(LISTING_DENOMINATOR))
     thesis, both = numbers.displacement_only, numbers.both_channels
     friction, inertia = FrictionBacklash(1.0), InertiaBacklash(1.0)
+    by_friction, by_friction_both = _pair(thesis, friction), _pair(both, friction)
     return LimitCycleNumbers(
         listing=listing,
-        friction=_pair(thesis, friction),
+        friction=by_friction,
         friction_listing=_pair(listing, friction),
-        friction_both_channels=_pair(both, friction),
+        friction_both_channels=by_friction_both,
         inertia=_pair(thesis, inertia),
         inertia_both_channels=_pair(both, inertia),
         viscous=tuple(
             tuple(limit_cycles(thesis, ViscousBacklash(1.0, time_constant)))
             for time_constant in TIME_CONSTANTS
+        ),
+        equivalent=solve_equivalent(
+            numbers,
+            listing,
+            (by_friction.unstable, by_friction.stable),
+            (by_friction_both.unstable, by_friction_both.stable),
         ),
     )
 

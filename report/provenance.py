@@ -9,7 +9,10 @@ from pathlib import Path
 
 from report.document import Provenance
 
-LIBRARIES = ("sympy", "numpy", "scipy", "control", "matplotlib", "Jinja2", "pypandoc_binary", "typst")
+LIBRARIES = (
+    *("sympy", "mpmath", "numpy", "scipy", "numba", "control", "matplotlib"),
+    *("Jinja2", "pypandoc_binary", "typst"),
+)
 RELEASED = "2026-11-21"
 """Date of this version, for a report that is not made in a git checkout."""
 

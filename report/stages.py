@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 from functools import partial
+from importlib.metadata import version
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from report import background
+from derivations.element_narrative import element_narrative
 from report.assemble import assemble
 from report.claim import Entry, Finding, judge
 from report.claims.all_claims import SECTIONS, require_known_once
@@ -15,36 +17,90 @@ from report.document import Document
 from report.evidence import Evidence, derive, solve
 from report.figures.all_figures import DRAWINGS
 from report.inventory import read_inventory
+from report.octave.listings import corrected_programs
 from report.progress import Progress
+from report.provenance import libraries
+from report.source_closure import digest
+from report.stage_store import StageStore
+from report.tasks import Task, done
+
+OCTAVE_TEMPLATES = Path(__file__).parent / "templates" / "octave"
 
 
-def make_document(progress: Progress) -> Document:
+def make_document(progress: Progress, store: StageStore) -> Document:
     """Derive, solve, judge and draw everything that the report shows.
 
-    A second process judges every other section and draws, while this one judges the rest.
+    What was kept from the last build is taken where nothing that it depends on has changed: for the findings
+    of a section and for a figure these are the sources that its module imports, directly or not.
 
     Raises:
         ClaimIdError: if a claim is not in the inventory or stands twice.
         ContradictionError: if two independent derivations disagree.
+        UnprovenError: if an equation of the describing functions is not proven.
+        FileWriteError: if a result cannot be kept.
     """
     inventory = read_inventory()
-    (derived,) = progress.run("derive", [derive], lambda work: work())
-    (evidence,) = progress.run("solve", [derived], solve)
-    elsewhere = SECTIONS[1::2]
-    jobs: list[Callable[[], Any]] = [
-        *(partial(_judged, section, evidence, inventory) for section in elsewhere),
-        *(partial(drawing.finished, evidence) for drawing in DRAWINGS),
-    ]
-    second: Iterator[Any] = background.start(jobs)  # findings of each section, then the figures
-    by_section = progress.run(
-        "judge", SECTIONS[::2], lambda section: _judged(section, evidence, inventory)
-    ) + progress.run("judge", elsewhere, lambda _: next(second))
-    findings = _in_order(by_section, inventory)
-    figures = progress.run("draw", DRAWINGS, lambda _: next(second))
+    evidence = _evidence(progress, store)
+    results = done(_tasks(evidence, inventory), store, progress)
+    findings = _in_order([results[_name(section)] for section in SECTIONS], inventory)
+    figures = tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS)
     (document,) = progress.run(
-        "assemble", [evidence], lambda known: assemble(known, findings, figures, inventory)
+        "assemble",
+        [evidence],
+        lambda known: assemble(known, findings, figures, results["elements"], results["programs"], inventory),
     )
     return document
+
+
+def _evidence(progress: Progress, store: StageStore) -> Evidence:
+    key = _key(["report.evidence"])
+    kept: Evidence | None = store.load("evidence", key)
+    if kept is not None:
+        return kept
+    (derived,) = progress.run("derive", [derive], lambda work: work())
+    (evidence,) = progress.run("solve", [derived], solve)
+    store.keep("evidence", key, evidence)
+    return evidence
+
+
+def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
+    """List what is made from the evidence; the long tasks first, so that two processes share them well."""
+    templates = [(path.name, path.read_text(encoding="utf-8")) for path in sorted(OCTAVE_TEMPLATES.iterdir())]
+    return [
+        Task("elements", "prove", _key(["derivations.element_narrative"]), element_narrative),
+        Task(
+            "programs",
+            "print",
+            _key(["report.octave.listings", "report.evidence"], templates),
+            partial(corrected_programs, evidence.derivation, evidence.numbers.parameters),
+        ),
+        *(
+            Task(
+                _name(section),
+                "judge",
+                _key([section.__name__, "report.evidence"], inventory),
+                partial(_judged, section, evidence, inventory),
+            )
+            for section in SECTIONS
+        ),
+        *(
+            Task(
+                f"figure-{drawing.id}",
+                "draw",
+                _key([*drawing.modules, "report.evidence"], drawing.words),
+                partial(drawing.finished, evidence),
+            )
+            for drawing in DRAWINGS
+        ),
+    ]
+
+
+def _key(modules: list[str], *others: Any) -> str:
+    return digest(modules, libraries(), version("trimmer"), *others)
+
+
+def _name(section: ModuleType) -> str:
+    return f"section-{section.__name__.rpartition('.')[2]}"
 
 
 def _judged(section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
@@ -53,9 +109,7 @@ def _judged(section: ModuleType, evidence: Evidence, inventory: Mapping[str, Ent
     return tuple(judge(claim, inventory[claim.id]) for claim in claims)
 
 
-def _in_order(
-    by_section: tuple[tuple[Finding, ...], ...], inventory: Mapping[str, Entry]
-) -> tuple[Finding, ...]:
+def _in_order(by_section: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
     findings = [finding for section in by_section for finding in section]
     require_known_once((finding.id for finding in findings), inventory)
     place = {claim_id: index for index, claim_id in enumerate(inventory)}

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -15,11 +17,22 @@ settings.load_profile("repeatable")
 
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")
+OCTAVE = ("octave-cli", "octave")
 
 
 def find_chromium() -> str | None:
     """Return the path of the first Chromium on PATH, None if there is none."""
     return next((path for name in CHROMIUM if (path := shutil.which(name))), None)
+
+
+@functools.cache
+def find_octave() -> str | None:
+    """Return the path of the first GNU Octave on PATH that has the package control, None if there is none."""
+    check = ["--quiet", "--norc", "--eval", "exit(double(isempty(pkg('list', 'control'))))"]
+    found = (path for name in OCTAVE if (path := shutil.which(name)))
+    return next(
+        (path for path in found if subprocess.run([path, *check], capture_output=True).returncode == 0), None
+    )
 
 
 def missing_tool(marker: str) -> str | None:
@@ -28,12 +41,14 @@ def missing_tool(marker: str) -> str | None:
         return "Chromium is not installed (package chromium)"
     if marker == "poppler" and not all(shutil.which(name) for name in POPPLER):
         return f"{', '.join(POPPLER)} are not all installed (package poppler-utils)"
+    if marker == "octave" and find_octave() is None:
+        return "GNU Octave with its package control is not installed (package octave-control)"
     return None
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
     """Skip a test whose tool is missing and say why; in CI let it fail."""
-    for marker in ("browser", "poppler"):
+    for marker in ("browser", "poppler", "octave"):
         if item.get_closest_marker(marker) is None or (missing := missing_tool(marker)) is None:
             continue
         if os.environ.get("CI") == "true":
@@ -46,6 +61,14 @@ def chromium() -> str:
     """Path of Chromium, for tests marked ``browser``."""
     path = find_chromium()
     assert path is not None, "mark tests that use this fixture with pytest.mark.browser"
+    return path
+
+
+@pytest.fixture(scope="session")
+def octave() -> str:
+    """Path of GNU Octave, for tests marked ``octave``."""
+    path = find_octave()
+    assert path is not None, "mark tests that use this fixture with pytest.mark.octave"
     return path
 
 

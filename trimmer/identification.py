@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.cells import Cells
 from trimmer.balance.cycles import limit_cycles_at
 from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.gain_table import GainTable
 from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.loop import Loop, inverse_response
+from trimmer.balance.problem import Problem
 from trimmer.balance.response import ConstantResponse
-from trimmer.balance.search import Problem, SearchLimits, find_all
-from trimmer.balance.solve import inverse_response
+from trimmer.balance.search import find_all
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
 if TYPE_CHECKING:
@@ -30,10 +31,9 @@ inertia-controlled."""
 LIMIT_TOLERANCE = 1e-7
 """|1 + N G| below which a frequency counts as that of friction- or inertia-controlled backlash itself."""
 
-_LARGEST_GAIN = 3.0
-"""|N| <= 1 + (2/pi) pi, since N = 1 at gap/A = 0, |dN/d(gap/A)| = 2/pi, and gap/A < pi."""
+_BLOCKS = 64
+"""Intervals of ln(omega M/D) to begin with."""
 
-_SMALLEST_GAIN = 1e-6
 _SAMPLES = 400
 
 
@@ -87,11 +87,8 @@ def identify_time_constant(
     inverse = complex(response.value(np.array([math.log(omega)]))[0])
     # With a time constant of 1 s, x = ln omega of the element is ln gamma.
     curve = ElementCurve(ViscousBacklash(gap, 1.0))
-    x_lower, x_upper = map(math.log, GAMMA_RANGE)
-    u_upper = float(curve.edge(np.array([x_lower, x_upper])).max()) * (1.0 - 1e-9)
-    box = Cells(*(np.array([side]) for side in (0.0, u_upper, x_lower, x_upper)))
-    limits = SearchLimits(_SMALLEST_GAIN, _LARGEST_GAIN)
-    result = find_all(Problem(ConstantResponse(inverse), curve, box, limits))
+    table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _BLOCKS + 1))
+    result = find_all(Problem(ConstantResponse(inverse), curve, table, 0.0))
     found = [
         _identified(response, gap, math.exp(x) / omega, u, omega)
         for u, x in zip(result.u, result.x, strict=True)
@@ -108,11 +105,11 @@ def _at_limit(element: ViscousBacklash, inverse: complex, omega: float) -> NDArr
     """Find u with N(u) + inverse = 0 to the tolerance, by the Gauss-Newton method from the nearest sample."""
     curve = ElementCurve(element.at(omega))
     x = np.array([math.log(omega)])
-    samples = np.linspace(0.0, float(curve.edge(x)[0]), _SAMPLES + 2)[1:-1]
+    samples = np.linspace(0.0, float(curve.edge(x).max()), _SAMPLES + 2)[1:-1]
     u = samples[[np.argmin(np.abs(curve.value(samples, np.full(_SAMPLES, x[0])) + inverse))]]
     for _ in range(8):
-        slope, _ = curve.slopes(u, x)
-        u = u - ((curve.value(u, x) + inverse) * slope.conj()).real / np.abs(slope) ** 2
+        gain, slope, _ = curve.expansion(u, x)
+        u = u - ((gain + inverse) * slope.conj()).real / np.abs(slope) ** 2
     with np.errstate(invalid="ignore"):
         return u[np.abs(curve.value(u, x) / inverse + 1.0) <= LIMIT_TOLERANCE]
 
@@ -121,5 +118,5 @@ def _identified(
     response: InverseResponse, gap: float, time_constant: float, u: float, omega: float
 ) -> IdentifiedTimeConstant:
     curve = ElementCurve(ViscousBacklash(gap, time_constant))
-    (cycle,) = limit_cycles_at(response, curve, np.array([u]), np.array([math.log(omega)]))
+    (cycle,) = limit_cycles_at(Loop(response, curve), np.array([u]), np.array([math.log(omega)]))
     return IdentifiedTimeConstant(time_constant, cycle)

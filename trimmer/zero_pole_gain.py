@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Self
 
 import control
 import numpy as np
-from scipy.linalg import matrix_balance, null_space
+from scipy.linalg import matrix_balance
 
 from trimmer.frequency_domain import UnsupportedSystemError, require_siso
 
@@ -41,9 +41,11 @@ class ZeroPoleGain:
         computed here.
 
         Raises:
-            UnsupportedSystemError: see ``require_siso``; or if the system is identically zero.
+            UnsupportedSystemError: see ``require_siso``; or if the system is identically zero, or one of its
+                coefficients is infinite or NaN.
         """
         require_siso(system)
+        _require_finite(system)
         if isinstance(system, control.TransferFunction):
             numerator, denominator = (np.trim_zeros(side[0][0], "f") for side in (system.num, system.den))
             if numerator.size == 0:
@@ -51,7 +53,7 @@ class ZeroPoleGain:
             gain = numerator[0] / denominator[0]
             return cls(float(gain), _ordered(np.roots(numerator)), _ordered(np.roots(denominator)))
         gain, zeros = _gain_and_zeros(system)
-        return cls(gain, _ordered(zeros), _ordered(system.poles()))
+        return cls(gain, _ordered(zeros), _ordered(np.linalg.eigvals(system.A)))
 
     @property
     def relative_degree(self) -> int:
@@ -109,10 +111,10 @@ class ZeroPoleGain:
 
 def _ordered(roots: NDArray[np.inexact]) -> tuple[complex, ...]:
     """Put roots in order of magnitude, then of imaginary part, with rounded real parts set to 0."""
-    negligible = _ROUNDING * np.abs(roots).max(initial=0.0)
-    real = np.where(np.abs(roots.real) <= negligible, 0.0, roots.real)
-    cleaned = (complex(x, y) for x, y in zip(real, roots.imag, strict=True))
-    return tuple(sorted(cleaned, key=lambda root: (abs(root), root.imag)))
+    cleaned = roots.astype(complex)
+    sizes = np.abs(cleaned)
+    cleaned.real[np.abs(cleaned.real) <= _ROUNDING * sizes.max(initial=0.0)] = 0.0
+    return tuple(cleaned[np.lexsort((cleaned.imag, sizes))].tolist())
 
 
 def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexact]]:
@@ -122,8 +124,8 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
     degree r. The zeros are the poles of what can move while the output and its first r - 1 derivatives stay
     zero (Isidori, Nonlinear Control Systems, section 4.3, for the linear case).
     """
-    A, transform = matrix_balance(system.A) if system.nstates else (system.A, np.eye(0))
-    row, column = system.C @ transform, np.linalg.solve(transform, system.B)
+    A, scales = _balanced(system.A)
+    row, column = system.C * scales, system.B / scales[:, None]
     held: list[NDArray[np.float64]] = []
     markov, bound = float(system.D[0, 0]), abs(float(system.D[0, 0]))
     while abs(markov) <= _ROUNDING * bound:
@@ -133,8 +135,27 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
         markov = float((row @ column)[0, 0])
         bound = float((np.abs(row) @ np.abs(column))[0, 0])
         row = row @ A
-    basis = null_space(np.array(held)) if held else np.eye(system.nstates)
-    return markov, np.linalg.eigvals(basis.T @ (A - column @ row / markov) @ basis)
+    # The rows are independent, as their products with B, A B, ... are triangular.
+    free = np.linalg.qr(np.array(held).T, mode="complete")[0][:, len(held) :] if held else np.eye(len(A))
+    return markov, np.linalg.eigvals(free.T @ (A - column @ row / markov) @ free)
+
+
+def _balanced(matrix: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Scale the states so that rows and columns are of like size; give the matrix and the scales."""
+    if matrix.size == 0:
+        return matrix, np.ones(0)
+    balanced, (scales, _) = matrix_balance(matrix, permute=False, separate=True)
+    return balanced, scales
+
+
+def _require_finite(system: control.lti.LTI) -> None:
+    if isinstance(system, control.TransferFunction):
+        parts = {"numerator": system.num[0][0], "denominator": system.den[0][0]}
+    else:
+        parts = {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
+    for name, coefficients in parts.items():
+        if not np.isfinite(coefficients).all():
+            raise UnsupportedSystemError(f"{name} of the system holds a number that is infinite or NaN")
 
 
 def _zero_system() -> UnsupportedSystemError:

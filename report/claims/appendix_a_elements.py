@@ -64,7 +64,8 @@ def friction_listing(amplitude: complex, width: float) -> complex:
     return complex(real - 1j * (1 - ratio**2) / np.pi)
 
 
-def _friction_expression() -> sympy.Expr:
+def friction_expression() -> sympy.Expr:
+    """Return N of Listings A.2, A.3 and, but for friction, A.6, with the gap for its b."""
     ratio = 1 - GAP / A
     real = sympy.Rational(1, 2) + ratio * sympy.sqrt(1 - ratio**2) / sympy.pi + sympy.asin(ratio) / sympy.pi
     return real - sympy.I * (1 - ratio**2) / sympy.pi
@@ -75,7 +76,7 @@ def _formula_part() -> Part:
     sine, cosine = (coefficient(FRICTION, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
     return Part(
         "formula, with $b$ the total gap",
-        SameExpression(_friction_expression(), derived, left=sympy.Symbol("N"), assume=REACHED),
+        SameExpression(friction_expression(), derived, left=sympy.Symbol("N"), assume=REACHED),
         confirm(derived, (sine + 1j * cosine) / float(VALUES[A]), VALUES),
     )
 
@@ -99,7 +100,7 @@ def _friction(claim_id: str, remark: str) -> Claim:
                 ),
                 Confirmation(
                     "the square root of a negative number",
-                    CloseNumbers(complex(_friction_expression().subs({A: 0.25, GAP: 1.0})), inside),
+                    CloseNumbers(complex(friction_expression().subs({A: 0.25, GAP: 1.0})), inside),
                 ),
             ),
         ),

@@ -1,8 +1,6 @@
-"""Claims of section 5.2.1 on domain, loci, library, errors and sampling (equations 5.4 to 5.6)."""
+"""Claims of section 5.2.1 on domain, loci and library (equations 5.4 to 5.6)."""
 
 from __future__ import annotations
-
-import math
 
 import control
 import sympy
@@ -29,10 +27,6 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _external_input(),
         _locus_directions(),
         _library(),
-        _simulated_amplitude(),
-        _amplitude_error(evidence),
-        _frequency_error(evidence),
-        _sampling(),
     )
 
 
@@ -203,84 +197,4 @@ def _library() -> Claim:
         consequence="A check of the friction listing against the library would have been possible.",
         impact=Impact.LOCAL,
         source=SOURCE,
-    )
-
-
-def _simulated_amplitude() -> Claim:
-    half = (3.303e-5 - -3.2961e-5) / 2
-    return Claim(
-        id="txt-5.2.1-simulated-amplitude",
-        parts=(Part("half of the difference of the readings", PrintedDigits("3.2995e-05", half, "m")),),
-        explanation=(
-            f"Half of peak to peak of the two readings is {half:.6e} m, printed without its last digit. The "
-            "readings come from a plot, to four and five digits; what the exact system does is judged with "
-            "the simulations."
-        ),
-        source="report/claims/section_5_2_1_measures.py",
-    )
-
-
-def _amplitude_error(evidence: Evidence) -> Claim:
-    error = 100 * abs(3.3138e-5 - 3.2995e-5) / 3.2995e-5
-    exact = 4e-6 * evidence.cycles.friction.stable.amplitude
-    exact_error = 100 * abs(exact - 3.2995e-5) / 3.2995e-5
-    return Claim(
-        id="txt-5.2.1-amplitude-error",
-        parts=(Part("arithmetic", PrintedDigits("0.4334", error, "%")),),
-        explanation=(
-            "The quotient of the printed numbers is right. With exact coefficients of the model the "
-            f"prediction is {exact:.4e} m and the same quotient {exact_error:.2f} %: a part of the agreement "
-            "comes from rounding."
-        ),
-        source="report/claims/section_5_2_1_measures.py",
-    )
-
-
-def _frequency_error(evidence: Evidence) -> Claim:
-    predicted = evidence.cycles.friction_listing.stable.frequency
-    error = 100 * abs(733.34 - 734.00) / 734.00
-    other = 100 * abs(predicted - 733.00) / 733.00
-    return Claim(
-        id="txt-5.2.1-frequency-error",
-        parts=(
-            Part(
-                "arithmetic",
-                PrintedDigits("0.046", error, "%"),
-                Confirmation(
-                    "the difference of logarithms", CloseNumbers(100 * math.log(734.00 / 733.34), error, 1e-3)
-                ),
-                Slip(
-                    "733.00 Hz is used for the simulated frequency, printed as 734.00",
-                    other,
-                    Verdict.EXPLAINED,
-                ),
-            ),
-        ),
-        explanation=(
-            f"From the two printed frequencies the error is {error:.3f} %, twice what is printed. A "
-            "simulated 733.00 Hz gives the printed 0.046 %; one of the two digits is wrong. A spectrum with "
-            "bins of 10 Hz cannot tell them apart."
-        ),
-        consequence="The agreement in frequency is as good as the bins allow in either case.",
-        impact=Impact.LOCAL,
-        source="report/claims/section_5_2_1_measures.py",
-    )
-
-
-def _sampling() -> Claim:
-    return Claim(
-        id="txt-5.2.1-sampling",
-        parts=(
-            Part(
-                "frequency resolution",
-                PrintedDigits("10", 10002300 / 1000231, "Hz"),
-                Confirmation("one over the time of 0.1 s", CloseNumbers(1 / 0.1, 10002300 / 1000231, 1e-5)),
-            ),
-        ),
-        explanation=(
-            "The quotient is right and equals one over the sampled time, so the ten million samples a second "
-            "add nothing to the resolution. A peak can be placed better than a bin by interpolation, but the "
-            "printed 734.00 Hz has more digits than a bin of 10 Hz supports."
-        ),
-        source="report/claims/section_5_2_1_measures.py",
     )

@@ -8,6 +8,10 @@ import numpy as np
 import sympy
 
 from derivations.backlash import GAMMA, limits, separation_angle
+from derivations.element_steps import contours, general_backlash, slopes
+from derivations.element_steps.limits import step as limits_step
+from derivations.identity import UnprovenError
+from derivations.proven_step import ProvenStep
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import total
 from report.comparisons.assertion import Assertion
@@ -146,26 +150,50 @@ def _between(gamma: float) -> bool:
     return bool(inside.all())
 
 
+def _proven(*steps: ProvenStep) -> bool:
+    """Return whether every equation of the steps is proven."""
+    try:
+        for step in steps:
+            step.tell()
+    except UnprovenError:
+        return False
+    return True
+
+
 def _contours() -> Claim:
+    proven = _proven(general_backlash.describing_function(), limits_step(), slopes.step(), contours.step())
+    statement = "every viscous contour lies between those of friction and inertia"
     return Claim(
         id="txt-5.2.3-contours-bounded",
         parts=(
             Part(
-                "for nine values of $\\gamma$ from 0.01 to 100",
+                "for every $\\gamma$",
                 Assertion(
-                    statement="every viscous contour lies between those of friction and inertia",
-                    derived=all(_between(gamma) for gamma in GAMMAS),
-                    evidence="200 points of each contour lie in the region that the two limits enclose",
-                    method="right describing function, contours of $N$",
+                    statement=statement,
+                    derived=proven,
+                    evidence=(
+                        "$N$ as a map of $b/A$ and $\\gamma$ has a Jacobian without zeros, and takes the "
+                        "edge of its domain to the two contours and a piece of the imaginary axis"
+                    ),
+                    method="proof in the derivation of the describing functions",
+                ),
+                Confirmation(
+                    "200 points of each of nine contours, $\\gamma$ from 0.01 to 100",
+                    Assertion(
+                        statement=statement,
+                        derived=all(_between(gamma) for gamma in GAMMAS),
+                        evidence="they lie in the region that the two limits enclose",
+                        method="contours of $N$, computed",
+                    ),
                 ),
             ),
         ),
         explanation=(
-            "It is so, with the right contact equation; a proof for every $\\gamma$ is not given here. The "
-            "contours that the thesis drew, for $1 < \\gamma < 3/2$, come from complex contact angles and "
-            "could not show it."
+            "It is so for every $\\gamma$, with the right contact equation. The contours that the thesis "
+            "drew, for $1 < \\gamma < 3/2$, come from complex contact angles and could not show it. Besides, "
+            "each point between the two limits belongs to one $b/A$ and one $\\gamma$ only."
         ),
-        source=SOURCE,
+        source="derivations/element_steps/contours.py",
     )
 
 

@@ -30,7 +30,6 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _inverse(),
         _equivalent(),
         _no_crossing(evidence),
-        _linear_in_force(),
         _coulomb_term(),
         _large_frequency(),
         _without_force(),
@@ -96,7 +95,7 @@ def _inverse() -> Claim:
 def _equivalent() -> Claim:
     return Claim(
         id="eq-5.14",
-        parts=(printed_backlash_part("backlash term"), _coulomb_part()),
+        parts=(printed_backlash_part("backlash term"), coulomb_part()),
         explanation=(
             "The backlash part lacks the factor $A/\\pi$, as in equation 2.59. The friction part has the "
             "wrong sign and divides by a frequency that drops out; and besides it is printed inside a "
@@ -110,7 +109,8 @@ def _equivalent() -> Claim:
     )
 
 
-def _coulomb_part() -> Part:
+def coulomb_part() -> Part:
+    """Return the part on the friction term, whose slip equation 5.14 and the contours of 5.2.5 share."""
     return Part(
         "Coulomb term",
         SameExpression(PRINTED_TERM, FRICTION),
@@ -127,7 +127,7 @@ def _coulomb_part() -> Part:
 def _coulomb_term() -> Claim:
     return Claim(
         id="txt-5.2.5-coulomb-term",
-        parts=(_coulomb_part(),),
+        parts=(coulomb_part(),),
         explanation=(
             "With $G_g = 1/s$ the factor $1/G_g$ is $j\\omega$, not $1/(j\\omega)$, and friction sees the "
             "amplitude $\\omega A$ of the velocity. Together $j\\omega \\cdot 4F_c/(\\pi\\omega A) = "
@@ -176,21 +176,6 @@ def _no_crossing(evidence: Evidence) -> Claim:
             "otherwise only takes energy, so it cannot keep anything moving."
         ),
         source="trimmer/crossings.py",
-    )
-
-
-def _linear_in_force() -> Claim:
-    factor = sympy.Symbol("k", positive=True)
-    scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
-    return Claim(
-        id="txt-5.2.4-linear-in-fc",
-        parts=(Part("$N(kA, kF_c) = N(A, F_c)$", SameExpression(scaled, FRICTION, left=sympy.Symbol("N"))),),
-        explanation=(
-            "The describing function depends on $F_c/A$ alone, so any solution scales with the force; so "
-            "does the exact loop, in which the switching force is the only scale. This holds for whatever is "
-            "observed, physical or numerical."
-        ),
-        source=SOURCE,
     )
 
 

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-from report.document import Figure
-from report.evidence import Evidence
-from report.figures.block_diagrams import feedback_system, linear_system
+from report.figures import appendix_e, chapters_1_and_2, chapters_3_and_4, section_5_2
+from report.figures.drawing import Drawing
 from report.figures.limit_cycles import friction_intersections, inertia_intersections
 from report.figures.linear import (
     bode_plot,
@@ -16,45 +11,10 @@ from report.figures.linear import (
     linear_time_response,
     nyquist_locus,
 )
-from report.figures.svg import to_svg
-
-if TYPE_CHECKING:
-    import matplotlib.figure
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and how it is drawn."""
-
-    id: str
-    title: str
-    caption: str
-    alternative_text: str
-    draw: Callable[[Evidence], matplotlib.figure.Figure]
-
-    def finished(self, evidence: Evidence) -> Figure:
-        """Draw it."""
-        svg = to_svg(self.draw(evidence), self.id, self.title, self.alternative_text)
-        return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
-
 
 DRAWINGS = (
-    Drawing(
-        "fig-2.3",
-        "Linear system as a block",
-        "Block diagram of the linear trimmer (thesis, figure 2.3): the output's transform is $G(s)$ times "
-        "the input's.",
-        "An arrow u of t enters a block G of s, an arrow y of t leaves it.",
-        lambda _: linear_system(),
-    ),
-    Drawing(
-        "fig-2.4",
-        "General feedback system",
-        "Loop with $G$ ahead and $N$ in the feedback path (thesis, figure 2.4), so that $M = G/(1 + GN)$.",
-        "A reference U enters a summing junction, then a block G whose output Y is fed back through a block "
-        "N and subtracted.",
-        lambda _: feedback_system(),
-    ),
+    *chapters_1_and_2.DRAWINGS,
+    *chapters_3_and_4.DRAWINGS,
     Drawing(
         "fig-5.1",
         "Time response of the linear trimmer",
@@ -91,6 +51,7 @@ DRAWINGS = (
         "rounded ones.",
         lambda evidence: bode_plot_light_damping(evidence.numbers),
     ),
+    section_5_2.SECOND_IMPLEMENTATION,
     Drawing(
         "fig-5.8",
         "Friction-controlled backlash with G",
@@ -101,6 +62,7 @@ DRAWINGS = (
         "near minus one shows two nearly parallel loci that meet the curve at different places.",
         friction_intersections,
     ),
+    section_5_2.LARGER_GAP,
     Drawing(
         "fig-5.13",
         "Inertia-controlled backlash with G",
@@ -109,4 +71,6 @@ DRAWINGS = (
         "The curve of minus one over N starts at minus one and meets the locus twice.",
         inertia_intersections,
     ),
+    *section_5_2.LATER,
+    *appendix_e.DRAWINGS,
 )

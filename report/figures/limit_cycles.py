@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.evidence import Evidence
+from report.figures.read_out import Along, plot_along
 from report.figures.style import LINES, new_figure, style
 from report.limit_cycle_numbers import Pair
 from trimmer import frequency_response
@@ -63,9 +64,10 @@ def _named(axes: Axes, title: str, real: tuple[float, float], imaginary: tuple[f
 
 def _curves(axes: Axes, system: control.TransferFunction, element: Element, pair: Pair, line: int) -> None:
     response = frequency_response(system, OMEGA)
-    inverse = -1 / element.describing_function(1 / (RATIOS * float(element.domain(1.0))))
-    axes.plot(response.real, response.imag, **LINES[line].keywords)
-    axes.plot(inverse.real, inverse.imag, **LINES[1].keywords)
+    amplitudes = 1 / (RATIOS * float(element.domain(1.0)))
+    inverse = -1 / element.describing_function(amplitudes)
+    plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="G", **LINES[line].keywords)
+    plot_along(axes, inverse, Along("A", "gaps", amplitudes), label="−1/N", **LINES[1].keywords)
     points = frequency_response(system, np.array([pair.unstable.omega, pair.stable.omega]))
     axes.plot(points.real, points.imag, "o", color="black", markersize=5)
     axes.plot([-1], [0], "+", color="black", markersize=9, markeredgewidth=1.6)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from report.figures.read_out import Along, plot_along
 from report.figures.style import LINES, new_figure, style
 from report.light_damping import lightly_damped, sum_of_displacements
 from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
@@ -119,10 +120,9 @@ def nyquist_locus(numbers: LinearNumbers) -> Figure:
 
 def _locus(axes: Axes, system: control.TransferFunction, omega: NDArray[np.float64]) -> None:
     response = frequency_response(system, omega)
-    axes.plot(response.real, response.imag, label=r"$\omega > 0$", **LINES[0].keywords)
-    axes.plot(
-        response.real, -response.imag, label=r"$\omega < 0$", **(LINES[1].keywords | {"linewidth": 0.9})
-    )
+    plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$\omega > 0$", **LINES[0].keywords)
+    thin = LINES[1].keywords | {"linewidth": 0.9}
+    plot_along(axes, response.conj(), Along("ω", "rad/s", -omega), label=r"$\omega < 0$", **thin)
     axes.plot([-1], [0], "+", color="black", markersize=9, markeredgewidth=1.6)
     axes.annotate("$-1$", (-1, 0), (-8, 8), textcoords="offset points", ha="right")
     for place in (2150.0, 3350.0, 3600.0, 4400.0):

@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from report.figures.read_out import read_out
 from report.figures.style import style
 
 if TYPE_CHECKING:
@@ -35,7 +36,14 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     buffer = io.StringIO()
     with style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
-    return _described(_prefixed(_element(buffer.getvalue()), identifier), identifier, title, alternative_text)
+        axes = read_out(figure)
+    svg = _prefixed(_element(buffer.getvalue()), identifier)
+    return _described(_with_axes(svg, axes), identifier, title, alternative_text)
+
+
+def _with_axes(svg: str, axes: str) -> str:
+    """Give the element its axes as data, for the page's read-out."""
+    return svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1) if axes else svg
 
 
 def _element(document: str) -> str:

@@ -1,4 +1,4 @@
-"""Markdown to one HTML file that needs nothing beside it."""
+"""The report as one HTML file that needs nothing beside it."""
 
 from __future__ import annotations
 
@@ -10,19 +10,28 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.document import Document
-from report.rendering.markdown import TEMPLATES
+from report.octave.archive import archive
+from report.rendering.markdown import ARCHIVE, TEMPLATES
 from report.rendering.mathml import repaired
-from report.rendering.pandoc import convert
+from report.rendering.pandoc import write
+from report.rendering.summary import SYMBOLS
+from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
+SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js")
 _CONTENTS_END = "<!-- end of contents -->"
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
 
-def to_html(document: Document, markdown: str) -> str:
-    """Return the report as one HTML page with its style, script, font and figures inside."""
-    converted = convert(
-        markdown,
+def to_html(document: Document, content: bytes) -> str:
+    """Return the report as one HTML page with its style, script, font, figures and programs inside.
+
+    Args:
+        document: the report.
+        content: its text, as ``pandoc.read`` returns it.
+    """
+    converted = write(
+        content,
         "html5",
         [
             "--standalone",
@@ -30,23 +39,25 @@ def to_html(document: Document, markdown: str) -> str:
             "--mathml",
             "--toc",
             "--toc-depth=3",
-            "--shift-heading-level-by=0",
             f"--template={TEMPLATES / 'fragment.html'}",
             f"--lua-filter={TEMPLATES / 'html.lua'}",
             "--metadata=title=-",
         ],
     )
     contents, body = repaired(converted).split(_CONTENTS_END)
+    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
     return (
         _environment()
         .get_template("page.html.j2")
         .render(
             document=document,
+            symbols=SYMBOLS,
+            verdicts={finding.verdict for finding in document.findings},
             contents=contents,
-            body=_with_drawings(body, {figure.id: figure.svg for figure in document.figures}),
+            body=_with_programs(_with_drawings(body, drawings), document),
             style=(TEMPLATES / "page.css").read_text(encoding="utf-8"),
-            script=(TEMPLATES / "page.js").read_text(encoding="utf-8"),
-            font=base64.b64encode(FONT.read_bytes()).decode("ascii"),
+            scripts=[(TEMPLATES / name).read_text(encoding="utf-8") for name in SCRIPTS],
+            font=_base64(FONT.read_bytes()),
         )
     )
 
@@ -54,6 +65,16 @@ def to_html(document: Document, markdown: str) -> str:
 def _with_drawings(body: str, drawings: dict[str, str]) -> str:
     """Put each drawing in the place of the image that names it."""
     return _DRAWING.sub(lambda match: drawings[match["id"]], body)
+
+
+def _with_programs(body: str, document: Document) -> str:
+    """Put the archive of the programs into the link that downloads it."""
+    address = f"data:application/zip;base64,{_base64(archive(document.programs))}"
+    return body.replace(f'href="{ARCHIVE}"', f'href="{address}"', 1)
+
+
+def _base64(content: bytes) -> str:
+    return base64.b64encode(content).decode("ascii")
 
 
 @functools.cache

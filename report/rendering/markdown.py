@@ -10,44 +10,46 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
 from report.document import Document
-from report.rendering import escaping, summary
+from report.rendering import errata, escaping, outline, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
+from report.rendering.links import check_claims, check_links
+from report.rendering.selection import without_links_to
 
 TEMPLATES = Path(__file__).parent.parent / "templates"
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""
 HALF_LINE = 15.0
 """Width of a formula in a table that holds printed and derived side by side, in em."""
-
-_INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
-_IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
-
-
-class BrokenLinkError(ValueError):
-    """The report links to a place that it does not have, or has the same place twice."""
+ERRATA_LINE = 22.0
+"""Width of a line of a formula on the errata sheet, in em."""
+ARCHIVE = "octave.zip"
+"""Name of the archive of the corrected listings."""
 
 
 def to_markdown(document: Document) -> str:
     """Return the whole report as pandoc Markdown.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link, a highlight or a step of the derivation
-            names a place or a claim that the report does not have.
+        BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
+            result or a step of the derivation names a place or a claim that the report does not have.
         ValueError: if an equation is empty or holds a dollar sign.
     """
-    _check_claims(document)
+    check_claims(document)
     text = (
         _environment()
         .get_template("report.md.j2")
         .render(
             document=document,
             findings={finding.id: finding for finding in document.findings},
-            drawn={figure.id for figure in document.figures},
+            figures={figure.id: figure for figure in document.figures},
+            program_of={program.claim: program.name for program in document.programs},
             counts=summary.count_table(document),
+            errata=errata.errata(document),
         )
     )
-    _check_links(text)
+    text = without_links_to(text, document.omitted)
+    check_links(text)
     return text
 
 
@@ -59,9 +61,23 @@ def shown(content: Shown, name: str, line: float) -> str:
         name: what the formula is called when it does not fit, and above its LaTeX.
         line: width of the line it has to fit into, in em.
     """
+    if isinstance(content, Mathematics):
+        return formula(content.latex, name, line)
+    return in_line(content, line)
+
+
+def in_line(content: Shown, line: float) -> str:
+    """Return a formula, number or words as Markdown that can stand in a paragraph.
+
+    A formula longer than a line is there twice, broken and unbroken: Typst breaks it better by itself.
+    """
     match content:
         case Mathematics(latex):
-            return formula(latex, name, line)
+            unbroken = escaping.checked(latex)
+            broken = fit(unbroken, line)
+            if broken == unbroken:
+                return f"${unbroken}$"
+            return f"[${broken}$]{{.broken}}[${unbroken}$]{{.unbroken}}"
         case Number(digits, unit):
             return escaping.digits(digits) + (rf"\ {escaping.plain(unit)}" if unit else "")
         case Words(text):
@@ -72,6 +88,13 @@ def formula(latex: str, name: str, line: float) -> str:
     """Return a displayed formula, broken to fit the line, in a Div that carries its name."""
     broken = escaping.display_mathematics(fit(escaping.checked(latex), line))
     return f"::: {{.formula name={escaping.attribute(name)}}}\n{broken}\n:::"
+
+
+def code_block(text: str) -> str:
+    """Return text as a code block, fenced by more backticks than stand in it."""
+    longest = max((len(run) for run in re.findall("`+", text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"{fence}\n{text.rstrip()}\n{fence}"
 
 
 def side_by_side(finding: Finding) -> bool:
@@ -98,13 +121,20 @@ def _environment() -> Environment:
         attribute=escaping.attribute,
         mathematics=escaping.inline_mathematics,
         digits=escaping.digits,
+        code_block=code_block,
         reference=summary.reference,
+        short_reference=summary.short_reference,
         methods=summary.methods,
         slips=summary.slips,
         sentence=summary.sentence,
+        capitalised=summary.capitalised,
+        kinds_in_words=summary.kinds_in_words,
+        groups=outline.grouped,
+        picture_description=verdict_picture.description,
     )
     environment.globals.update(
         shown=shown,
+        in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
         verdicts=tuple(Verdict),
@@ -113,29 +143,8 @@ def _environment() -> Environment:
         reaches=summary.REACHES,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
+        ERRATA_LINE=ERRATA_LINE,
+        ARCHIVE=ARCHIVE,
+        VERDICT_PICTURE=verdict_picture.NAME,
     )
     return environment
-
-
-def _check_claims(document: Document) -> None:
-    named = {highlight.claim: "a highlight" for highlight in document.highlights}
-    named |= {
-        claim: f"step {step.id} of the derivation" for step in document.derivation for claim in step.claims
-    }
-    for claim in sorted(set(named) - {finding.id for finding in document.findings}):
-        raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
-
-
-def _check_links(text: str) -> None:
-    identifiers = _IDENTIFIER.findall(text)
-    twice = sorted({identifier for identifier in identifiers if identifiers.count(identifier) > 1})
-    if twice:
-        raise BrokenLinkError(
-            f"the report has these identifiers twice, rename one of each: {', '.join(twice)}"
-        )
-    broken = sorted(set(_INTERNAL_LINK.findall(text)) - set(identifiers))
-    if broken:
-        raise BrokenLinkError(
-            f"the report links to places it does not have: {', '.join(broken)}; "
-            "correct the link or add the claim, step or figure"
-        )

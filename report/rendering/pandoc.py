@@ -16,21 +16,34 @@ class PandocError(RuntimeError):
     """Pandoc refused the report, or warned about it."""
 
 
-def convert(markdown: str, target: str, arguments: Sequence[str]) -> str:
-    """Convert Markdown to another format.
+def read(markdown: str) -> bytes:
+    """Read Markdown once for all outputs; return pandoc's own form of it.
+
+    Raises:
+        PandocError: if pandoc fails or warns.
+    """
+    return _run(markdown.encode(), ["--from", READER, "--to", "json"])
+
+
+def write(content: bytes, target: str, arguments: Sequence[str]) -> str:
+    """Write what ``read`` has read in another format.
 
     Args:
-        markdown: the source.
+        content: pandoc's own form of the text.
         target: name of pandoc's writer.
         arguments: further options of pandoc.
 
     Raises:
         PandocError: if pandoc fails or warns, for instance about mathematics that it cannot read.
     """
+    return _run(content, ["--from", "json", "--to", target, *arguments]).decode()
+
+
+def _run(content: bytes, arguments: Sequence[str]) -> bytes:
     import pypandoc  # here, so that importing the package does not look for the binary
 
-    command = [pypandoc.get_pandoc_path(), "--from", READER, "--to", target, "--fail-if-warnings", *arguments]
-    finished = subprocess.run(command, input=markdown.encode(), capture_output=True, check=False)
+    command = [pypandoc.get_pandoc_path(), "--fail-if-warnings", *arguments]
+    finished = subprocess.run(command, input=content, capture_output=True, check=False)
     if finished.returncode:
-        raise PandocError(f"pandoc could not write {target}: {finished.stderr.decode().strip()}")
-    return finished.stdout.decode()
+        raise PandocError(f"pandoc stopped: {finished.stderr.decode().strip()}")
+    return finished.stdout

@@ -1,4 +1,4 @@
-"""Markdown to PDF, through pandoc and Typst."""
+"""The report as PDF, through pandoc and Typst."""
 
 from __future__ import annotations
 
@@ -6,19 +6,30 @@ from datetime import UTC, datetime
 from typing import Any
 
 from report.document import Document
+from report.octave.archive import files
 from report.rendering.markdown import TEMPLATES
-from report.rendering.pandoc import convert
+from report.rendering.pandoc import write
+from report.rendering.request import Paper
+from report.rendering.verdict_picture import NAME, verdict_picture
+
+_PAPERS = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 
 
 class TypesettingError(RuntimeError):
     """Typst refused the report, for instance because a formula runs off the page."""
 
 
-def to_typst(document: Document, markdown: str) -> str:
-    """Return the report as Typst source; figures are named as files in it."""
+def to_typst(document: Document, content: bytes, paper: Paper = Paper.A4) -> str:
+    """Return the report as Typst source; figures and programs are named as files in it.
+
+    Args:
+        document: the report.
+        content: its text, as ``pandoc.read`` returns it.
+        paper: size of the pages.
+    """
     source = document.provenance
-    return convert(
-        markdown,
+    return write(
+        content,
         "typst-smart",
         [
             "--standalone",
@@ -28,11 +39,12 @@ def to_typst(document: Document, markdown: str) -> str:
             f"--lua-filter={TEMPLATES / 'typst.lua'}",
             f"--metadata=title={document.title}",
             f"--metadata=version=trimmer {source.version}, commit {source.commit}, {source.date[:10]}",
+            f"--variable=paper={_PAPERS[paper]}",
         ],
     )
 
 
-def to_pdf(document: Document, markdown: str) -> bytes:
+def to_pdf(document: Document, content: bytes, paper: Paper = Paper.A4) -> bytes:
     """Return the report as PDF; the same document gives the same bytes on every machine.
 
     Raises:
@@ -41,8 +53,14 @@ def to_pdf(document: Document, markdown: str) -> bytes:
     import typst  # here: the module holds a whole typesetter
 
     figures = {f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.figures}
+    programs = {f"octave/{name}": text.encode() for name, text in files(document.programs).items()}
     # Typst's annotations leave out that its input may be a dictionary of files, with the main one first.
-    source: Any = {"main": to_typst(document, markdown).encode(), **figures}
+    source: Any = {
+        "main": to_typst(document, content, paper).encode(),
+        f"figures/{NAME}.svg": verdict_picture(document).encode(),
+        **figures,
+        **programs,
+    }
     try:
         return typst.compile(
             source, format="pdf", ignore_system_fonts=True, timestamp=_timestamp(document.provenance.date)

@@ -1,32 +1,28 @@
-"""Writing a report in all its forms."""
+"""Writing a report in the forms that are wanted."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
 
 from report.document import Document
+from report.rendering import pandoc
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
+from report.rendering.request import WHOLE_REPORT, Format, Request
 from trimmer.files import write_whole
 
-
-@dataclass(frozen=True)
-class RenderedFiles:
-    """Where the report was written."""
-
-    html: Path
-    pdf: Path
-    claims: Path
+NAMES = {Format.HTML: "report.html", Format.PDF: "report.pdf", Format.JSON: "claims.json"}
+"""Name of the file of each form."""
 
 
-def render(document: Document, directory: Path) -> RenderedFiles:
-    """Write the report as ``report.html``, ``report.pdf`` and ``claims.json``.
+def render(document: Document, directory: Path, request: Request = WHOLE_REPORT) -> Mapping[Format, Path]:
+    """Write the report in the forms that are wanted; return the path of each.
 
-    All three are made before the first is written, so that a failure leaves the files of the last build.
+    All of them are made before the first is written, so that a failure leaves the files of the last build.
 
     Raises:
         BrokenLinkError: if a link inside the report leads nowhere or two places share an identifier.
@@ -34,16 +30,16 @@ def render(document: Document, directory: Path) -> RenderedFiles:
         TypesettingError: if the PDF cannot be set, for instance because a formula does not fit the page.
         FileWriteError: if a file cannot be written.
     """
-    markdown = to_markdown(document)
-    files = RenderedFiles(directory / "report.html", directory / "report.pdf", directory / "claims.json")
+    text = pandoc.read(to_markdown(document)) if request.formats - {Format.JSON} else b""
+    makers: dict[Format, Callable[[], str | bytes]] = {
+        Format.PDF: lambda: to_pdf(document, text, request.paper),
+        Format.HTML: lambda: to_html(document, text),
+        Format.JSON: lambda: to_json(document),
+    }
     with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock
-        html = pool.submit(to_html, document, markdown)
-        pdf = pool.submit(to_pdf, document, markdown)
-        contents: dict[Path, str | bytes] = {
-            files.html: html.result(),
-            files.pdf: pdf.result(),
-            files.claims: to_json(document),
-        }
-    for path, content in contents.items():
-        write_whole(path, content)
-    return files
+        made = {form: pool.submit(make) for form, make in makers.items() if form in request.formats}
+        contents = {form: made[form].result() for form in NAMES if form in made}
+    paths = {form: directory / NAMES[form] for form in contents}
+    for form, content in contents.items():
+        write_whole(paths[form], content)
+    return paths

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import dataclass
 
@@ -32,6 +33,19 @@ _KIND_NAMES = {
     Kind.TABLE: "Table",
     Kind.LISTING: "Listing",
     Kind.STATEMENT: "Statement",
+}
+_ABBREVIATIONS = {
+    Kind.EQUATION: "Eq.",
+    Kind.FIGURE: "Fig.",
+    Kind.TABLE: "Table",
+    Kind.LISTING: "Listing",
+}
+_KINDS_IN_WORDS = {
+    Kind.EQUATION: ("equation", "equations"),
+    Kind.FIGURE: ("figure", "figures"),
+    Kind.TABLE: ("table", "tables"),
+    Kind.LISTING: ("listing", "listings"),
+    Kind.STATEMENT: ("statement in its text", "statements in its text"),
 }
 _MOST_LABELS = 3
 
@@ -66,6 +80,25 @@ def reference(finding: Finding) -> str:
     if finding.kind is Kind.STATEMENT:
         return f"{name} in section {finding.section}"
     return f"{name} {finding.id.partition('-')[2]}"
+
+
+def short_reference(finding: Finding) -> str:
+    """Name the place of a claim where there is little room: ``Eq. 2.8``, ``Sec. 5.1.2``."""
+    if finding.kind is Kind.STATEMENT:
+        return f"Sec. {finding.section}"
+    return f"{_ABBREVIATIONS[finding.kind]} {finding.id.partition('-')[2]}"
+
+
+def kinds_in_words(document: Document) -> str:
+    """Say how many findings there are of each kind: ``92 equations, 54 figures and 1 table``."""
+    numbers = Counter(finding.kind for finding in document.findings)
+    said = [f"{numbers[kind]} {_KINDS_IN_WORDS[kind][numbers[kind] > 1]}" for kind in Kind if numbers[kind]]
+    return " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:])))
+
+
+def capitalised(text: str) -> str:
+    """Begin with a capital, where the text begins with a small letter and not with a symbol."""
+    return text[:1].upper() + text[1:] if re.match("[a-z]{2}", text) else text
 
 
 def sentence(text: str) -> str:

@@ -24,13 +24,13 @@ local function cell_blocks(cell)
   return cell.content
 end
 
-local function table_row(row, alignments, is_head)
+local function table_row(row, alignments, is_head, header_column)
   local result = pandoc.List({ raw('<tr class="' .. table.concat(row.classes, " ") .. '">') })
   for position, cell in ipairs(row.content) do
     local tag, scope = "td", ""
     if is_head then
       tag, scope = "th", ' scope="col"'
-    elseif position == 1 then
+    elseif position == header_column then
       tag, scope = "th", ' scope="row"'
     end
     local opening = '<%s%s class="%s">'
@@ -45,6 +45,7 @@ local function report_table(div)
   local label = escaped(div.attributes.label)
   local opening = '<div class="table-box" role="region" tabindex="0" aria-label="%s"><table class="%s">'
   local result = pandoc.List({ raw(opening:format(label, table.concat(div.classes, " "))) })
+  local header_column = tonumber(div.attributes["header-column"] or "1")
   local alignments = {}
   for alignment in div.attributes.align:gmatch("%S+") do
     table.insert(alignments, alignment)
@@ -55,7 +56,7 @@ local function report_table(div)
     if position <= 2 then
       result:insert(raw("<" .. group .. ">"))
     end
-    result:extend(table_row(row, alignments, is_head))
+    result:extend(table_row(row, alignments, is_head, header_column))
     if is_head or position == #div.content then
       result:insert(raw("</" .. group .. ">"))
     end
@@ -118,12 +119,28 @@ local function claim(div)
 end
 
 local function figure(div)
+  local opening = '<div class="paper" role="group" tabindex="0" aria-label="%s">'
   return wrapped(
     '<figure class="drawing" id="' .. escaped(div.identifier) .. '">',
-    wrapped('<div class="paper">', { div.content[1] }, "</div>")
+    wrapped(opening:format(escaped(div.attributes.label)), { pandoc.Plain(div.content[1].content) }, "</div>")
       .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption>"),
     "</figure>"
   )
+end
+
+local function program(div)
+  local summary = "<details class=\"program\"><summary>Show the %s lines of %s</summary>"
+  local blocks = div.content:map(function(block)
+    if block.t ~= "CodeBlock" then
+      return block
+    end
+    local opening = summary:format(escaped(div.attributes.lines), escaped(div.identifier))
+    return pandoc.Div({
+      raw(opening .. '<pre tabindex="0"><code>' .. escaped(block.text) .. "</code></pre></details>"),
+    })
+  end)
+  blocks[1].identifier = div.identifier
+  return blocks
 end
 
 local function comparison_side(heading)
@@ -133,22 +150,42 @@ local function comparison_side(heading)
   end
 end
 
+local function section(class)
+  return function(div)
+    local chapter = div.attributes.chapter
+    local data = chapter and (' data-chapter="' .. escaped(chapter) .. '"') or ""
+    return wrapped('<section class="' .. class .. '"' .. data .. ">", div.content, "</section>")
+  end
+end
+
+local function nothing()
+  return {}
+end
+
 local converters = {
   table = report_table,
   equation = equation,
   claim = claim,
   figure = figure,
+  program = program,
   printed = comparison_side("As printed"),
   derived = comparison_side("As derived"),
   agreed = comparison_side("As printed and as derived"),
   missing = comparison_side("What is missing"),
-  chapter = function(div)
-    return wrapped(
-      '<section class="chapter" data-chapter="' .. escaped(div.attributes.chapter) .. '">',
-      div.content,
-      "</section>"
-    )
+  chapter = section("chapter"),
+  group = section("group"),
+  ["errata-sheet"] = section("errata-sheet"),
+  ["verdict-picture"] = function(div)
+    return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
   end,
+  ["answer-side"] = function(div)
+    return comparison_side(div.attributes.side)(pandoc.Div(div.content, { class = "answer-side" }))
+  end,
+  fold = function(div)
+    local opening = "<details class=\"fold\"><summary>" .. escaped(div.attributes.summary) .. "</summary>"
+    return wrapped(opening, div.content, "</details>")
+  end,
+  outline = nothing,
 }
 
 function Div(div)
@@ -160,3 +197,10 @@ function Div(div)
   end
 end
 
+function Span(span)
+  if span.classes:includes("unbroken") then
+    return {}
+  elseif span.classes:includes("broken") then
+    return span.content
+  end
+end

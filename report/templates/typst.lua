@@ -32,7 +32,24 @@ local function array(words)
   return "(" .. words:gsub("%s+", ", ") .. ",)"
 end
 
+-- The errata as running text: two columns of a page have no room for three of a table.
+local function errata(div)
+  local result = pandoc.List({ raw("#errata(") })
+  for position, row in ipairs(div.content) do
+    if position > 1 then
+      result:insert(raw("("))
+      table_cells(row, result)
+      result:insert(raw("),"))
+    end
+  end
+  result:insert(raw(")"))
+  return result
+end
+
 local function report_table(div)
+  if div.classes:includes("errata") then
+    return errata(div)
+  end
   local columns, alignments = array(div.attributes.columns), array(div.attributes.align)
   local result = pandoc.List({ raw("#report-table(" .. columns .. ", " .. alignments .. ", (") })
   for position, row in ipairs(div.content) do
@@ -60,6 +77,24 @@ local function figure(div)
   )
 end
 
+-- The code itself is not set but attached to the PDF.
+local function program(div)
+  local blocks = div.content:filter(function(block)
+    return block.t ~= "CodeBlock"
+  end)
+  blocks[1].identifier = div.identifier
+  blocks:insert(raw("#attached(" .. quoted(div.identifier) .. ", " .. div.attributes.lines .. ")"))
+  return blocks
+end
+
+local function content(div)
+  return div.content
+end
+
+local function nothing()
+  return {}
+end
+
 local headings = {
   printed = "As printed",
   derived = "As derived",
@@ -71,8 +106,23 @@ local converters = {
   table = report_table,
   claim = claim,
   figure = figure,
-  chapter = function(div)
-    return div.content
+  program = program,
+  chapter = content,
+  group = content,
+  highlights = call("highlights"),
+  answer = call("answer"),
+  partial = call("partial-report"),
+  ["verdict-picture"] = function(div)
+    local image = div.content[1].content[1]
+    local opening = "#verdict-picture(%s, alt: %s)"
+    return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
+  end,
+  ["answer-side"] = function(div)
+    return wrapped("#answer-side(" .. quoted(div.attributes.side) .. ")[", div.content, "]")
+  end,
+  ["errata-sheet"] = call("errata-sheet"),
+  outline = function()
+    return raw("#contents")
   end,
   comparison = function(div)
     local result = pandoc.List({ raw("#comparison(") })
@@ -92,20 +142,26 @@ local converters = {
   legend = call("legend"),
   judged = call("judged"),
   meta = call("meta"),
-  method = call("method"),
+  evidence = call("evidence"),
   part = call("part"),
-  filter = function()
-    return {}
-  end,
-  ["latex-sources"] = function()
-    return {}
-  end,
+  fold = nothing,
+  ["latex-sources"] = nothing,
 }
 
 function Div(div)
   local convert = converters[div.classes[1]]
   if convert then
     return convert(div)
+  end
+end
+
+-- Chapters begin on a page of their own; Typst then sets them side by side on all cores. Levels are shifted
+-- after this filter: a chapter is still of level 2.
+local without_break = { summary = true, parameters = true, provenance = true, errata = true }
+
+function Header(header)
+  if header.level == 2 and not without_break[header.identifier] then
+    return { raw("#pagebreak(weak: true)"), header }
   end
 end
 
@@ -117,6 +173,8 @@ function Span(span)
     return result
   elseif span.classes:includes("file") then
     return pandoc.Code(pandoc.utils.stringify(span.content))
+  elseif span.classes:includes("broken") then
+    return {}
   end
 end
 

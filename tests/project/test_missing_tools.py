@@ -15,10 +15,13 @@ import pytest
 @pytest.mark.{marker}
 def test_example(): pass
 """
-SETTINGS = "[tool.pytest.ini_options]\nmarkers = ['browser', 'poppler']\n"
+SETTINGS = "[tool.pytest.ini_options]\nmarkers = ['browser', 'octave', 'poppler']\n"
 
 
-@pytest.mark.parametrize(("marker", "package"), [("browser", "chromium"), ("poppler", "poppler-utils")])
+@pytest.mark.parametrize(
+    ("marker", "package"),
+    [("browser", "chromium"), ("octave", "octave-control"), ("poppler", "poppler-utils")],
+)
 @pytest.mark.parametrize(("ci", "outcome"), [("", "1 skipped"), ("true", "1 error")])
 def test_missing_program(
     tmp_path: Path, project_folder: Path, marker: str, package: str, ci: str, outcome: str

@@ -7,27 +7,31 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.cells import Cells
-from trimmer.balance.errors import FrequencyRangeError
-from trimmer.balance.frequency_range import highest_omega, lowest_omega
+from trimmer.balance.gain_table import GainTable
 from trimmer.balance.outcome import Outcome
-from trimmer.balance.search import FIRST_ROWS, Problem, SearchLimits, find_all
+from trimmer.balance.problem import Problem
+from trimmer.balance.search import find_all
 
 if TYPE_CHECKING:
-    from trimmer.balance.element_curve import ElementCurve, GainDisks
+    from numpy.typing import NDArray
+
+    from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
+    from trimmer.balance.search import SearchResult
+
+    Reals = NDArray[np.float64]
 
 SMALLEST_GAIN = 1e-6
-"""|N| over its maximum below which no solution is looked for."""
+"""|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis."""
 
-EDGE = 1e-9
-"""Relative distance of u from the edge of the domain within which no solution is looked for."""
+_BESIDE_ROOTS = 2.0
+"""How far these go beyond the roots, in x."""
 
-_COLUMNS = 64
-"""Intervals of x on which N is bounded if it depends on x."""
+_BESIDE_SOLUTIONS = 0.5
+"""How far the range that is reported goes beyond what was found, in x."""
 
-_FAR = 12.0 * math.log(10.0)
-"""How far from the roots of G, in x, an element that depends on frequency is examined."""
+_GROWING = 2.0 ** np.arange(1, 8) - 1.0
+"""Limits of the blocks beyond, each twice as wide as the one before: 55 decades on either side."""
 
 _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequency"
 
@@ -35,56 +39,36 @@ _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequenc
 def solve_bounded(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
 ) -> Outcome:
-    """Find all solutions with a bounded N.
-
-    Raises:
-        FrequencyRangeError: if a range is needed and not given.
-    """
+    """Find all solutions with a bounded N."""
+    roots = _range_of_roots(response)
     if omega_range is None:
-        middle = math.log(response.reference)
-        gains = _gains(curve, middle - _FAR, middle + _FAR)
-        omegas = _derived_range(response, curve, gains)
+        breaks = np.concatenate([roots[0] - _GROWING[::-1], response.breaks(*roots), roots[1] + _GROWING])
     else:
-        gains = _gains(curve, math.log(omega_range[0]), math.log(omega_range[1]))
-        omegas = omega_range
-    x_lower, x_upper = math.log(omegas[0]), math.log(omegas[1])
-    largest = _largest(gains)
-    limits = SearchLimits(SMALLEST_GAIN * largest, largest)
-    box = Cells(*(np.array([side]) for side in (0.0, _u_upper(curve, x_lower, x_upper), x_lower, x_upper)))
-    problem = Problem(response, curve, box, limits, None if curve.depends_on_x else gains)
-    return Outcome(_METHOD, find_all(problem), omegas, omega_range is None)
+        breaks = response.breaks(math.log(omega_range[0]), math.log(omega_range[1]))
+    table = GainTable.of(curve, breaks)
+    smallest_gain = _smallest_gain(response, table)
+    result = find_all(Problem(response, curve, table, smallest_gain))
+    omegas = omega_range or _range_with_all(result, roots)
+    return Outcome(_METHOD, result, omegas, omega_range is None, smallest_gain)
 
 
-def _derived_range(response: InverseResponse, curve: ElementCurve, gains: GainDisks) -> tuple[float, float]:
-    """Find a range outside of which there is no solution, given disks that hold all N."""
-    largest = _largest(gains)
-    highest = highest_omega(response, largest)
-    lowest = lowest_omega(response, gains, SMALLEST_GAIN * largest)
-    if lowest is None and curve.depends_on_x:
-        middle = math.log(response.reference)
-        far = _gains(curve, middle - 2.0 * _FAR, middle - _FAR)
-        lowest = lowest_omega(response, far, SMALLEST_GAIN * largest, math.exp(-_FAR))
-    if lowest is None or highest is None:
-        end = "low" if lowest is None else "high"
-        raise FrequencyRangeError(
-            f"no range of frequencies can be derived: at {end} frequencies nothing excludes a limit cycle "
-            f"(|N| reaches up to {largest:.4g}); give omega_range=(lowest, highest), rad/s"
-        )
-    return lowest, highest
+def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[float, float]:
+    """Angular frequencies, rad/s, of the roots of G and of all that was found; nothing is beyond them."""
+    found = np.concatenate([result.x, result.undecided.x_lower, result.undecided.x_upper])
+    lowest = min(roots[0], float(found.min(initial=math.inf)) - _BESIDE_SOLUTIONS)
+    highest = max(roots[1], float(found.max(initial=-math.inf)) + _BESIDE_SOLUTIONS)
+    return math.exp(lowest), math.exp(highest)
 
 
-def _gains(curve: ElementCurve, x_lower: float, x_upper: float) -> GainDisks:
-    """Disks that together hold all N on a range of x."""
-    breaks = np.linspace(x_lower, x_upper, _COLUMNS + 1 if curve.depends_on_x else 2)
-    rows = np.linspace(0.0, _u_upper(curve, x_lower, x_upper), FIRST_ROWS + 1)
-    disks = curve.disks(Cells.grid(rows, breaks[:-1], breaks[1:]))
-    return disks.take(np.flatnonzero(disks.exists))
+def _range_of_roots(response: InverseResponse) -> tuple[float, float]:
+    """Smallest and largest x of the roots of G, and some more on either side."""
+    sizes = np.abs(response.roots[response.roots != 0]) * response.reference
+    lowest, highest = sizes.min(initial=response.reference), sizes.max(initial=response.reference)
+    return math.log(lowest) - _BESIDE_ROOTS, math.log(highest) + _BESIDE_ROOTS
 
 
-def _u_upper(curve: ElementCurve, x_lower: float, x_upper: float) -> float:
-    """Largest u to search; the edge of the domain rises or falls with x, but not both."""
-    return float(curve.edge(np.array([x_lower, x_upper])).max()) * (1.0 - EDGE)
-
-
-def _largest(disks: GainDisks) -> float:
-    return float((np.abs(disks.centre) + disks.radius).max())
+def _smallest_gain(response: InverseResponse, table: GainTable) -> float:
+    """|N| below which solutions are not looked for; 0 if |G| is bounded or N does not vanish."""
+    bounded = not np.any(response.poles.real == 0)
+    smallest_gain = SMALLEST_GAIN * table.largest_gain
+    return 0.0 if bounded or table.smallest_gain >= smallest_gain else smallest_gain

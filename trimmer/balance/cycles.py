@@ -13,23 +13,21 @@ from trimmer.balance.stability import other_unstable_poles, sine_of_crossing
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
+    from trimmer.balance.loop import Loop
 
 
-def limit_cycles_at(
-    response: InverseResponse, curve: ElementCurve, u: NDArray[np.float64], x: NDArray[np.float64]
-) -> tuple[LimitCycle, ...]:
+def limit_cycles_at(loop: Loop, u: NDArray[np.float64], x: NDArray[np.float64]) -> tuple[LimitCycle, ...]:
     """Describe the solutions at (u, x), in order of frequency, then of amplitude."""
     if u.size == 0:
         return ()
     order = np.lexsort((-u, x))
     u, x = u[order], x[order]
-    inverse, slope = response.value_and_slope(x)
-    gain = curve.value(u, x)
-    by_u, gain_by_x = curve.slopes(u, x)
-    amplitudes, omegas = curve.amplitude(u), np.exp(x)
-    unstable = other_unstable_poles(response, gain, omegas)
+    inverse, slope = loop.response.value_and_slope(x)
+    gain, by_u, gain_by_x = loop.curve.expansion(u, x)
+    amplitudes, omegas = loop.curve.amplitude(u), np.exp(x)
+    unstable = other_unstable_poles(loop.response, gain, omegas)
+    # 1 + N G of the loop as it was given.
+    residuals = np.abs((gain + inverse) / (inverse - loop.linear.value(omegas)))
     cycles = []
     for place in range(u.size):
         # u falls with amplitude, hence the sign.
@@ -40,8 +38,9 @@ def limit_cycles_at(
                 amplitude=float(amplitudes[place]),
                 omega=float(omegas[place]),
                 stable=sine > 0 and others == 0,
-                residual=float(abs(1.0 + gain[place] / inverse[place])),
+                residual=float(residuals[place]),
                 crossing_angle=math.asin(min(1.0, abs(sine))),
+                index=1 if sine > 0 else -1,
                 other_unstable_poles=others,
             )
         )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +14,7 @@ if TYPE_CHECKING:
 
     from trimmer.balance.cells import Cells
     from trimmer.elements.element import Element
+    from trimmer.elements.expansion import Expansion
 
     Reals = NDArray[np.float64]
     Complexes = NDArray[np.complex128]
@@ -34,9 +37,19 @@ class GainDisks:
     u_share: Reals
     exists: Flags
 
-    def take(self, which: NDArray[np.intp]) -> GainDisks:
-        """Keep those at some places."""
-        return GainDisks(*(getattr(self, field.name)[which] for field in fields(self)))
+    @classmethod
+    def joined(cls, groups: Sequence[GainDisks]) -> GainDisks:
+        """Put those of some groups one after the other."""
+        return cls(
+            np.concatenate([group.centre for group in groups]),
+            np.concatenate([group.radius for group in groups]),
+            np.concatenate([group.u_share for group in groups]),
+            np.concatenate([group.exists for group in groups]),
+        )
+
+    def take(self, which: Any) -> GainDisks:
+        """Keep those at some places, given as NumPy takes an index."""
+        return GainDisks(self.centre[which], self.radius[which], self.u_share[which], self.exists[which])
 
 
 @dataclass(frozen=True)
@@ -58,24 +71,28 @@ class ElementCurve:
         """Evaluate N; NaN outside the element's domain."""
         return np.asarray(self.element.describing_function(self.amplitude(u), self._omega(x)))
 
-    def slopes(self, u: Reals, x: Reals) -> tuple[Complexes, Complexes]:
-        """Evaluate dN/du at fixed x and dN/dx at fixed u."""
-        by_u, by_x = self.element.derivatives(self.amplitude(u), self._omega(x))
-        return np.asarray(by_u, dtype=complex), np.asarray(by_x, dtype=complex)
+    def expansion(self, u: Reals, x: Reals) -> Expansion:
+        """Evaluate N, dN/du at fixed x and dN/dx at fixed u; NaN outside the element's domain."""
+        return self.element.expansion(self.amplitude(u), self._omega(x))
 
     def amplitude(self, u: Reals) -> Reals:
-        """Amplitude that belongs to u; infinite for u = 0. NaN for u < 0, which is no amplitude."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
+        """Amplitude that belongs to u; infinite for u = 0, with NumPy's warning. NaN for u < 0."""
+        return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
 
     def edge(self, x: Reals) -> Reals:
-        """Least upper bound of u at which the element has a describing function."""
-        return np.broadcast_to(np.asarray(self.element.domain(self._omega(x)), dtype=float), np.shape(x))
+        """Least upper bound of u at which the element has a describing function; broadcasts with x."""
+        if self.depends_on_x:
+            return np.asarray(self.element.domain(self._omega(x)))
+        return self._edge
+
+    @cached_property
+    def _edge(self) -> Reals:
+        return np.asarray(self.element.domain())
 
     def inside(self, cells: Cells) -> Flags:
         """Whether each box lies inside the domain; its edge rises or falls with omega, but not both."""
         edge = np.minimum(self.edge(cells.x_lower), self.edge(cells.x_upper))
-        return np.asarray(cells.u_upper < edge)
+        return np.asarray(cells.u_upper <= edge)
 
     def variation(self, cells: Cells) -> tuple[Reals, Reals]:
         """Bound the changes of dN/du and of dN/dx on boxes inside the domain."""

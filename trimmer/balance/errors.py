@@ -6,7 +6,7 @@ from trimmer.errors import TrimmerError
 
 
 class FrequencyRangeError(TrimmerError, ValueError):
-    """A range of frequencies that cannot be used, or one that is needed and not given."""
+    """A range of frequencies that cannot be used."""
 
 
 class LinearElementError(TrimmerError, ValueError):

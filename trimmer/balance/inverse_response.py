@@ -7,7 +7,8 @@ the imaginary axis. All bounds follow from the distances between an interval of 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Self
+from functools import cached_property
+from typing import TYPE_CHECKING, Self, TypeVar
 
 import numpy as np
 
@@ -21,6 +22,14 @@ if TYPE_CHECKING:
     Reals = NDArray[np.float64]
     Complexes = NDArray[np.complex128]
     Flags = NDArray[np.bool_]
+
+_EVEN = 16
+"""Equal parts of a range of x."""
+
+_BESIDE_A_ROOT = np.sinh(np.linspace(-3.0, 3.0, 9))
+"""Places where the range is cut as well, over the distance of a root from the axis."""
+
+Number = TypeVar("Number", np.float64, np.complex128)
 
 
 @dataclass(frozen=True)
@@ -40,18 +49,18 @@ class Turning:
 
 @dataclass(frozen=True)
 class InverseResponse:
-    """1/G(j omega) = gain * prod (j omega/reference - root)**exponent.
+    """1/G(j omega) = gain * prod(j omega/reference - pole) / prod(j omega/reference - zero).
 
     Attributes:
-        gain: Real factor.
-        roots: Poles and zeros of G over the reference.
-        exponents: +1 for a pole of G, -1 for a zero.
+        gain: Factor; real for a real G.
+        poles: Poles of G over the reference; at least as many as zeros.
+        zeros: Zeros of G over the reference.
         reference: Geometric mean of the roots' magnitudes, rad/s; it keeps products within range.
     """
 
-    gain: float
-    roots: Complexes
-    exponents: Reals
+    gain: complex
+    poles: Complexes
+    zeros: Complexes
     reference: float
 
     @classmethod
@@ -61,12 +70,23 @@ class InverseResponse:
         magnitudes = magnitudes[magnitudes > 0]
         reference = float(np.exp(np.log(magnitudes).mean())) if magnitudes.size else 1.0
         gain = reference**factored.relative_degree / factored.gain
-        return cls(gain, factored.roots / reference, -factored.exponents, reference)
+        poles, zeros = np.array(factored.poles, complex), np.array(factored.zeros, complex)
+        return cls(gain, poles / complex(reference), zeros / complex(reference), reference)
+
+    @cached_property
+    def roots(self) -> Complexes:
+        """All poles, then all zeros."""
+        return np.concatenate([self.poles, self.zeros])
+
+    @cached_property
+    def exponents(self) -> Reals:
+        """Exponent of each of ``roots`` in 1/G: +1 for a pole of G, -1 for a zero."""
+        return np.repeat([1.0, -1.0], [self.poles.size, self.zeros.size])
 
     @property
     def relative_degree(self) -> int:
         """Number of poles of G less number of its zeros."""
-        return int(self.exponents.sum())
+        return self.poles.size - self.zeros.size
 
     @property
     def order_at_zero(self) -> int:
@@ -75,14 +95,16 @@ class InverseResponse:
 
     def value(self, x: Reals) -> Complexes:
         """Evaluate 1/G(j exp x) at an array of x of one dimension."""
-        return self._product(1j * self._omega(x) - self.roots[:, None])
+        return self.gain * self._quotient(1j * self._omega(x) - self.roots[:, None])
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
         """Evaluate 1/G(j exp x) and its derivative with respect to x."""
         rotating = 1j * self._omega(x)
         distances = rotating - self.roots[:, None]
-        value = self._product(distances)
-        return value, value * rotating * (self.exponents @ (1.0 / distances))
+        value = self.gain * self._quotient(distances)
+        shares = 1.0 / distances
+        poles = self.poles.size
+        return value, value * rotating * (shares[:poles].sum(axis=0) - shares[poles:].sum(axis=0))
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
         """Bound 1/G on the intervals [lower, upper] of x.
@@ -91,50 +113,73 @@ class InverseResponse:
         ln(1/G) is at most the sum of omega |root| / distance**2, which gives the radius by Taylor's theorem.
         """
         half = 0.5 * (upper - lower)
-        nearest, farthest = self._distances(self._omega(lower), self._omega(upper))
-        sizes = np.abs(self.roots)
         with np.errstate(all="ignore"):
             centre, slope = self.value_and_slope(0.5 * (lower + upper))
-            bend = self._omega(upper) * (sizes @ (1.0 / nearest**2))
-            log_slope = np.abs(slope / centre)
+            bend = self._bend(lower, upper)
+            size, log_slope = np.abs(centre), np.abs(slope / centre)
             spread = half * (log_slope + 0.5 * half * bend)
-            slope_radius = half * np.abs(centre) * np.exp(spread) * ((log_slope + half * bend) ** 2 + bend)
-            poles = self.exponents > 0
-            smallest = nearest[poles].prod(axis=0) / farthest[~poles].prod(axis=0)
-            largest = farthest[poles].prod(axis=0) / nearest[~poles].prod(axis=0)
-            radius = np.abs(centre) * np.expm1(spread)
-        return Enclosure(
-            centre,
-            slope,
-            np.where(np.isnan(radius), np.inf, radius),
-            np.where(np.isnan(slope_radius), np.inf, slope_radius),
-            abs(self.gain) * smallest,
-            abs(self.gain) * largest,
-        )
+            # Without a number, as where the centre is a root, there is no bound.
+            spread[np.isnan(spread)] = np.inf
+            growth = np.exp(spread)
+            slope_radius = half * size * growth * ((log_slope + half * bend) ** 2 + bend)
+            slope_radius[np.isnan(slope_radius)] = np.inf
+            radius, smallest, largest = size * (growth - 1.0), size / growth, size * growth
+            if self._reaches_zero_or_infinity:
+                least, most = self._extremes(lower, upper)
+                smallest, largest = np.fmax(smallest, least), np.fmin(largest, most)
+                radius = np.fmin(radius, size + largest)
+            return Enclosure(centre, slope, radius, slope_radius, smallest, largest)
 
     def turning(self, lower: Reals, upper: Reals) -> Turning:
         """Bound the phase of 1/G on the intervals [lower, upper] of x, by the same theorem."""
         half = 0.5 * (upper - lower)
-        nearest, _ = self._distances(self._omega(lower), self._omega(upper))
         with np.errstate(all="ignore"):
             centre, slope = self.value_and_slope(0.5 * (lower + upper))
-            bend = self._omega(upper) * (np.abs(self.roots) @ (1.0 / nearest**2))
+            bend = self._bend(lower, upper)
             rate = (slope / centre).imag
         spread = half * (np.abs(rate) + 0.5 * half * bend)
         return Turning(centre, np.where(np.isnan(spread), np.inf, spread), np.abs(rate) > half * bend)
 
+    def breaks(self, x_lower: float, x_upper: float) -> Reals:
+        """Cut a range of x into intervals; they are short beside lightly damped roots."""
+        roots = self.roots[self.roots.imag > 0]
+        beside = roots.imag + np.abs(roots.real) * _BESIDE_A_ROOT[:, None]
+        x = np.log(np.maximum(beside, self._omega(np.array(x_lower))) * self.reference).ravel()
+        even = np.linspace(x_lower, x_upper, _EVEN + 1)
+        return np.sort(np.concatenate([x[(x > x_lower) & (x < x_upper)], even]))
+
+    @cached_property
+    def _reaches_zero_or_infinity(self) -> bool:
+        """Whether G has a root on the axis above the origin, where no bound of ln(1/G) holds."""
+        return bool(np.any((self.roots.real == 0) & (self.roots.imag > 0)))
+
+    def _extremes(self, x_lower: Reals, x_upper: Reals) -> tuple[Reals, Reals]:
+        """Bound |1/G| from the smallest and the largest distance of each root."""
+        below = self._omega(x_lower) - self.roots.imag[:, None]
+        above = self.roots.imag[:, None] - self._omega(x_upper)
+        aside = self.roots.real[:, None]
+        nearest = np.hypot(np.maximum(np.maximum(below, above), 0.0), aside)
+        farthest = np.hypot(np.maximum(np.abs(below), np.abs(above)), aside)
+        poles = self.poles.size
+        least = self._quotient(np.concatenate([nearest[:poles], farthest[poles:]]))
+        most = self._quotient(np.concatenate([farthest[:poles], nearest[poles:]]))
+        return abs(self.gain) * least, abs(self.gain) * most
+
     def _omega(self, x: Reals) -> Reals:
-        return np.asarray(np.exp(x - np.log(self.reference)))
+        return np.asarray(np.exp(x) / self.reference)
 
-    def _product(self, distances: Complexes) -> Complexes:
-        poles = self.exponents > 0
-        quotient = distances[poles].prod(axis=0) / distances[~poles].prod(axis=0)
-        return np.asarray(self.gain * quotient)
+    def _quotient(self, factors: NDArray[Number]) -> NDArray[Number]:
+        """Product of the first rows, one per pole, over the others; in pairs, so that it seldom overflows."""
+        poles, zeros = self.poles.size, self.zeros.size
+        pairs = factors[:zeros] / factors[poles:]
+        return np.asarray(pairs.prod(axis=0) * factors[zeros:poles].prod(axis=0))
 
-    def _distances(self, lower: Reals, upper: Reals) -> tuple[Reals, Reals]:
-        """Smallest and largest distance of each root from the stretches j[lower, upper] of the axis."""
-        height = self.roots.imag[:, None]
-        below, above = lower - height, height - upper
-        real = (self.roots.real**2)[:, None]
-        nearest = np.sqrt(real + np.maximum(np.maximum(below, above), 0.0) ** 2)
-        return nearest, np.sqrt(real + np.maximum(below**2, above**2))
+    def _bend(self, x_lower: Reals, x_upper: Reals) -> Reals:
+        """Upper bound of the second derivative of ln(1/G) between two x.
+
+        The term of a root, omega |root| / distance**2, rises up to omega = |root| and falls beyond it.
+        """
+        sizes = np.abs(self.roots)[:, None]
+        worst = np.minimum(np.maximum(sizes, self._omega(x_lower)), self._omega(x_upper))
+        squared = np.abs(1j * worst - self.roots[:, None]) ** 2
+        return np.asarray((sizes * worst / squared).sum(axis=0))

@@ -22,6 +22,8 @@ class LimitCycle:
         residual: |1 + N G| as computed.
         crossing_angle: Angle between the curves N (rising amplitude) and -1/G (rising frequency), rad, from 0
             to pi/2, with N taken as it changes with frequency too.
+        index: 1 where Loeb's criterion holds, -1 where not: the sign of the Jacobian determinant of 1 + N G
+            over ln A and ln omega.
         other_unstable_poles: Number of poles of the loop with N frozen that lie in the right half plane at
             positive frequencies, without the pair of the limit cycle itself.
     """
@@ -31,6 +33,7 @@ class LimitCycle:
     stable: bool
     residual: float
     crossing_angle: float
+    index: int
     other_unstable_poles: int
 
     @property
@@ -70,6 +73,11 @@ class Certificate:
         outside_excluded: Whether it is proven too that no limit cycle has a frequency outside that range.
         boxes: Number of boxes examined.
         undecided: Regions about which nothing is proven.
+        smallest_gain: Limit cycles with |N| below this were not looked for, and are not excluded either. 0 if
+            none can exist; more where N vanishes at the edge of a dead band while |G| is not bounded, as with
+            an integrator in G.
+        winding_number: Turns of 1 + N G along the border of what was searched, an independent check: it must
+            be the sum of the indices. None if it cannot be told, as where G has a zero on the axis.
     """
 
     method: str
@@ -77,6 +85,8 @@ class Certificate:
     outside_excluded: bool
     boxes: int
     undecided: tuple[UndecidedRegion, ...]
+    smallest_gain: float
+    winding_number: int | None
 
     @property
     def complete(self) -> bool:
@@ -95,3 +105,8 @@ class HarmonicBalance:
 
     limit_cycles: tuple[LimitCycle, ...]
     certificate: Certificate
+
+    @property
+    def confirmed(self) -> bool:
+        """Whether the winding number is the sum of the indices of the limit cycles."""
+        return self.certificate.winding_number == sum(cycle.index for cycle in self.limit_cycles)

@@ -18,9 +18,11 @@ class Outcome:
         result: What was found.
         omegas: Range of angular frequency, rad/s.
         outside_excluded: Whether it is proven that there are none outside that range.
+        smallest_gain: |N| below which none were looked for; 0 if it is proven that there are none either.
     """
 
     method: str
     result: SearchResult
     omegas: tuple[float, float]
     outside_excluded: bool
+    smallest_gain: float

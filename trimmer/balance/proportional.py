@@ -58,13 +58,13 @@ def solve_proportional(
     if omega_range is not None:
         lowest, highest = omega_range
     result = _real_and_negative(response, coefficient, (math.log(lowest), math.log(highest)))
-    return Outcome(_METHOD, result, (lowest, highest), omega_range is None and proven)
+    return Outcome(_METHOD, result, (lowest, highest), omega_range is None and proven, 0.0)
 
 
 def _coefficient(curve: ElementCurve) -> complex:
     """N/u, which must be the same at all amplitudes."""
     u = np.array([0.25, 1.0, 3.0])
-    if not np.any(curve.slopes(u, np.zeros(3))[0]):
+    if not np.any(curve.expansion(u, np.zeros(3)).by_u):
         raise LinearElementError(
             f"{curve.element!r} is linear: its describing function does not depend on the amplitude, so "
             "nothing sets the amplitude of a limit cycle"

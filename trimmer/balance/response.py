@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -39,12 +39,24 @@ class Enclosure:
     def joined(cls, groups: Sequence[Enclosure]) -> Enclosure:
         """Put those of some groups one after the other."""
         return cls(
-            *(np.concatenate([getattr(group, field.name) for group in groups]) for field in fields(cls))
+            np.concatenate([group.centre for group in groups]),
+            np.concatenate([group.slope for group in groups]),
+            np.concatenate([group.radius for group in groups]),
+            np.concatenate([group.slope_radius for group in groups]),
+            np.concatenate([group.smallest for group in groups]),
+            np.concatenate([group.largest for group in groups]),
         )
 
     def take(self, which: NDArray[np.intp]) -> Enclosure:
         """Keep those at some places."""
-        return Enclosure(*(getattr(self, field.name)[which] for field in fields(self)))
+        return Enclosure(
+            self.centre[which],
+            self.slope[which],
+            self.radius[which],
+            self.slope_radius[which],
+            self.smallest[which],
+            self.largest[which],
+        )
 
 
 class Response(Protocol):

@@ -1,8 +1,8 @@
 """All solutions of N(u, x) + 1/G(x) = 0 in a box, by exclusion, subdivision and a test of uniqueness.
 
-A box is dropped when disks that hold N and 1/G on it prove that their sum is not zero there. A box on which
-the bounds of the two derivatives prove that no two points give the same sum holds at most one solution, and
-Newton's method finds it. All others are cut into smaller ones.
+A box is dropped when bounds of N and 1/G on it prove that their sum is not zero there. A box on which bounds
+of the derivatives prove that no two points give the same sum holds at most one solution, and Newton's method
+finds it. All others are cut into smaller ones.
 """
 
 from __future__ import annotations
@@ -12,57 +12,31 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.balance.cell_test import examine
 from trimmer.balance.cells import Cells
-from trimmer.balance.element_curve import GainDisks
-from trimmer.balance.response import Enclosure
-from trimmer.balance.uniqueness import distinct_values, newton
+from trimmer.balance.exclusion import EnclosedCells
+from trimmer.balance.first_grid import NARROWEST, first_grid
+from trimmer.balance.newton import solve_in
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.response import Response
+    from trimmer.balance.problem import Problem
 
     Reals = NDArray[np.float64]
     Flags = NDArray[np.bool_]
 
-FIRST_ROWS = 64
-"""Intervals of u to begin with."""
-
-_FIRST_COLUMNS = 48
-"""Intervals of x to begin with."""
-
-_FIRST_SPREAD = 0.05
-"""Relative change of 1/G below which an interval of x is no longer cut before it meets u."""
-
-_MOST_PARTS = 32
-"""Into how many parts an interval of x is cut at most."""
-
 _PARTS = 3
 """Into how many parts a box is cut."""
 
-_NARROWEST = 1e-10
-"""Width in x below which nothing is cut, whatever the bounds: a zero and a pole on the axis cancel there."""
+_RESOLUTION = 1e-6
+"""Radii of the disks of a box, relative to what they hold, below which it is given up as undecided."""
 
-_MARGIN = 3.0
+_MOST_BOXES = 10_000
+"""Number of boxes at one level above which all of them are given up."""
+
+_MARGIN = 2.0
 """How much wider than a box the region is on which uniqueness is tested; neighbours then share a solution."""
-
-
-@dataclass(frozen=True)
-class SearchLimits:
-    """What is looked for, and when a box is given up as undecided.
-
-    Attributes:
-        smallest_gain: Solutions with |N| below this are not looked for.
-        largest_gain: Upper bound of |N|.
-        resolution: Radii of the disks, relative to |N|, below which a box is given up.
-        boxes: Number of boxes at one level above which all of them are given up.
-    """
-
-    smallest_gain: float
-    largest_gain: float
-    resolution: float = 1e-6
-    boxes: int = 10_000
 
 
 @dataclass(frozen=True)
@@ -83,25 +57,6 @@ class SearchResult:
 
 
 @dataclass(frozen=True)
-class Problem:
-    """What is searched, as all steps need it.
-
-    Attributes:
-        response: 1/G, or what stands for it.
-        curve: N.
-        box: The one box that is searched.
-        limits: What is looked for.
-        rows: N on the ``FIRST_ROWS`` equal parts of the box in u, if N does not depend on x.
-    """
-
-    response: Response
-    curve: ElementCurve
-    box: Cells
-    limits: SearchLimits
-    rows: GainDisks | None = None
-
-
-@dataclass(frozen=True)
 class _Solutions:
     """Solutions, each with a region in which it is the only one."""
 
@@ -112,95 +67,49 @@ class _Solutions:
 
 def find_all(problem: Problem) -> SearchResult:
     """Find all solutions in the box of a problem."""
-    cells, disks, enclosure, examined = _first_cells(problem)
     found = _Solutions(np.empty(0), np.empty(0), Cells.none())
     undecided = [Cells.none()]
-    while len(cells):
-        found, settled = _settled(problem, cells, found)
-        radius = disks.radius + enclosure.radius
-        finest = problem.limits.resolution * np.maximum(np.abs(disks.centre), problem.limits.smallest_gain)
-        hopeless = (radius <= finest) | (cells.x_half <= _NARROWEST) | (len(cells) > problem.limits.boxes)
-        given_up = ~settled & hopeless
-        undecided.append(cells.take(given_up))
-        keep = ~(settled | given_up)
-        along_u = disks.u_share >= radius - disks.u_share
-        if not keep.any():
-            break
-        cells = cells.take(keep).split(along_u[keep], _PARTS)
-        examined += len(cells)
-        cells, disks, enclosure = _open_cells(problem, cells)
+    # Bounds that overflow, or are no number, exclude nothing.
+    with np.errstate(all="ignore"):
+        boxes, examined = first_grid(problem)
+        while len(boxes):
+            found, settled = _settled(problem, boxes.cells, found)
+            given_up = ~settled & _hopeless(problem, boxes)
+            undecided.append(boxes.cells.take(given_up))
+            left = ~(settled | given_up)
+            if not left.any():
+                break
+            cells = _cut(boxes, left)
+            examined += len(cells)
+            boxes = EnclosedCells.of(problem.response, problem.curve, cells).open(problem.smallest_gain)
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
 
 
-def _first_cells(problem: Problem) -> tuple[Cells, GainDisks, Enclosure, int]:
-    """Find the boxes of a first grid that may hold a solution, and give the number of all its boxes."""
-    lower, upper, enclosure = _first_intervals(problem)
-    breaks = np.linspace(problem.box.u_lower[0], problem.box.u_upper[0], FIRST_ROWS + 1)
-    number = FIRST_ROWS * lower.size
-    if problem.rows is None:
-        return (*_open_cells(problem, Cells.grid(breaks, lower, upper)), number)
-    every_row = problem.rows.take(np.arange(FIRST_ROWS)[:, None])
-    rows, columns = np.nonzero(_may_hold_a_solution(every_row, enclosure, problem.limits))
-    cells = Cells(breaks[rows], breaks[rows + 1], lower[columns], upper[columns])
-    return cells, problem.rows.take(rows), enclosure.take(columns), number
+def _hopeless(problem: Problem, boxes: EnclosedCells) -> Flags:
+    """Whether boxes are too small, or too many, to be cut."""
+    sizes = np.maximum(np.abs(boxes.disks.centre), np.abs(boxes.enclosure.centre))
+    radius = boxes.disks.radius + boxes.enclosure.radius
+    tiny = (radius <= _RESOLUTION * sizes) | (boxes.cells.x_half <= NARROWEST) | np.isnan(sizes)
+    return np.asarray(tiny | (len(boxes) > _MOST_BOXES))
 
 
-def _open_cells(problem: Problem, cells: Cells) -> tuple[Cells, GainDisks, Enclosure]:
-    """Drop the boxes that cannot hold a solution; enclose N and 1/G on the others."""
-    disks = problem.curve.disks(cells)
-    enclosure = problem.response.enclose(cells.x_lower, cells.x_upper)
-    remaining = np.flatnonzero(_may_hold_a_solution(disks, enclosure, problem.limits))
-    return cells.take(remaining), disks.take(remaining), enclosure.take(remaining)
-
-
-def _first_intervals(problem: Problem) -> tuple[Reals, Reals, Enclosure]:
-    """Intervals of x on which 1/G changes little and is of the size of N."""
-    limits = problem.limits
-    breaks = np.linspace(problem.box.x_lower[0], problem.box.x_upper[0], _FIRST_COLUMNS + 1)
-    lower, upper = breaks[:-1], breaks[1:]
-    done: list[tuple[Reals, Reals]] = []
-    enclosures: list[Enclosure] = []
-    while lower.size:
-        enclosure = problem.response.enclose(lower, upper)
-        possible = (enclosure.smallest <= limits.largest_gain) & (enclosure.largest >= limits.smallest_gain)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            excess = np.log1p(enclosure.radius / np.abs(enclosure.centre)) / _FIRST_SPREAD
-        fine = (excess <= 1.0) | (upper - lower <= 2.0 * _NARROWEST)
-        chosen = np.flatnonzero(possible & fine)
-        done.append((lower[chosen], upper[chosen]))
-        enclosures.append(enclosure.take(chosen))
-        coarse = possible & ~fine
-        parts = np.fmin(np.ceil(excess[coarse]), _MOST_PARTS).astype(int)
-        lower, upper = _cut(lower[coarse], upper[coarse], parts)
-    lower, upper = (np.concatenate(side) for side in zip(*done, strict=True))
-    return lower, upper, Enclosure.joined(enclosures)
-
-
-def _cut(lower: Reals, upper: Reals, parts: NDArray[np.intp]) -> tuple[Reals, Reals]:
-    """Cut each interval into a number of equal parts."""
-    start, width = np.repeat(lower, parts), np.repeat((upper - lower) / parts, parts)
-    place = np.arange(start.size) - np.repeat(np.cumsum(parts) - parts, parts)
-    return start + place * width, start + (place + 1) * width
-
-
-def _may_hold_a_solution(disks: GainDisks, enclosure: Enclosure, limits: SearchLimits) -> Flags:
-    """Whether the sum of a point of one disk and a point of the other can be zero, and is looked for."""
-    size = np.abs(disks.centre)
-    apart = np.abs(disks.centre + enclosure.centre) > disks.radius + enclosure.radius
-    too_large = enclosure.smallest > size + disks.radius
-    too_small = enclosure.largest < np.maximum(size - disks.radius, limits.smallest_gain)
-    return np.asarray(disks.exists & ~(apart | too_large | too_small))
+def _cut(boxes: EnclosedCells, which: Flags) -> Cells:
+    """Cut some boxes along the side that matters more to the bounds."""
+    u_share = boxes.disks.u_share[which]
+    others = boxes.disks.radius[which] - u_share + boxes.enclosure.radius[which]
+    return boxes.cells.take(which).split(u_share >= others, _PARTS)
 
 
 def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:
     """Find the solutions of cells that hold at most one; flag the cells of which nothing is left to know."""
-    settled = cells.lie_within(found.regions)
-    regions = cells.inflated(_MARGIN, problem.box)
-    tried = np.flatnonzero(~settled & distinct_values(problem.response, problem.curve, regions))
+    regions = cells.inflated(_MARGIN, problem.table.box)
+    test = examine(problem.response, problem.curve, cells, regions)
+    settled = test.empty | cells.lie_within(found.regions)
+    tried = np.flatnonzero(~settled & test.single)
     if tried.size == 0:
         return found, settled
     tried_regions = regions.take(tried)
-    u, x, converged = newton(problem.response, problem.curve, tried_regions)
+    u, x, converged = solve_in(problem.response, problem.curve, tried_regions, test.u[tried], test.x[tried])
     for place in np.flatnonzero(converged):
         if not found.regions.contains(u[place], x[place]).any():
             found = _Solutions(

@@ -10,18 +10,18 @@ import numpy as np
 
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.cycles import limit_cycles_at
-from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.errors import FrequencyRangeError, UndecidedWarning
-from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.limit_cycle import Certificate, HarmonicBalance, LimitCycle
+from trimmer.balance.loop import loop_of
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.regions import undecided_regions
-from trimmer.frequency_domain import UnsupportedSystemError
-from trimmer.zero_pole_gain import ZeroPoleGain
+from trimmer.balance.winding_number import winding_number
 
 if TYPE_CHECKING:
     import control
 
+    from trimmer.balance.loop import Loop
+    from trimmer.balance.outcome import Outcome
     from trimmer.elements.element import Element
 
 
@@ -39,17 +39,20 @@ def limit_cycles(
         In order of frequency; empty if there are none.
 
     Warns:
-        UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there.
+        UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there;
+            or if nothing excludes limit cycles beyond a range that was not given.
     """
-    balance = harmonic_balance(G, element, omega_range, frozen_omega)
-    for region in balance.certificate.undecided:
-        warnings.warn(
-            f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: the curves of N and "
-            "-1/G touch or coincide there, and limit cycles in that range may be missing from the list",
-            UndecidedWarning,
-            stacklevel=2,
-        )
-    return list(balance.limit_cycles)
+    loop, outcome = _solve(G, element, omega_range, frozen_omega)
+    doubts = [
+        f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: the curves of N and "
+        "-1/G touch or coincide there, and limit cycles in that range may be missing from the list"
+        for region in undecided_regions(outcome.result.undecided, loop.curve)
+    ]
+    if omega_range is None and not outcome.outside_excluded:
+        doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
+    for doubt in doubts:
+        warnings.warn(doubt, UndecidedWarning, stacklevel=2)
+    return list(limit_cycles_at(loop, outcome.result.u, outcome.result.x))
 
 
 def harmonic_balance(
@@ -60,70 +63,70 @@ def harmonic_balance(
 ) -> HarmonicBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
-    The plane of u = amplitude_scale/A and ln omega is covered with boxes. A box is excluded where bounds of
-    N and 1/G over it prove that there is no solution, or accepted where bounds of their slopes prove that
-    there is at most one, which Newton's method then finds (``trimmer.balance.search``). So no solution in
-    the range is missed and none is found twice, in exact arithmetic; rounding of the bounds is not
-    accounted for. Where N is proportional to 1/A the amplitude is eliminated first
-    (``trimmer.balance.proportional``).
+    What is linear in the element, as viscous friction, is taken over to 1/G
+    (``trimmer.balance.linear_part``). The plane of u = amplitude_scale/A and ln omega is then covered with
+    boxes. A box is excluded where bounds of N and 1/G over it prove that there is no solution, or accepted
+    where bounds of their slopes prove that there is at most one, which Newton's method then finds
+    (``trimmer.balance.search``). So no solution is missed and none is found twice, in exact arithmetic;
+    rounding of the bounds is not accounted for. Where N is proportional to 1/A the amplitude is eliminated
+    first (``trimmer.balance.proportional``). A winding number, computed apart from all this, checks the
+    result (``trimmer.balance.winding_number``).
 
-    Not looked for are limit cycles with |N| below a millionth of its maximum: amplitudes within about that of
-    the edge of a dead band.
+    Without a range all frequencies are covered, up to 55 decades on either side of the roots of G. There are
+    three limits to what is proven, and the certificate tells each. First, regions are undecided where the
+    curves of N and -1/G touch or coincide: at a tangency, with a relay where G is real on a stretch of the
+    axis, and with backlash at zero frequency and infinite amplitude if G(0) = -1. Second, ``smallest_gain``
+    is not 0 if G has a pole on the imaginary axis and N vanishes at the edge of a dead band. Third, with N
+    proportional to 1/A, limit cycles beyond a million times the outermost roots are not excluded if -1/G and
+    N get parallel there faster than linearly, as without damping; give the range that matters then.
 
     Args:
-        G: A rational, proper, continuous-time system with one input and one output; it may be unstable.
+        G: A rational, proper, continuous-time system with one input and one output; it may be unstable. A
+            delay must be approximated, as by ``control.pade``.
         element: The nonlinear element, in negative feedback.
-        omega_range: Lowest and highest angular frequency, rad/s. If not given, a range outside of which
-            there is no solution is derived.
+        omega_range: Lowest and highest angular frequency, rad/s, to search; all if not given.
         frozen_omega: Angular frequency, rad/s, at which N is evaluated whatever the frequency of the loop; as
             the thesis does with an N that depends on frequency.
 
     Raises:
-        UnsupportedSystemError: if G is not such a system, or has no dynamics.
-        FrequencyRangeError: if the range is not 0 < lowest < highest < inf; or if it is needed, because |G|
-            does not fall below 1/max|N|.
+        UnsupportedSystemError: if G is not such a system, has a coefficient that is infinite or NaN, or has
+            no dynamics; or if viscous friction cancels its highest derivative.
+        FrequencyRangeError: if the range is not 0 < lowest < highest < inf.
         LinearElementError: if N does not depend on the amplitude.
-        UnsupportedElementError: if N is unbounded, yet not proportional to 1/A, as of a relay and viscous
-            friction together.
+        UnsupportedElementError: if the element is none; or, of a kind defined elsewhere, has an N that is
+            unbounded yet not proportional to 1/A.
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
-    response = inverse_response(G)
-    if frozen_omega is not None:
-        _require_positive(frozen_omega)
-        element = element.at(frozen_omega)
-    curve = ElementCurve(element)
-    given = None if omega_range is None else _checked_range(omega_range)
-    unbounded = bool(np.isinf(curve.edge(np.zeros(1)))[0])
-    outcome = (solve_proportional if unbounded else solve_bounded)(response, curve, given)
-    cycles = limit_cycles_at(response, curve, outcome.result.u, outcome.result.x)
+    loop, outcome = _solve(G, element, omega_range, frozen_omega)
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
         outside_excluded=outcome.outside_excluded,
         boxes=outcome.result.examined,
-        undecided=undecided_regions(outcome.result.undecided, curve),
+        undecided=undecided_regions(outcome.result.undecided, loop.curve),
+        smallest_gain=outcome.smallest_gain,
+        winding_number=winding_number(loop, outcome.omegas),
     )
-    return HarmonicBalance(cycles, certificate)
+    return HarmonicBalance(limit_cycles_at(loop, outcome.result.u, outcome.result.x), certificate)
 
 
-def inverse_response(G: control.lti.LTI) -> InverseResponse:
-    """Take 1/G from a proper system that has dynamics.
-
-    Raises:
-        UnsupportedSystemError: if it is not one that ``harmonic_balance`` accepts.
-    """
-    factored = ZeroPoleGain.of(G)
-    if factored.relative_degree < 0:
-        raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
-    if not factored.poles:
-        raise UnsupportedSystemError(
-            "the system is a constant gain: nothing sets the frequency of a limit cycle"
-        )
-    return InverseResponse.of(factored)
+def _solve(
+    G: control.lti.LTI,
+    element: Element,
+    omega_range: tuple[float, float] | None,
+    frozen_omega: float | None,
+) -> tuple[Loop, Outcome]:
+    given = None if omega_range is None else _checked_range(omega_range)
+    if frozen_omega is not None:
+        _require_positive(frozen_omega)
+        element = element.at(frozen_omega)
+    loop = loop_of(G, element)
+    unbounded = bool(np.isinf(loop.curve.edge(np.zeros(1))).any())
+    return loop, (solve_proportional if unbounded else solve_bounded)(loop.response, loop.curve, given)
 
 
 def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
-    lowest, highest = omega_range
+    lowest, highest = omega_range if len(omega_range) == 2 else (math.nan, math.nan)
     if not 0 < lowest < highest < math.inf:
         raise FrequencyRangeError(
             "omega_range must be (lowest, highest) with 0 < lowest < highest < inf, rad/s, "

@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.balance.closed_loop import closed_loop_poles
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -43,13 +45,8 @@ def other_unstable_poles(
         gains: N at each limit cycle.
         omegas: Their angular frequencies, rad/s.
     """
-    is_pole = response.exponents > 0
-    denominator = response.gain * np.poly(response.roots[is_pole]).real
-    numerator = np.poly(response.roots[~is_pole]).real
-    counts = []
-    for gain, omega in zip(gains, omegas, strict=True):
-        poles = np.roots(np.polyadd(denominator, gain * numerator))
-        others = np.delete(poles, np.argmin(np.abs(poles - 1j * omega / response.reference)))
-        rounding = 1e-9 * np.abs(others)
-        counts.append(np.count_nonzero((others.real > rounding) & (others.imag > rounding)))
-    return np.array(counts, dtype=np.intp)
+    poles = closed_loop_poles(response, gains)
+    own = np.abs(poles - 1j * omegas[:, None] / response.reference).argmin(axis=1)
+    poles[np.arange(gains.size), own] = 0.0
+    rounding = 1e-9 * np.abs(poles)
+    return np.asarray(((poles.real > rounding) & (poles.imag > rounding)).sum(axis=1))

@@ -65,14 +65,14 @@ def positive_omegas(omega: ArrayLike) -> Reals:
         ValueError: if one is zero, negative or infinite.
     """
     omegas = _positive("omega", omega, "rad/s")
-    if np.isinf(omegas).any():
+    if np.count_nonzero(np.isinf(omegas)):
         raise ValueError("omega must be finite (rad/s), not inf")
     return omegas
 
 
 def _positive(name: str, values: ArrayLike, unit: str) -> Reals:
     array = np.asarray(values, dtype=float)
-    wrong = array[array <= 0]
-    if wrong.size:
-        raise ValueError(f"{name} must be positive ({unit}), not {float(wrong[0])!r}")
+    wrong = array <= 0
+    if np.count_nonzero(wrong):
+        raise ValueError(f"{name} must be positive ({unit}), not {float(array[wrong][0])!r}")
     return array

@@ -15,14 +15,14 @@ from trimmer.elements.backlash_harmonics import harmonic_of
 from trimmer.elements.backlash_motion import (
     SLOPE_BY_RATIO,
     BacklashMotion,
-    complex_of,
     fundamental,
     position,
     slope_by_ratio,
 )
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.contact_equation import largest_ratio, steady_motion
-from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -72,34 +72,39 @@ class Backlash(Element):
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
         """Return bounds that follow from the range of the impact's phase."""
         shape = range_shape(u_range, omega_range)
-        box = self._box(shape, u_range, omega_range)
         with np.errstate(all="ignore"):
+            box = self._box(shape, u_range, omega_range)
             by_u = box.change_of_slope_by_ratio().reshape(shape)[()]
             if not self.depends_on_frequency:
                 return Variation(by_u, np.zeros(shape)[()])
             return Variation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
 
     def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:
-        gammas = (
-            self.gamma(self._omegas(limit))
-            for limit in ((None, None) if omega_range is None else omega_range)
-        )
-        ratios = (np.asarray(limit, dtype=float) for limit in u_range)
-        return BacklashBox(*(np.broadcast_to(values, shape).ravel() for values in (*ratios, *gammas)))
+        # Both impacts in one go: the solver takes little longer for them than for one.
+        ratios, omegas = np.empty((2, *shape)), np.empty((2, *shape))
+        ratios[0], ratios[1] = u_range
+        omegas[1], omegas[0] = (self._omegas(omega) for omega in omega_range or (None, None))
+        earliest, latest = self._motion(self.gap / ratios.ravel(), omegas.ravel()).impact_phase.reshape(2, -1)
+        highest_gamma, lowest_gamma = self.gamma(omegas).reshape(2, -1)
+        return BacklashBox(lowest_gamma, highest_gamma, earliest, latest)
 
     def _motion(self, amplitude: Reals, omega: Reals) -> BacklashMotion:
         """Find the steady motion at arrays of one dimension and equal size; NaN where there is none."""
         return steady_motion(self.gap, amplitude, self.gamma(omega))
 
+    def _fundamental(self, motion: BacklashMotion) -> Complexes:
+        """Evaluate N_1."""
+        return fundamental(motion)
+
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         motion = self._motion(amplitude, omega)
-        return fundamental(motion) if harmonic == 1 else harmonic_of(motion, harmonic)
+        return self._fundamental(motion) if harmonic == 1 else harmonic_of(motion, harmonic)
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return position(self._motion(amplitude, omega), phase, amplitude, self.gap)
 
-    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
         motion = self._motion(amplitude, omega)
-        if self.depends_on_frequency:
-            return Derivatives(slope_by_ratio(motion), slope_by_log_gamma(motion))
-        return Derivatives(slope_by_ratio(motion), complex_of(0.0 * motion.flight, 0.0 * motion.flight))
+        by_u = slope_by_ratio(motion)
+        by_log_omega = slope_by_log_gamma(motion) if self.depends_on_frequency else 0.0 * by_u
+        return Expansion(self._fundamental(motion), by_u, by_log_omega)

@@ -2,7 +2,8 @@
 
 They rest on the phase of the impact, θ_c = atan(1/gamma) + flight. It rises with g/A. It falls with gamma at
 constant g/A: at any phase of the flight the derivative of the load's position by gamma is not negative, so
-the load meets the wall sooner. All are rounded upwards.
+the load meets the wall sooner. So it is earliest at the lowest g/A and the highest gamma, and latest at the
+other two limits. All bounds are rounded upwards.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.elements.backlash_motion import SLOPE_BY_RATIO
-from trimmer.elements.contact_equation import steady_motion
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,6 +24,8 @@ ROUNDED_UP = 1.0 + 1e-9
 """Factor that outweighs the rounding errors of a bound."""
 LARGEST_LAG = 0.29844
 """Upper bound of (1 - (1 + x) exp(-x)) / x for x > 0; the maximum is at x = 1.7933."""
+_PHASE_ERROR = 1e-9
+"""More than the error of a computed θ_c, rad."""
 
 
 @dataclass(frozen=True)
@@ -31,16 +33,16 @@ class BacklashBox:
     """Boxes of g/A and gamma, all arrays of one dimension and equal size.
 
     Attributes:
-        lowest_ratio: Lower limit of g/A, >= 0.
-        highest_ratio: Upper limit of g/A; may lie outside the domain.
         lowest_gamma: Lower limit of gamma, within ``GAMMA_LIMITS``.
         highest_gamma: Upper limit of gamma.
+        earliest_impact: θ_c at the lower limit of g/A and the upper one of gamma; NaN outside the domain.
+        latest_impact: θ_c at the upper limit of g/A and the lower one of gamma; NaN outside the domain.
     """
 
-    lowest_ratio: Reals
-    highest_ratio: Reals
     lowest_gamma: Reals
     highest_gamma: Reals
+    earliest_impact: Reals
+    latest_impact: Reals
 
     def slope_by_log_gamma(self) -> Reals:
         """Bound |dN/d(ln gamma)|.
@@ -88,20 +90,16 @@ class BacklashBox:
         change = lag * self._impact_range() + bend * flight * log_range
         return np.asarray(ROUNDED_UP * SLOPE_BY_RATIO * scale * change)
 
-    def _latest_impact(self) -> Reals:
+    def _latest(self) -> Reals:
         """Largest θ_c; outside the domain the flight is taken as π."""
-        positive = np.maximum(self.highest_ratio, np.finfo(float).tiny)
-        flight = steady_motion(1.0, 1.0 / positive, self.lowest_gamma).flight
-        flight = np.where(np.isnan(flight), np.pi, flight)
-        return np.asarray(np.arctan(1.0 / self.lowest_gamma) + flight)
+        beyond = np.arctan(1.0 / self.lowest_gamma) + np.pi
+        return np.where(np.isnan(self.latest_impact), beyond, self.latest_impact)
 
     def _impact_range(self) -> Reals:
-        """Bound the range of θ_c."""
-        positive = np.maximum(self.lowest_ratio, np.finfo(float).tiny)
-        flight = steady_motion(1.0, 1.0 / positive, self.highest_gamma).flight
-        earliest = np.arctan(1.0 / self.highest_gamma) + np.where(np.isnan(flight), 0.0, flight)
-        # The solver's error in θ_c is below this.
-        return np.asarray(self._latest_impact() - earliest + 1e-9)
+        """Bound the range of θ_c; a box wholly outside the domain has the flight start at once."""
+        at_once = np.arctan(1.0 / self.highest_gamma)
+        earliest = np.where(np.isnan(self.earliest_impact), at_once, self.earliest_impact)
+        return np.asarray(self._latest() - earliest + _PHASE_ERROR)
 
     def _longest_flight(self) -> Reals:
-        return np.minimum(self._latest_impact() - np.arctan(1.0 / self.highest_gamma) + 1e-9, np.pi)
+        return np.minimum(self._latest() - np.arctan(1.0 / self.highest_gamma) + _PHASE_ERROR, np.pi)

@@ -92,8 +92,7 @@ def fundamental(motion: BacklashMotion) -> Complexes:
 
 def slope_by_ratio(motion: BacklashMotion) -> Complexes:
     """Evaluate dN/d(g/A) of the first harmonic at constant omega: (2/π) exp(-j impact phase)."""
-    phase = motion.impact_phase
-    return complex_of(SLOPE_BY_RATIO * np.cos(phase), -SLOPE_BY_RATIO * np.sin(phase))
+    return np.asarray(SLOPE_BY_RATIO * np.exp(-1j * motion.impact_phase))
 
 
 def complex_of(real: Reals, imaginary: Reals) -> Complexes:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.element import Sensitivity, Variation
+from trimmer.elements.expansion import Sensitivity, Variation
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 STEPS = 3
 """Halley steps that take every starting value below to rounding; a test covers all gamma and g/A."""
 QUARTER = 0.5 * np.pi
+_LARGEST_AMPLITUDE = 1e200
+"""Amplitude over gap beyond which powers of the flight underflow; no double tells N from 1 there."""
 
 
 def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
@@ -38,7 +40,7 @@ def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
         gamma: omega M/D, within ``GAMMA_LIMITS``.
     """
     cosine, sine = separation(gamma)
-    finite = np.minimum(amplitude, np.finfo(float).max)
+    finite = np.minimum(amplitude, _LARGEST_AMPLITUDE * gap)
     ratio = gap / finite
     margin = _margin(2.0 * ((finite - 0.5 * gap) / finite), ratio, gamma)
     shortest = _flight_residual(SMALL * np.minimum(1.0, gamma), 0.0, gamma, cosine, sine)[0]

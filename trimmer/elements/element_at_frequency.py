@@ -9,7 +9,8 @@ import numpy as np
 
 from trimmer.elements.arguments import require_positive
 from trimmer.elements.bounds import range_shape
-from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -71,9 +72,9 @@ class ElementAtFrequency(Element):
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.element._waveform(phase, amplitude, self._frozen(amplitude))
 
-    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
-        by_u = self.element._derivatives(amplitude, self._frozen(amplitude)).by_u
-        return Derivatives(by_u, np.zeros(by_u.shape, dtype=complex))
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        frozen = self.element._expansion(amplitude, self._frozen(amplitude))
+        return frozen._replace(by_log_omega=np.zeros(frozen.by_u.shape, dtype=complex))
 
     def _frozen(self, amplitude: Reals) -> Reals:
         return np.full(amplitude.shape, self.omega)

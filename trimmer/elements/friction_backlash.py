@@ -17,7 +17,7 @@ from trimmer.elements.backlash_motion import (
 from trimmer.elements.small_arguments import argument_less_sine
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     Reals = NDArray[np.float64]
     Complexes = NDArray[np.complex128]
@@ -42,15 +42,16 @@ class FrictionBacklash(Backlash):
         """False."""
         return False
 
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return 2."""
+        return np.full(self._omegas(omega).shape, 2.0)[()]
+
     def gamma(self, omega: Reals) -> Reals:
         """Return what stands for zero."""
         return np.full(omega.shape, GAMMA_LIMITS[0])
 
-    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        """Evaluate N_n; N_1 = (l - sin l cos l - j sin² l) / π, with l for the angle of contact."""
-        if harmonic > 1:
-            return super()._describing_function(amplitude, omega, harmonic)
-        motion = self._motion(amplitude, omega)
+    def _fundamental(self, motion: BacklashMotion) -> Complexes:
+        """Evaluate N_1 = (l - sin l cos l - j sin² l) / π, with l for the angle of contact."""
         return complex_of(
             argument_less_sine(2.0 * motion.contact) / (2.0 * np.pi), -(motion.impact**2) / np.pi
         )
@@ -59,10 +60,12 @@ class FrictionBacklash(Backlash):
         """Find the steady motion: from the pin's peak on, the load rests for acos(1 - gap/amplitude)."""
         finite = np.minimum(amplitude, np.finfo(float).max)
         half_gap = 0.5 * self.gap
+        pushed = finite - half_gap
         # Whichever angle is below a quarter period is found first, from its own sine.
-        known = 2.0 * np.arcsin(np.sqrt(np.minimum(half_gap, finite - half_gap) / finite))
-        known[finite <= half_gap] = np.nan
-        brief_flight = finite > self.gap
-        flight, contact = (np.where(flag, known, np.pi - known) for flag in (brief_flight, ~brief_flight))
+        known = 2.0 * np.arcsin(np.sqrt(np.minimum(half_gap, pushed) / finite))
+        known[pushed <= 0] = np.nan
+        other = np.pi - known
+        brief_contact = pushed <= half_gap
+        flight, contact = np.where(brief_contact, (other, known), (known, other))
         gamma = self.gamma(omega)
         return BacklashMotion(gamma, *separation(gamma), flight, contact, np.sin(known))

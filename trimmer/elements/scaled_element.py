@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
-from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
     import numpy as np
@@ -68,6 +69,5 @@ class ScaledElement(Element):
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.factor * self.element._waveform(phase, amplitude, omega)
 
-    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
-        slopes = self.element._derivatives(amplitude, omega)
-        return Derivatives(self.factor * slopes.by_u, self.factor * slopes.by_log_omega)
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        return Expansion(*(self.factor * part for part in self.element._expansion(amplitude, omega)))

@@ -23,7 +23,11 @@ DECAY_INTEGRAL = [(-1.0) ** k / factorial(k + 3) for k in range(12)]
 
 def argument_less_sine(x: Reals) -> Reals:
     """Evaluate x - sin x for x >= 0."""
-    return np.where(x < SMALL, x**3 * sine_remainder(np.minimum(x, SMALL)), x - np.sin(x))
+    value = np.asarray(x - np.sin(x))
+    small = x < SMALL
+    if small.any():
+        value[small] = x[small] ** 3 * sine_remainder(x[small])
+    return value
 
 
 def damped_excess_of_sinh(x: Reals) -> Reals:

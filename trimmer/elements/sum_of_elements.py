@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -90,9 +91,10 @@ class SumOfElements(Element):
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return reduce(add, (term._waveform(phase, amplitude, omega) for term in self.terms))
 
-    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
-        slopes = [(self._ratio(term), term._derivatives(amplitude, omega)) for term in self.terms]
-        return Derivatives(
-            reduce(add, (slope.by_u / ratio for ratio, slope in slopes)),
-            reduce(add, (slope.by_log_omega for _, slope in slopes)),
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        parts = [(self._ratio(term), term._expansion(amplitude, omega)) for term in self.terms]
+        return Expansion(
+            reduce(add, (part.value for _, part in parts)),
+            reduce(add, (part.by_u / ratio for ratio, part in parts)),
+            reduce(add, (part.by_log_omega for _, part in parts)),
         )

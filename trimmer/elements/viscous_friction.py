@@ -9,7 +9,8 @@ import numpy as np
 
 from trimmer.elements.arguments import require_positive
 from trimmer.elements.bounds import range_shape, unlimited_domain
-from trimmer.elements.element import Derivatives, Element, Sensitivity, Variation
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -72,7 +73,6 @@ class ViscousFriction(Element):
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.damping * omega * amplitude * np.cos(phase)
 
-    def _derivatives(self, amplitude: Reals, omega: Reals) -> Derivatives:
-        return Derivatives(
-            np.zeros(amplitude.shape, dtype=complex), 1j * (self.damping * omega).astype(complex)
-        )
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        value = 1j * (self.damping * omega).astype(complex)
+        return Expansion(value, np.zeros(amplitude.shape, dtype=complex), value.copy())

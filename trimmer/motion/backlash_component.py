@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
     Reals = NDArray[np.float64]
 
-FREE, UPPER, LOWER = range(3)
+FREE, UPPER, LOWER, RESTING = range(4)
+SETTLED = 2.0**-60
+"""Share of its velocity that a free load has when it counts as resting: below rounding."""
 
 
 @final
@@ -27,6 +29,9 @@ class BacklashComponent(Component):
     side, with the pin's velocity v, acceleration a and tau = M/D. Free, the load slows down with tau, stops
     at once for tau = 0 (friction-controlled), or keeps its velocity for tau = oo (inertia-controlled). It is
     the motion that derivations/backlash.py derives the describing function from.
+
+    A load that has slowed down to rounding, after 42 tau, rests in a mode of its own, where tau no longer
+    limits the steps: so the motion costs the same for any tau, however small.
 
     Attributes:
         gap: Total clearance, > 0, m.
@@ -44,12 +49,17 @@ class BacklashComponent(Component):
     @property
     def mode_names(self) -> tuple[str, ...]:
         """Names of the modes."""
-        return ("free", "upper contact", "lower contact")
+        return ("free", "upper contact", "lower contact", "at rest in the gap")
+
+    @property
+    def slows_down(self) -> bool:
+        """Whether the velocity of a free load decays at a finite rate."""
+        return 0.0 < self.time_constant < math.inf
 
     @property
     def state_count(self) -> int:
-        """Position and velocity of the load, of which use is made in free flight only."""
-        return 2
+        """Position and velocity of a free load, and the share that is left of its first velocity."""
+        return 3 if self.slows_down else 2
 
     @property
     def output_jumps(self) -> bool:
@@ -63,19 +73,23 @@ class BacklashComponent(Component):
 
     def mirrored(self, mode: int) -> int:
         """Return the mode on the other side."""
-        return (FREE, LOWER, UPPER)[mode]
+        return (FREE, LOWER, UPPER, RESTING)[mode]
 
     def output_law(self, mode: int) -> OutputLaw:
         """Return the position of the load."""
-        if mode == FREE:
-            return Explicit(0.0, (1.0, 0.0), 0.0)
-        return Explicit(1.0, (0.0, 0.0), -0.5 * self.gap if mode == UPPER else 0.5 * self.gap)
+        if mode in (FREE, RESTING):
+            return Explicit(0.0, (1.0,) + (0.0,) * (self.state_count - 1), 0.0)
+        half_gap = 0.5 * self.gap
+        return Explicit(1.0, (0.0,) * self.state_count, -half_gap if mode == UPPER else half_gap)
 
     def state_rates(self, mode: int) -> Reals:
         """Return the free flight; in contact the own states rest, unused."""
-        if mode != FREE or self.time_constant == 0:
-            return np.zeros((2, 2))
-        return np.array([[0.0, 1.0], [0.0, -1.0 / self.time_constant]])
+        rates = np.zeros((self.state_count, self.state_count))
+        if mode == FREE and self.time_constant > 0:
+            rates[0, 1] = 1.0
+            for decaying in range(1, self.state_count if self.slows_down else 0):
+                rates[decaying, decaying] = -1.0 / self.time_constant
+        return rates
 
     def switching_function(self, signals: Signals) -> Reals:
         """Return the contact force over D, or over M for the inertia-controlled limit, on the upper side."""
@@ -84,11 +98,14 @@ class BacklashComponent(Component):
         return self.time_constant * signals.input_curvature + signals.input_rate
 
     def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
-        """Return the clearances in free flight, the contact force in contact."""
-        if mode == FREE:
+        """Return the clearances in the gap, the contact force in contact."""
+        if mode == RESTING:
             return self._clearances(signals)
-        velocity = signals.input_rate if self.time_constant > 0 else 0.0 * signals.one
-        resets = (signals.output, velocity)
+        if mode == FREE:
+            return self._clearances(signals) + (self._rest(signals) if self.slows_down else ())
+        nothing = 0.0 * signals.one
+        velocity = signals.input_rate if self.time_constant > 0 else nothing
+        resets = (signals.output, velocity, signals.one)[: self.state_count]
         # At separation position and velocity agree; so do accelerations where the contact force was zero.
         reached, jumped = (3, 2) if self.time_constant > 0 else (2, 1)
         upper = mode == UPPER
@@ -99,19 +116,30 @@ class BacklashComponent(Component):
         )
         return (Guard(force, leave, leave_at_once),)
 
-    def _clearances(self, signals: Signals) -> tuple[Guard, Guard]:
+    def _clearances(self, signals: Signals) -> tuple[Guard, ...]:
         half_gap = 0.5 * self.gap * signals.one
         play = signals.input - signals.output
-        meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, (), (0,)) for side in (UPPER, LOWER))
+        nothing = 0.0 * signals.one
+        stop = (signals.states[0], nothing, nothing) if self.slows_down else ()
+        meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, stop, (0,)) for side in (UPPER, LOWER))
         return (
             Guard(half_gap - play, meet_upper, meet_upper),
             Guard(half_gap + play, meet_lower, meet_lower),
         )
 
+    def _rest(self, signals: Signals) -> tuple[Guard, ...]:
+        """Return the guard that ends a flight where the velocity is lost in rounding."""
+        position, velocity, share = signals.states
+        nothing = 0.0 * signals.one
+        resets = (position + self.time_constant * velocity, nothing, nothing)
+        rest = Transition(EventKind.REST, RESTING, resets, (0, 0))
+        return (Guard(share - SETTLED * signals.one, rest, rest),)
+
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start at rest in the gap, or in contact where the wished output would lie outside the gap."""
+        mode, position = RESTING if self.slows_down else FREE, output
         if input_value - output > 0.5 * self.gap:
-            return UPPER, np.array([input_value - 0.5 * self.gap, 0.0])
-        if input_value - output < -0.5 * self.gap:
-            return LOWER, np.array([input_value + 0.5 * self.gap, 0.0])
-        return FREE, np.array([output, 0.0])
+            mode, position = UPPER, input_value - 0.5 * self.gap
+        elif input_value - output < -0.5 * self.gap:
+            mode, position = LOWER, input_value + 0.5 * self.gap
+        return mode, np.array([position, 0.0, 0.0][: self.state_count])

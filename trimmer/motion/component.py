@@ -26,6 +26,8 @@ class EventKind(Enum):
     """The pin meets a side of the gap."""
     SEPARATION = "separation"
     """The contact would have to pull, so the pin leaves the side of the gap."""
+    REST = "rest"
+    """A load in the gap has slowed down to rounding, which only matters to the computation; never listed."""
     SWITCH = "switch"
     """The output of a relay, or the direction of sliding, reverses."""
     STICK = "stick"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from typing import TYPE_CHECKING
 
 from trimmer.elements.coulomb_friction import CoulombFriction
@@ -49,7 +50,7 @@ def _component(element: Element) -> Component:
         case InertiaBacklash():
             return BacklashComponent(element.gap, math.inf)
         case ViscousBacklash():
-            return BacklashComponent(element.gap, element.time_constant)
+            return BacklashComponent(element.gap, _with_inverse(element.time_constant))
         case CoulombFriction():
             return RelayComponent(element.force, of_rate=True)
         case Relay():
@@ -57,3 +58,8 @@ def _component(element: Element) -> Component:
         case ViscousFriction():
             return ViscousComponent(element.damping)
     raise UnsupportedMotionError(f"{element!r} has no description in time")
+
+
+def _with_inverse(time_constant: float) -> float:
+    """Return a time constant, or 0 if it is so small that its inverse is no number."""
+    return time_constant if time_constant > 1.0 / sys.float_info.max else 0.0

@@ -7,38 +7,42 @@ missed, however short the excursion, down to the rounding of the coefficients.
 
 from __future__ import annotations
 
-import math
-
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from trimmer.motion.compiled import compiled
+from trimmer.motion.linear_combination import copy
+
 Reals = NDArray[np.float64]
 
-NONE, CROSSING = 0, 1
 DEEPEST = 48
 """Halvings after which a dip that does not show a sign is taken as touching, not crossing."""
+NARROWEST = 2.0**-DEEPEST
+"""Width of an interval after as many halvings."""
+NOWHERE = 2.0
+"""A fraction of the step that lies beyond it: there is no such point."""
 
 
-@numba.njit(cache=True)
-def sign_variations(coefficients: Reals, count: int) -> int:
-    """Count the changes of sign; zeros do not count."""
-    variations = 0
+@compiled
+def sign_variations(coefficients: Reals, count: int) -> tuple[int, bool]:
+    """Count the changes of sign, and tell whether the first sign is a minus; zeros do not count."""
+    variations, begins_negative = 0, False
     previous = 0.0
     for i in range(count):
         value = coefficients[i]
         if value != 0.0:
-            if previous != 0.0 and (value < 0.0) != (previous < 0.0):
+            if previous == 0.0:
+                begins_negative = value < 0.0
+            elif (value < 0.0) != (previous < 0.0):
                 variations += 1
             previous = value
-    return variations
+    return variations, begins_negative
 
 
-@numba.njit(cache=True)
+@compiled
 def halve(coefficients: Reals, count: int, left: Reals, right: Reals) -> None:
     """Split Bernstein coefficients at the middle of the interval (de Casteljau)."""
-    for i in range(count):
-        right[i] = coefficients[i]
+    copy(coefficients, count, right)
     left[0] = right[0]
     for level in range(1, count):
         for i in range(count - level):
@@ -46,10 +50,23 @@ def halve(coefficients: Reals, count: int, left: Reals, right: Reals) -> None:
         left[level] = right[0]
 
 
-@numba.njit(cache=True)
-def polished(taylor: Reals, count: int, low: float, high: float) -> float:
-    """Find the zero of a polynomial that falls through zero once between low and high, by Newton's method."""
-    point = 0.5 * (low + high)
+@compiled
+def polished(bernstein: Reals, taylor: Reals, count: int, low: float, width: float) -> float:
+    """Find the zero of a polynomial that falls through zero once in an interval, by Newton's method.
+
+    Args:
+        bernstein: Bernstein coefficients on the interval, which give the first guess.
+        taylor: Coefficients of s^k.
+        count: Degree plus one.
+        low: Start of the interval.
+        width: Its width.
+    """
+    high, place = low + width, 1
+    while place < count - 1 and bernstein[place] > 0.0:
+        place += 1
+    drop = bernstein[place - 1] - bernstein[place]
+    share = bernstein[place - 1] / drop if drop > 0.0 else 0.5
+    point = low + width * (place - 1 + share) / (count - 1)
     for _ in range(100):
         value = 0.0
         slope = 0.0
@@ -65,56 +82,49 @@ def polished(taylor: Reals, count: int, low: float, high: float) -> float:
         following = point - value / slope if slope < 0.0 else -1.0
         if not (low < following < high):
             following = 0.5 * (low + high)
-        if abs(following - point) <= 1e-16 * abs(point) or following in (low, high):
+        if abs(following - point) <= 1e-16 * abs(point) or not (low < following < high):
             return following
         point = following
     return point
 
 
-@numba.njit(cache=True)
-def first_root(bernstein: Reals, taylor: Reals, count: int) -> tuple[int, float, int]:
+@compiled
+def first_root(bernstein: Reals, taylor: Reals, count: int, pieces: Reals) -> tuple[float, float]:
     """Find where a polynomial that begins positive first falls through zero on [0, 1].
 
     Args:
         bernstein: Its Bernstein coefficients, ``count`` of them; the first one is positive.
         taylor: Its coefficients of s^k.
         count: Degree plus one.
+        pieces: Room for DEEPEST + 3 intervals: coefficients, start and width of each.
 
     Returns:
-        (NONE, 1) or (CROSSING, s), and how many times it came so near to zero in between that rounding
-        decides whether it touches.
+        The zero, and where before it the polynomial first came so near to zero that rounding decides whether
+        it touches; NOWHERE for what there is not.
     """
-    stack = np.empty((DEEPEST + 2, count))
-    starts = np.empty(DEEPEST + 2)
-    depths = np.empty(DEEPEST + 2, dtype=np.int64)
-    stack[0] = bernstein[:count]
-    starts[0] = 0.0
-    depths[0] = 0
-    top = 1
-    touches = 0
-    piece = np.empty(count)
+    begin, wide = pieces.shape[1] - 2, pieces.shape[1] - 1
+    piece = pieces[DEEPEST + 2]
+    copy(bernstein, count, pieces[0])
+    pieces[0, begin], pieces[0, wide] = 0.0, 1.0
+    top, touch = 1, NOWHERE
     while top > 0:
         top -= 1
-        piece[:] = stack[top]
-        start = starts[top]
-        depth = depths[top]
-        variations = sign_variations(piece, count)
+        copy(pieces[top], piece.size, piece)
+        start, width = piece[begin], piece[wide]
+        variations, begins_negative = sign_variations(piece, count)
+        if begins_negative:
+            return start, touch
         if variations == 0:
-            if piece[0] >= 0.0 and piece[count - 1] >= 0.0:
-                continue
-            return CROSSING, start, touches
-        width = math.ldexp(1.0, -depth)
-        if variations == 1 and piece[0] >= 0.0:
-            return CROSSING, polished(taylor, count, start, start + width), touches
-        if depth >= DEEPEST:
-            if piece[count - 1] < 0.0:
-                return CROSSING, start, touches
-            touches += 1
             continue
-        halve(piece, count, stack[top + 1], stack[top])
-        starts[top + 1] = start
-        starts[top] = start + 0.5 * width
-        depths[top] = depth + 1
-        depths[top + 1] = depth + 1
+        if variations == 1:
+            return polished(piece, taylor, count, start, width), touch
+        if width <= NARROWEST:
+            if piece[count - 1] < 0.0:
+                return start, touch
+            touch = min(touch, start)
+            continue
+        halve(piece, count, pieces[top + 1], pieces[top])
+        pieces[top + 1, begin], pieces[top, begin] = start, start + 0.5 * width
+        pieces[top + 1, wide] = pieces[top, wide] = 0.5 * width
         top += 2
-    return NONE, 1.0, touches
+    return NOWHERE, touch

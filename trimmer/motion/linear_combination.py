@@ -2,28 +2,53 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from trimmer.motion.compiled import compiled
+from trimmer.motion.taylor import DEGREE
 
 Reals = NDArray[np.float64]
 
 
-@numba.njit(cache=True)
-def combine(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the sum of rows with weights."""
-    result[:] = 0.0
+@compiled
+def copy(values: Reals, count: int, result: Reals) -> None:
+    """Copy the first values. A slice would do, but brings a second of compiling for its error messages."""
+    for i in range(count):
+        result[i] = values[i]
+
+
+@compiled
+def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
+    """Write the first ``count`` entries of the sum of rows with weights, four rows at a time."""
+    last = weights.size - 1
+    for i in range(count):
+        result[i] = weights[last] * rows[last, i]
+    j = 0
+    while j + 4 <= last:
+        a, b, c, d = weights[j], weights[j + 1], weights[j + 2], weights[j + 3]
+        for i in range(count):
+            result[i] += a * rows[j, i] + b * rows[j + 1, i] + c * rows[j + 2, i] + d * rows[j + 3, i]
+        j += 4
+    while j < last:
+        for i in range(count):
+            result[i] += weights[j] * rows[j, i]
+        j += 1
+
+
+@compiled
+def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
+    """Write the sum of polynomials of degree DEGREE with weights; their length is known to the compiler."""
+    for i in range(DEGREE + 1):
+        result[i] = 0.0
     for j in range(weights.size):
-        weight = weights[j]
-        if weight != 0.0:
-            row = rows[j]
-            for i in range(result.size):
-                result[i] += weight * row[i]
+        for i in range(DEGREE + 1):
+            result[i] += weights[j] * rows[j, i]
 
 
-@numba.njit(cache=True)
+@compiled
 def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> None:
-    """Evaluate the state at a fraction of a step from its ``count`` Taylor terms (Horner)."""
+    """Evaluate the state at a fraction of a step from its first ``count`` Taylor terms (Horner)."""
     size = result.size
     for i in range(size):
         result[i] = terms[(count - 1) * size + i]
@@ -32,20 +57,48 @@ def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> 
             result[i] = result[i] * fraction + terms[k * size + i]
 
 
-@numba.njit(cache=True)
+@compiled
 def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> None:
-    """Evaluate a polynomial at all points (Horner)."""
-    values[:] = coefficients[coefficients.size - 1]
-    for k in range(coefficients.size - 2, -1, -1):
-        coefficient = coefficients[k]
-        for i in range(points.size):
-            values[i] = values[i] * points[i] + coefficient
+    """Evaluate a polynomial of degree DEGREE at all points (Horner)."""
+    for i in range(points.size):
+        point = points[i]
+        value = coefficients[DEGREE]
+        for k in range(DEGREE - 1, -1, -1):
+            value = value * point + coefficients[k]
+        values[i] = value
 
 
-@numba.njit(cache=True)
+@compiled
 def size_of_terms(row: Reals, state: Reals) -> float:
     """Sum the moduli of the terms of a functional."""
     total = 0.0
     for i in range(state.size):
         total += abs(row[i] * state[i])
     return total
+
+
+@compiled
+def within(values: Reals, bound: float) -> bool:
+    """Tell whether all moduli are at most a bound; NaN is not."""
+    outside = False
+    for i in range(values.size):
+        outside |= not abs(values[i]) <= bound
+    return not outside
+
+
+@compiled
+def all_positive(values: Reals) -> bool:
+    """Tell whether all values are greater than zero."""
+    found = False
+    for i in range(values.size):
+        found |= not values[i] > 0.0
+    return not found
+
+
+@compiled
+def any_negative(values: Reals, count: int) -> bool:
+    """Tell whether one of the first values is less than zero."""
+    found = False
+    for i in range(count):
+        found |= values[i] < 0.0
+    return found

@@ -57,7 +57,7 @@ class ClosedLoop(Loop):
         """Return the equations."""
         return element_around(self.model, self.element, None)
 
-    @property
+    @cached_property
     def model(self) -> control.StateSpace:
         """The system in state space."""
         return realized(self.system)
@@ -82,7 +82,7 @@ class OpenLoop(Loop):
         """Return the equations."""
         return element_around(self.model, self.element, self.drive)
 
-    @property
+    @cached_property
     def model(self) -> control.StateSpace:
         """The system in state space."""
         return realized(self.system)

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     Reals = NDArray[np.float64]
 
 
+DEPENDENT = 1e-10
+"""Conditions on outputs that differ by less, relative to their sizes, are one."""
+
+
 @dataclass(frozen=True)
 class ComponentGuard:
     """A guard with the component that it belongs to and its number among that component's guards."""
@@ -172,11 +176,28 @@ def _implicit_outputs(
             row = _differentiated(row, opened, column, system.labels[k])
             left.append(row @ opened.push)
             right.append(-row @ opened.flow)
-    try:
-        return np.linalg.solve(np.array(left), np.array(right))
-    except np.linalg.LinAlgError as problem:
-        names = ", ".join(system.labels[k] for k in opened.implicit)
-        raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion") from problem
+    names = ", ".join(system.labels[k] for k in opened.implicit)
+    return _least(np.array(left), np.array(right), names)
+
+
+def _least(left: Reals, right: Reals, names: str) -> Reals:
+    """Solve for the outputs; where conditions repeat each other, take the smallest outputs that meet them.
+
+    So it is where frictions between three bodies all stick, or where two act between the same bodies: the
+    motion is determined, and how they share the force is not.
+
+    Raises:
+        IllPosedLoopError: if the conditions contradict each other.
+    """
+    rows = abs(left).max(axis=1, keepdims=True)
+    columns = (abs(left) / rows).max(axis=0)
+    scaled = left / rows / columns
+    solution: Reals = np.linalg.pinv(scaled, rcond=DEPENDENT) @ (right / rows)
+    missed = abs(scaled @ solution - right / rows).max(axis=1)
+    if (missed > DEPENDENT * abs(right / rows).max(axis=1)).any():
+        raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion")
+    outputs: Reals = solution / columns[:, None]
+    return outputs
 
 
 def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals:

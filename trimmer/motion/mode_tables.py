@@ -12,7 +12,14 @@ from trimmer.motion.errors import UnsupportedMotionError
 from trimmer.motion.layout import Layout
 from trimmer.motion.mode import ComponentGuard, Mode, assemble
 from trimmer.motion.tables import Tables
-from trimmer.motion.taylor import DEGREE, deflation, guard_polynomials, step_series
+from trimmer.motion.taylor import (
+    DEGREE,
+    LEVELS,
+    bernstein_from_taylor,
+    guard_polynomials,
+    step_series,
+    sufficient_terms,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,10 +28,10 @@ if TYPE_CHECKING:
 
     Reals = NDArray[np.float64]
 
-GUARDS_OF_COMPONENT = 2
+GUARDS_OF_COMPONENT = 3
 """No component has more guards in a mode."""
-MOST_MODES = 3**7
-"""Seven components with three modes each."""
+MOST_MODES = 4 * 3**6
+"""A backlash and six frictions."""
 FORCING = 3
 """Sine, cosine and one end the extended state."""
 
@@ -82,15 +89,18 @@ class ModeTables:
             step=np.zeros(modes),
             whole=np.empty((modes, size, size)),
             series=np.empty((modes, size, (DEGREE + 1) * size)),
-            bernstein=np.zeros((modes, size, guards * (DEGREE + 1))),
+            terms=np.zeros((modes, LEVELS), dtype=np.int64),
+            bernstein=np.zeros((modes, guards, size, DEGREE + 1)),
+            taylor=np.zeros((modes, guards, size, DEGREE + 1)),
             guard_rows=np.zeros((modes, guards, size)),
+            guard_sizes=np.zeros((modes, guards, size)),
             guard_count=np.zeros(modes, dtype=np.int64),
             component=np.zeros((modes, guards), dtype=np.int64),
             target=np.zeros((modes, guards, 2), dtype=np.int64),
             reset=np.zeros((modes, guards, size, size)),
             zeros=np.zeros((modes, guards, 2, GUARDS_OF_COMPONENT), dtype=np.int64),
             number=np.zeros((modes, guards), dtype=np.int64),
-            deflation=deflation(),
+            bernstein_from_taylor=bernstein_from_taylor(),
         )
 
     def tabulate(self, number: int) -> None:
@@ -100,13 +110,15 @@ class ModeTables:
         tables.step[number] = series.step
         tables.whole[number] = series.whole.T
         tables.series[number] = series.terms.transpose(2, 0, 1).reshape(size, -1)
+        sizes = abs(series.terms).sum(axis=0)
+        tables.terms[number] = sufficient_terms(series)
         tables.guard_count[number] = len(mode.guards)
-        if mode.guards:
-            rows = np.array([entry.guard.row for entry in mode.guards])
-            polynomials = guard_polynomials(rows, series)
-            tables.guard_rows[number, : len(rows)] = rows
-            tables.bernstein[number, :, : polynomials[..., 0].size] = polynomials.reshape(-1, size).T
         for place, entry in enumerate(mode.guards):
+            tables.guard_rows[number, place] = entry.guard.row
+            tables.taylor[number, place], tables.bernstein[number, place] = guard_polynomials(
+                entry.guard.row, series
+            )
+            tables.guard_sizes[number, place] = abs(entry.guard.row) @ sizes
             self._tabulate_guard(number, place, mode, entry)
         tables.known[number] = True
 

@@ -30,6 +30,8 @@ class Outcome(Enum):
     COMPLETED = "reached the end"
     CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
     EVENT_LIMIT = "reached the greatest number of events"
+    DIVERGED = "a state grew beyond 1e150: the loop is unstable, and the motion is not followed further"
+    STEP_LIMIT = "reached the greatest number of steps: the fastest mode is too fast for the duration"
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,15 @@ class Motion:
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """All events in order of time; simultaneous ones in the order in which they take effect."""
+        """All events in order of time; simultaneous ones in the order in which they take effect.
+
+        That a load in the gap has come to rest, to rounding, is no event.
+        """
         listed: list[Event] = []
         for stretch in range(1, len(self.log.start)):
             event = self._event(stretch)
+            if event.kind is EventKind.REST:
+                continue
             if listed and _is_reversal(listed[-1], event):
                 listed[-1] = replace(event, kind=EventKind.SWITCH)
             else:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-import numba
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
+from trimmer.motion.compiled import compiled, kept, sources
 from trimmer.motion.linear_combination import combine, evaluate_polynomial
 from trimmer.motion.tables import Log, Tables
+from trimmer.motion.taylor import DEGREE
 
 Reals = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -16,20 +19,30 @@ BLOCK = 512
 """Samples that are evaluated together."""
 
 
-@numba.njit(cache=True)
-def sample(
+def _entry(sources: bytes) -> Callable[[Tables, Log, Integers, Reals, Reals, Reals], None]:
+    def sample(
+        tables: Tables, log: Log, place: Integers, functionals: Reals, times: Reals, values: Reals
+    ) -> None:
+        """Evaluate functionals of the state at times that do not decrease; at an event, just after it.
+
+        Args:
+            tables: The modes.
+            log: The stretches of the motion.
+            place: For each mode the first index into ``functionals``.
+            functionals: Polynomials over a step, transposed and side by side: (visited modes, n, p (K + 1)).
+            times: Instants, s, none after the end of the motion.
+            values: Where the result goes: (p, number of times).
+        """
+        sources  # noqa: B018
+        _sample(tables, log, place, functionals, times, values)
+
+    return kept(sample)
+
+
+@compiled
+def _sample(
     tables: Tables, log: Log, place: Integers, functionals: Reals, times: Reals, values: Reals
 ) -> None:
-    """Evaluate functionals of the state at times that do not decrease; at an event, just after it.
-
-    Args:
-        tables: The modes.
-        log: The stretches of the motion.
-        place: For each mode the first index into ``functionals``.
-        functionals: Polynomials over a step, transposed and side by side: (visited modes, n, p (K + 1)).
-        times: Instants, s, none after the end of the motion.
-        values: Where the result goes: (p, number of times).
-    """
     state, following = np.empty(log.state.shape[1]), np.empty(log.state.shape[1])
     done = 0
     for stretch in range(log.start.size):
@@ -40,7 +53,7 @@ def sample(
         steps = 0
         while done < times.size and times[done] < limit:
             if (times[done] - begin) / step - steps > 1.0:
-                combine(state, tables.whole[mode], following)
+                combine(state, tables.whole[mode], state.size, following)
                 state[:] = following
                 steps += 1
             else:
@@ -49,7 +62,7 @@ def sample(
                 )
 
 
-@numba.njit(cache=True)
+@compiled
 def _within_step(  # noqa: PLR0913
     tables: Tables,
     functionals: Reals,
@@ -63,9 +76,9 @@ def _within_step(  # noqa: PLR0913
     done: int,
 ) -> int:
     """Evaluate all times from the index ``done`` on that lie within one step, and return the next index."""
-    count = tables.deflation.shape[1]
+    count = DEGREE + 1
     coefficients = np.empty(values.shape[0] * count)
-    combine(state, functionals, coefficients)
+    combine(state, functionals, coefficients.size, coefficients)
     fractions = np.empty(BLOCK)
     while True:
         used = 0
@@ -84,3 +97,6 @@ def _within_step(  # noqa: PLR0913
                 values[output, done : done + used],
             )
         done += used
+
+
+sample = _entry(sources())

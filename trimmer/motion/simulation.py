@@ -10,9 +10,11 @@ import numpy as np
 from trimmer.motion.initial import initial_stretch
 from trimmer.motion.kernel import (
     CYCLING,
+    DIVERGED,
     EVENT_LIMIT,
     FULL,
     REACHED_END,
+    STEP_LIMIT,
     UNKNOWN_MODE,
     march,
 )
@@ -28,6 +30,8 @@ OUTCOMES = {
     REACHED_END: Outcome.COMPLETED,
     CYCLING: Outcome.CHATTERING,
     EVENT_LIMIT: Outcome.EVENT_LIMIT,
+    DIVERGED: Outcome.DIVERGED,
+    STEP_LIMIT: Outcome.STEP_LIMIT,
 }
 FIRST_ROWS = 1024
 """Stretches of motion that the log has room for at first; it doubles when it is full."""

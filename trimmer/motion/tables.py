@@ -20,30 +20,36 @@ class Tables(NamedTuple):
         step: h, s.
         whole: exp(M h), transposed: (modes, n, n).
         series: (M h)^k / k!, transposed and side by side: (modes, n, (K + 1) n).
-        bernstein: Bernstein coefficients of the guards: (modes, n, guards (K + 1)).
+        terms: How many terms of the series do for fractions up to 4^-level of a step: (modes, LEVELS).
+        bernstein: Bernstein coefficients of the guards over a step: (modes, guards, n, K + 1).
+        taylor: Their coefficients of s^k: (modes, guards, n, K + 1).
         guard_rows: Guards as functionals: (modes, guards, n).
+        guard_sizes: Sums of the moduli of what their series are made of: (modes, guards, n).
         guard_count: Guards in use.
         component: Component that owns the guard.
         number: Number of the guard among those of its owner.
         target: Mode after reaching zero, and after being negative at once: (modes, guards, 2).
         zeros: Known zeros of the owner's guards in these target modes: (modes, guards, 2, 2).
         reset: The state afterwards, transposed, in either case: (modes, guards, n, n).
-        deflation: Factors of ``trimmer.motion.taylor.deflation``.
+        bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
     """
 
     known: Flags
     step: Reals
     whole: Reals
     series: Reals
+    terms: Integers
     bernstein: Reals
+    taylor: Reals
     guard_rows: Reals
+    guard_sizes: Reals
     guard_count: Integers
     component: Integers
     number: Integers
     target: Integers
     zeros: Integers
     reset: Reals
-    deflation: Reals
+    bernstein_from_taylor: Reals
 
 
 class Log(NamedTuple):
@@ -73,16 +79,22 @@ class Work(NamedTuple):
         state: Extended state at the start of a step.
         following: Where the next one is put together.
         terms: Taylor terms of the state over the step: (K + 1) n.
-        bernstein: Coefficients of the guards over the step: guards (K + 1).
-        deflated: Bernstein coefficients of one guard without its known zeros.
+        bernstein: Bernstein coefficients of one guard over the step.
         taylor: Its coefficients of s^k.
+        deflated: Its Bernstein coefficients without its known zeros.
+        pieces: Coefficients of parts of the step, for the search of a zero.
         known_zeros: For each guard, how many derivatives vanish at the start of the stretch.
+        touch: For each guard, the fraction of the step at which it touches zero without crossing.
+        touches: One number: how many of these lie in the stretch so far.
     """
 
     state: Reals
     following: Reals
     terms: Reals
     bernstein: Reals
-    deflated: Reals
     taylor: Reals
+    deflated: Reals
+    pieces: Reals
     known_zeros: Integers
+    touch: Reals
+    touches: Integers

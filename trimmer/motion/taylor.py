@@ -19,6 +19,10 @@ DEGREE = 24
 """Degree of the polynomials; with the step below, what follows is less than rounding."""
 REMAINDER = 2.0**-56
 """Bound of the next term of the series of exp(M h), in balanced coordinates."""
+MOST_ZEROS = 3
+"""No guard is known to vanish with more than its first three derivatives, the zeroth included."""
+LEVELS = 6
+"""Fractions 4^-level of a step for which it is known how many terms do."""
 LONGEST_STEP = 1e6
 """About the longest step, s, for motions that hardly change."""
 
@@ -72,34 +76,40 @@ def _growth(matrix: Reals) -> float:
     return float(size * float(np.linalg.norm(power, 1)) ** (1 / (DEGREE + 1)))
 
 
-def guard_polynomials(rows: Reals, series: StepSeries) -> Reals:
-    """Return the Bernstein coefficients of guards over one step, as functionals of its initial state.
+def sufficient_terms(series: StepSeries) -> NDArray[np.int64]:
+    """Return how many terms give every entry of the flow to rounding, up to fractions 4^-level of a step."""
+    powers = 4.0 ** -np.outer(np.arange(LEVELS), np.arange(DEGREE + 1))
+    sizes = powers[..., None] * abs(series.terms.reshape(DEGREE + 1, -1))
+    totals = sizes.cumsum(axis=1)
+    enough = (totals[:, -1:] - totals <= REMAINDER * totals).all(axis=2)
+    return np.asarray(enough.argmax(axis=1) + 1)
+
+
+def guard_polynomials(row: Reals, series: StepSeries) -> tuple[Reals, Reals]:
+    """Return the coefficients of a guard over one step, as functionals of its initial state.
 
     Args:
-        rows: Guards, g x n.
+        row: The guard, of shape (n,).
         series: The flow.
 
     Returns:
-        Array (g, DEGREE + 1, n).
+        Coefficients of s^k, and Bernstein coefficients, each of shape (n, DEGREE + 1).
     """
-    taylor = np.einsum("gi,kij->gkj", rows, series.terms)
-    polynomials: Reals = np.einsum("bk,gkj->gbj", bernstein_from_taylor(), taylor)
-    return polynomials
+    taylor = np.einsum("i,kij->jk", row, series.terms)
+    return taylor, taylor @ bernstein_from_taylor()[0]
 
 
 @cache
 def bernstein_from_taylor() -> Reals:
-    """Return the matrix that turns coefficients of s^k into Bernstein coefficients on [0, 1]."""
-    return np.array(
-        [[math.comb(i, k) / math.comb(DEGREE, k) for k in range(DEGREE + 1)] for i in range(DEGREE + 1)]
-    )
+    """Return what turns coefficients of s^k into Bernstein coefficients on [0, 1].
 
-
-@cache
-def deflation() -> Reals:
-    """Return factors f[m, i]: if s^m p(s) has the Bernstein coefficients b, p has f[m, i] b[m + i]."""
-    factors = np.zeros((4, DEGREE + 1))
-    for m in range(4):
-        for i in range(DEGREE + 1 - m):
-            factors[m, i] = math.comb(DEGREE, i + m) / math.comb(DEGREE - m, i)
-    return factors
+    Array (MOST_ZEROS + 1, DEGREE + 1, DEGREE + 1), with one matrix for each degree from DEGREE downwards,
+    which has one row for each k.
+    """
+    matrices = np.zeros((MOST_ZEROS + 1, DEGREE + 1, DEGREE + 1))
+    for m in range(MOST_ZEROS + 1):
+        degree = DEGREE - m
+        for k in range(degree + 1):
+            for i in range(k, degree + 1):
+                matrices[m, k, i] = math.comb(i, k) / math.comb(degree, k)
+    return matrices

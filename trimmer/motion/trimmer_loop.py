@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -60,7 +61,7 @@ class TrimmerLoop(Loop):
     channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY
     frictions: tuple[BodyFriction, ...] = field(default=())
 
-    @property
+    @cached_property
     def model(self) -> control.StateSpace:
         """The linear trimmer from the bridge's motion to y."""
         return pin_model(self.parameters, self.output, self.channels)

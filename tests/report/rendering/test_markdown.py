@@ -34,6 +34,15 @@ def test_sections_without_content_are_left_out(document: Document) -> None:
     assert not any(f"{{#{section}}}" in text for section in ("derivation", "figures", "highlights"))
 
 
+def test_describing_functions_have_a_chapter_of_their_own(document: Document) -> None:
+    step = DerivationStep("relay", "Relay", "Text.", (Equation("N = 1"),), ("eq-2.8",))
+    text = to_markdown(dataclasses.replace(document, describing_functions=(step,)))
+    assert text.index("{#derivation}") < text.index("{#describing-functions}") < text.index("{#step-relay}")
+    unknown = dataclasses.replace(step, claims=("eq-9.9",))
+    with pytest.raises(BrokenLinkError, match="step relay"):
+        to_markdown(dataclasses.replace(document, describing_functions=(unknown,)))
+
+
 def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> None:
     with pytest.raises(BrokenLinkError, match=r"eq-9\.9"):
         to_markdown(with_step(document, text="See [it](#eq-9.9)."))

@@ -44,6 +44,37 @@ def _crossings(start: complex, side: complex, curve: NDArray[np.complex128]) -> 
     return int(np.sum((along_curve >= 0) & (along_curve < 1) & (along_side >= 0) & (along_side < 1)))
 
 
+def solutions_on_grid(
+    G: control.lti.LTI,
+    element: Element,
+    omegas: tuple[float, float],
+    amplitudes: tuple[float, float] | None = None,
+) -> tuple[int, int]:
+    """Count the cells of a fine grid round which the phase of 1 + N G turns, and the sum of their turns.
+
+    The grid is even in ln omega, and in ln A between the given amplitudes or else in the distance of
+    scale/A from both its limits. Loeb's criterion holds where the turn is positive.
+    """
+    omega = np.geomspace(*omegas, 1000)
+    if amplitudes is None:
+        place = 0.5 * (1.0 + np.cos(np.linspace(0.0, np.pi, 202)[1:-1]))
+        amplitude = element.amplitude_scale / (place[:, None] * element.domain(omega))
+    else:
+        amplitude = np.broadcast_to(np.geomspace(*amplitudes, 200)[:, None], (200, omega.size))
+    gain = element.describing_function(amplitude, np.broadcast_to(omega, amplitude.shape))
+    phase = np.angle(1.0 + gain * frequency_response(G, omega))
+    corners = (phase[:-1, :-1], phase[1:, :-1], phase[1:, 1:], phase[:-1, 1:])
+    steps = (end - start for start, end in zip(corners, (*corners[1:], corners[0]), strict=True))
+    turns = np.rint(sum((step + np.pi) % (2 * np.pi) - np.pi for step in steps) / (2 * np.pi))
+    return int(np.abs(turns).sum()), int(turns.sum())
+
+
+def resolved_by_grid(G: control.lti.LTI) -> bool:
+    """Whether no pole or zero is so lightly damped that a grid would step over its resonance."""
+    roots = np.concatenate([G.poles(), G.zeros()])
+    return bool(np.all(np.abs(roots.real) >= 0.03 * np.abs(roots)))
+
+
 @dataclass(frozen=True)
 class Oscillation:
     """The end of a simulation: half of peak to peak, and angular frequency (rad/s, 0 if at rest)."""

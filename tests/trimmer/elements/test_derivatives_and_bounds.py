@@ -41,6 +41,16 @@ def test_derivatives_are_those_of_difference_quotients(element: Element, omega: 
     assert slopes.by_log_omega == pytest.approx(by_log, rel=2e-6, abs=1e-9)
 
 
+@pytest.mark.parametrize("element", ELEMENTS, ids=repr)
+def test_an_expansion_is_value_and_derivatives(element: Element) -> None:
+    amplitude, omega = np.array([[0.3, 1.2, 5.0, np.nan]]), np.array([[0.5], [8.0]])
+    expansion = element.expansion(amplitude, omega)
+    assert np.array_equal(expansion.value, element.describing_function(amplitude, omega), equal_nan=True)
+    for own, derivative in zip(expansion[1:], element.derivatives(amplitude, omega), strict=True):
+        assert np.array_equal(own, derivative, equal_nan=True)
+        assert own.shape == (2, 4)
+
+
 def test_derivatives_are_missing_outside_the_domain() -> None:
     slopes = ViscousBacklash(2.0, 0.3).derivatives([0.5, 2.0, np.nan], 1.0)
     for slope in slopes:

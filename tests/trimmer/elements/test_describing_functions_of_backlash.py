@@ -166,3 +166,13 @@ def test_an_infinite_amplitude_gives_the_limit() -> None:
     for gamma in GAMMAS:
         assert element_with(gamma).describing_function(math.inf, 1.0) == pytest.approx(1.0, abs=1e-15)
         assert element_with(gamma).describing_function(math.inf, 1.0, 3) == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("time_constant", [0.0, 1e-140, 1e-60, 1e-30, 1e-3, 1.0, 1e30, 1e100, np.inf])
+def test_the_gap_does_not_count_at_infinite_amplitude(time_constant: float) -> None:
+    element = ViscousBacklash(1.0, time_constant)
+    expansion = element.expansion([np.inf, 1e300, 1e200], 1.0)
+    assert expansion.value == pytest.approx(np.ones(3), abs=1e-15)
+    separation = np.arctan2(1.0, time_constant)
+    assert expansion.by_u == pytest.approx(np.full(3, 2 / np.pi * np.exp(-1j * separation)), abs=1e-15)
+    assert expansion.by_log_omega == pytest.approx(np.zeros(3), abs=1e-15)

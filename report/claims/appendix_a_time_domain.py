@@ -1,0 +1,242 @@
+"""Claims of appendices A.8 and A.9: the blocks of backlash over time (listings A.7 and A.8)."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import control
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from derivations.backlash import CONTACT, GAP, inertia_contact_ratio, inertia_waveform
+from derivations.symbols import A
+from derivations.waveform import THETA
+from report.claim import Claim, Confirmation, Impact, Mathematics, Part
+from report.claims.printed import product, total
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers, PrintedDigits
+from report.comparisons.expression import SameExpression
+from report.evidence import Evidence
+from report.octave.formulas import LOAD, PIN, friction_step
+
+SOURCE = "derivations/backlash.py"
+b = sympy.Symbol("b", positive=True)
+DRIVE_AMPLITUDE, DRIVE_GAP, DRIVE_OMEGA = 0.0015, 0.0004, 200 * math.pi
+PERIOD = 2 * math.pi / DRIVE_OMEGA
+PRINTED_CONTACT, PRINTED_OFFSET = "0.00190662", "0.0049"
+FRICTION_LINES = (
+    *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
+    *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),
+    *("end", "end", "end", "end"),
+)
+"""Listing A.7, line by line."""
+OPENING = r"\b(function|if|for|while|switch)\b"
+
+Reals = NDArray[np.float64]
+
+
+def claims(_: Evidence) -> tuple[Claim, ...]:
+    """Return the claims in thesis order."""
+    return (_friction(), _inertia())
+
+
+def friction_block(pin: float, gap: float, load: float) -> float:
+    """Return what Listing A.7 returns for its arguments e, D_size and u_prev."""
+    if pin - load > gap / 2:
+        return pin - gap / 2
+    if pin - load < -gap / 2:
+        return pin + gap / 2
+    return load
+
+
+def inertia_block(pin: Reals, time: Reals, gap: float = DRIVE_GAP) -> Reals:
+    """Return what Listing A.8 returns for its arguments u and t, with another gap in its second line."""
+    t = np.mod(time, PERIOD)
+    contact, offset = float(PRINTED_CONTACT), float(PRINTED_OFFSET)
+    flight = DRIVE_OMEGA * DRIVE_AMPLITUDE * t
+    second = PERIOD / 2
+    return np.asarray(
+        (flight - gap / 2) * ((t >= 0) & (t < contact))
+        + (pin + gap / 2) * ((t > contact) & (t < second))
+        + (-flight + offset) * ((t >= second) & (t < second + contact))
+        + (pin - gap / 2) * ((t > second + contact) & (t < PERIOD))
+    )
+
+
+def friction_parts(place: str = "") -> tuple[Part, ...]:
+    """Return a part for each branch of Listing A.7, held against a load that walls push and never pull.
+
+    ``place`` stands before the lines' numbers in the labels.
+    """
+    distance = sympy.Symbol("d", positive=True)
+    inside = PIN - GAP / 2 + GAP * distance / (1 + distance)
+    rows = (
+        ("lines 2 and 3", "e - D/2", r"e - u_\text{prev} > D/2", PIN - GAP / 2, PIN - GAP / 2 - distance),
+        ("lines 5 and 6", "e + D/2", r"e - u_\text{prev} < -D/2", PIN + GAP / 2, PIN + GAP / 2 + distance),
+        ("line 8", r"u_\text{prev}", r"|e - u_\text{prev}| \le D/2", inside, inside),
+    )
+    return tuple(
+        Part(
+            f"{place}{label}",
+            SameExpression(returned, sympy.simplify(friction_step().subs(LOAD, load))),
+            Confirmation("python-control's backlash", _as_the_library(returned, load, distance)),
+            printed_form=(form := Mathematics(rf"u = {value} \quad \text{{if }} {condition}")),
+            derived_form=form,
+        )
+        for label, value, condition, returned, load in rows
+    )
+
+
+def _as_the_library(returned: sympy.Expr, load: sympy.Expr, distance: sympy.Expr) -> CloseNumbers:
+    values = {PIN: 0.7, GAP: 0.4, distance: 0.25}
+    library = control.friction_backlash_nonlinearity(values[GAP])
+    library.center = float(load.subs(values))
+    return CloseNumbers(float(returned.subs(values)), library(values[PIN]))
+
+
+def _friction() -> Claim:
+    opened = sum(bool(re.match(OPENING, line)) for line in FRICTION_LINES)
+    closed = FRICTION_LINES.count("end")
+    return Claim(
+        id="lst-A.7",
+        parts=(
+            *friction_parts(),
+            Part(
+                "blocks",
+                Assertion(
+                    statement="each block that is opened is closed once",
+                    derived=opened == closed,
+                    evidence=f"{opened} lines open a block (1, 2 and 5), {closed} close one (9 to 12)",
+                    method="count over the printed lines",
+                ),
+            ),
+        ),
+        explanation=(
+            "The three branches are those of a load without inertia between walls a total $D$ apart, for any "
+            "input. Line 12 has one `end` too many, so the function cannot be read as printed. The caption "
+            "calls it a describing function, which it is not; its arguments are described in A.4."
+        ),
+        consequence=(
+            "None once line 12 is deleted. What runs has the right waveform, unlike equation 2.36, whose "
+            "first and third piece have the wrong sign."
+        ),
+        impact=Impact.NOTATION,
+        source=SOURCE,
+    )
+
+
+def _inertia() -> Claim:
+    return Claim(
+        id="lst-A.8",
+        parts=(*_pieces(), *_constants(), _continuity(), _instants(), _own_input()),
+        explanation=(
+            "The four pieces are those of the derived waveform, and the contact time is right to every "
+            f"digit. The offset of line 12 is cut to two digits, which makes the output jump by "
+            f"{1e6 * -_jump():.1f} µm twice a period. Flight is written as a function of time for one "
+            "amplitude, frequency and phase, so the block is right for that one input only; at the instants "
+            "of contact no line applies and it returns zero."
+        ),
+        consequence=(
+            "It can stand behind the drive of 100 Hz and 1.5 mm in open loop, as in figures 4.2 and 5.14. In "
+            "a closed loop, and at the 109.845 Hz that the text gives, its output means nothing."
+        ),
+        impact=Impact.DOWNSTREAM,
+        source=SOURCE,
+    )
+
+
+def _pieces() -> tuple[Part, ...]:
+    first, second, third, fourth = inertia_waveform(b).segments
+    offset = sympy.pi * A + b / 2
+    sine = A * sympy.sin(THETA)
+    rows = (
+        ("line 10", total(A * THETA, -b / 2), first),
+        ("line 11", total(sine, b / 2), second),
+        ("line 12, with its constant as $\\pi A + b/2$", total(product(-A, THETA), offset), third),
+        ("line 13", total(sine, -b / 2), fourth),
+    )
+    return tuple(
+        Part(f"{label}, $\\theta = \\omega t$", SameExpression(value, segment.value, left=sympy.Symbol("y")))
+        for label, value, segment in rows
+    )
+
+
+def contact_time() -> float:
+    """Return the time from the pin's largest velocity to the impact, for the constants of Listing A.8, s."""
+    ratio = sympy.lambdify(CONTACT, inertia_contact_ratio() - DRIVE_GAP / DRIVE_AMPLITUDE)
+    return float(brentq(ratio, 0.1, math.pi, xtol=1e-14)) / DRIVE_OMEGA
+
+
+def _constants() -> tuple[Part, ...]:
+    flight = DRIVE_AMPLITUDE * DRIVE_OMEGA * contact_time() - DRIVE_GAP / 2
+    wall = DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * contact_time()) + DRIVE_GAP / 2
+    third = inertia_waveform().segments[2].value
+    offset = sympy.expand(third).subs(THETA, 0).subs({A: DRIVE_AMPLITUDE, GAP: DRIVE_GAP})
+    return (
+        Part(
+            "line 8, phi, the time of contact",
+            PrintedDigits(PRINTED_CONTACT, contact_time(), "s"),
+            Confirmation("flight and wall at that time", CloseNumbers(flight, wall)),
+        ),
+        Part("line 12, the constant $\\pi A + b/2$", PrintedDigits(PRINTED_OFFSET, float(offset), "m")),
+    )
+
+
+def _jump() -> float:
+    """Return by how much the output jumps at half a period, m."""
+    instants = np.array([PERIOD / 2 * (1 - 1e-12), PERIOD / 2])
+    before, after = inertia_block(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * instants), instants)
+    return float(after - before)
+
+
+def _continuity() -> Part:
+    return Part(
+        "output over time",
+        Assertion(
+            statement="the output is continuous",
+            derived=abs(_jump()) < 1e-9 * DRIVE_GAP,
+            evidence=(
+                f"at half a period it jumps by {1e6 * _jump():.1f} µm, "
+                f"{100 * abs(_jump()) / DRIVE_GAP:.1f} % of the gap, because of the rounded constant"
+            ),
+            method="the listing, repeated line by line",
+        ),
+    )
+
+
+def _instants() -> Part:
+    instant = np.array([float(PRINTED_CONTACT)])
+    (output,) = inertia_block(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * instant), instant)
+    return Part(
+        "conditions of lines 10 to 13",
+        Assertion(
+            statement="every instant belongs to one of the pieces",
+            derived=bool(abs(output) > DRIVE_AMPLITUDE / 2),
+            evidence=(
+                f"at $t$ = {PRINTED_CONTACT} s, where the pin is at "
+                f"{1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant[0]):.2f} mm, the output is "
+                f"{output:.0f}: two conditions ask for more and for less, none for equal"
+            ),
+            method="the listing, repeated line by line",
+        ),
+    )
+
+
+def _own_input() -> Part:
+    early = np.array([PERIOD / 8])
+    outputs = [float(inertia_block(np.array([pin]), early)[0]) for pin in (0.0, DRIVE_AMPLITUDE)]
+    return Part(
+        "input",
+        Assertion(
+            statement="the block takes the input wave from its argument",
+            derived=outputs[0] != outputs[1],
+            evidence=(
+                "in lines 10 and 12 the output is a function of time alone; an eighth of a period after its "
+                f"start it is {1e3 * outputs[0]:.3f} mm wherever the pin is"
+            ),
+            method="the listing, repeated line by line, for two inputs",
+        ),
+    )

@@ -1,0 +1,79 @@
+"""Claim of chapter 7 on subharmonics, and on where a limit cycle shows."""
+
+from __future__ import annotations
+
+from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.section_5_2_1_driven import line_part, open_loop
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
+from report.drive_amplitudes import SAMPLES
+from report.evidence import Evidence
+from report.linear_numbers import DRIVE_FREQUENCY
+from report.record import line_amplitudes
+
+REPEATS = 1e-6
+"""Share of the output by which two periods may differ."""
+
+
+def claims(evidence: Evidence) -> tuple[Claim, ...]:
+    """Return the claim."""
+    return (_subharmonics(evidence),)
+
+
+def _subharmonics(evidence: Evidence) -> Claim:
+    orbit = evidence.motion.closed.orbits.friction.stable
+    return Claim(
+        id="txt-7-subharmonics",
+        parts=(
+            _below_the_drive(evidence),
+            line_part(evidence, "a limit cycle on top of the drive's oscillation, in open loop"),
+            Part(
+                "closed loop without input",
+                Assertion(
+                    statement="the limit cycle is the only oscillation that stays",
+                    derived=orbit.stable,
+                    evidence=(
+                        "every disturbance of it decays; its own harmonics stay with it, the largest with "
+                        f"{100 * abs(orbit.harmonics[2] / orbit.harmonics[0]):.2f} %"
+                    ),
+                    method="Floquet multipliers of the exact orbit",
+                ),
+            ),
+        ),
+        explanation=(
+            "The peaks that are meant lie at multiples of the drive: they are harmonics, not subharmonics. A "
+            "subharmonic, at a fraction of the drive's frequency, would need a motion with several times its "
+            "period, which a stable linear system behind play does not have. A limit cycle on top of the "
+            "driven oscillation shows where the output is fed back to the pin, not in open loop."
+        ),
+        consequence=(
+            "In a spectrum of the open loop no peak has to be sorted out as a limit cycle: what is no "
+            "harmonic is a free vibration that has not died out."
+        ),
+        impact=Impact.LOCAL,
+        source="report/drive_amplitudes.py",
+    )
+
+
+def _below_the_drive(evidence: Evidence) -> Part:
+    run = open_loop(evidence)
+    first, second = run.output[:SAMPLES], run.output[SAMPLES:]
+    change = float(abs(second - first).max() / abs(second).max())
+    half = float(line_amplitudes(run.output)[1])
+    return Part(
+        "open loop: what the peaks are",
+        Assertion(
+            statement="they are subharmonics of the drive",
+            derived=change > REPEATS,
+            evidence=(
+                f"two periods differ by {change:.0e} of the output, and at half of the {DRIVE_FREQUENCY:.0f} "
+                f"Hz there are {half / run.harmonics[1]:.0e} of the first harmonic; the lines are at three, "
+                "five and seven times the drive"
+            ),
+            method="exact simulation; two periods of the settled open loop",
+        ),
+        Confirmation(
+            "the first harmonic from both periods and from the last one",
+            CloseNumbers(float(line_amplitudes(run.output)[2]), float(run.harmonics[1]), 1e-6),
+        ),
+    )

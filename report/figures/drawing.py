@@ -1,0 +1,45 @@
+"""A figure to draw, with the words that go with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import FunctionType
+from typing import TYPE_CHECKING
+
+from report.document import Figure
+from report.evidence import Evidence
+from report.figures.svg import to_svg
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and how it is drawn."""
+
+    id: str
+    title: str
+    caption: str
+    alternative_text: str
+    draw: Callable[[Evidence], matplotlib.figure.Figure]
+
+    @property
+    def modules(self) -> frozenset[str]:
+        """Modules that draw it: that of ``draw``, or those of the functions that a lambda calls."""
+        if self.draw.__name__ != "<lambda>":
+            return frozenset({self.draw.__module__})
+        called = (self.draw.__globals__.get(name) for name in self.draw.__code__.co_names)
+        return frozenset(each.__module__ for each in called if isinstance(each, FunctionType))
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """All that the figure depends on besides what its modules contain."""
+        code = self.draw.__code__
+        return (self.id, self.title, self.caption, self.alternative_text, repr((code.co_names, code.co_code)))
+
+    def finished(self, evidence: Evidence) -> Figure:
+        """Draw it."""
+        svg = to_svg(self.draw(evidence), self.id, self.title, self.alternative_text)
+        return Figure(self.id, self.title, self.caption, self.alternative_text, svg)

@@ -1,0 +1,146 @@
+"""What a page needs to read values off a figure: where its axes are, and a quantity along its curves."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final, final
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+SCALES: Final = ("linear", "log")
+_POINTS_PER_INCH = 72
+_STEP = 2.5
+"""Points of a curve that are nearer than this, in points, say nothing new to the eye."""
+_VALUE_STEP = 0.05
+"""But a point stays where the quantity has changed by this share."""
+_SAME_PLACE = 0.02
+"""Share of the figure within which axes stand in one row or column."""
+_SYMBOLS = {"omega": "ω", "gamma": "γ", "beta": "β", "theta": "θ", "phi": "φ", "pi": "π", "mu": "µ"}
+
+
+@dataclass(frozen=True)
+class Along:
+    """A quantity along a curve, such as omega along a Nyquist locus: symbol, unit, a value for each point."""
+
+    quantity: str
+    unit: str
+    values: NDArray[np.float64]
+
+
+@final
+class CurveAlong(Line2D):
+    """A line that carries a quantity along it into the page."""
+
+    def __init__(self, points: NDArray[np.complex128], along: Along, **keywords: Any) -> None:
+        super().__init__(points.real, points.imag, **keywords)
+        self.along = along
+
+
+def plot_along(axes: Axes, points: NDArray[np.complex128], along: Along, **keywords: Any) -> None:
+    """Draw a curve in the complex plane that can be read; keywords are those of ``Axes.plot``."""
+    axes.add_line(CurveAlong(points, along, **keywords))
+    axes.autoscale_view()
+
+
+def read_out(figure: Figure) -> str:
+    """Describe the axes of a figure that has been drawn, as JSON; empty if it has none with scales.
+
+    Each has its ``box`` (left, top, width, height in points, from the upper left corner), ``x`` and ``y``
+    with ``limits``, ``scale`` and ``label``, and ``curves`` whose ``points`` are x, y and value in turn.
+    """
+    described = [
+        {
+            "box": _box(axes, figure),
+            "x": {"limits": _limits(axes.get_xlim()), "scale": axes.get_xscale(), "label": _label(axes, "x")},
+            "y": {"limits": _limits(axes.get_ylim()), "scale": axes.get_yscale(), "label": _label(axes, "y")},
+            "curves": [curve for line in axes.lines for curve in _curves(line, axes, figure)],
+        }
+        for axes in figure.axes
+        if axes.axison and axes.get_xscale() in SCALES and axes.get_yscale() in SCALES
+    ]
+    return json.dumps(described, ensure_ascii=False, separators=(",", ":")) if described else ""
+
+
+def plain(label: str) -> str:
+    r"""Return a label without the marks of Matplotlib's mathematics: ``$\omega$ [rad]`` as ``ω [rad]``."""
+    if label.startswith("_"):
+        return ""
+    text = re.sub(r"\\dot\s*\{?(\w)\}?", "\\1\u0307", label)
+    text = re.sub(r"\\([a-zA-Z]+)", lambda command: _SYMBOLS.get(command[1], command[1]), text)
+    text = re.sub(r"\\[,;: ]", " ", text)
+    return " ".join(re.sub(r"[${}\\]", "", text).replace("-1/N", "−1/N").split())
+
+
+def _box(axes: Axes, figure: Figure) -> list[float]:
+    width, height = _POINTS_PER_INCH * figure.get_size_inches()
+    place = axes.get_position()
+    corners = (place.x0 * width, (1 - place.y1) * height, place.width * width, place.height * height)
+    return [round(float(corner), 2) for corner in corners]
+
+
+def _limits(ends: tuple[float, float]) -> list[float]:
+    return [float(f"{end:.8g}") for end in ends]
+
+
+def _label(axes: Axes, direction: str) -> str:
+    """Return the label of an axis; one without has that of the axes below it, or at its left."""
+    place = axes.get_position()
+
+    def distance(other: Axes) -> float:
+        there = other.get_position()
+        across, up = place.x0 - there.x0, place.y0 - there.y0
+        along, aside = (up, across) if direction == "x" else (across, up)
+        return float(along) if along >= 0 and abs(aside) < _SAME_PLACE else math.inf
+
+    near = sorted((distance(other), index, other) for index, other in enumerate(axes.figure.axes))
+    labels = (getattr(other, f"get_{direction}label")() for far, _, other in near if far < math.inf)
+    return plain(next(filter(None, labels), direction))
+
+
+def _curves(line: Line2D, axes: Axes, figure: Figure) -> Iterator[dict[str, object]]:
+    """Describe the parts of a curve that lie inside the axes."""
+    if not isinstance(line, CurveAlong):
+        return
+    to_figure = axes.transData + figure.transFigure.inverted()
+    shares = to_figure.transform(np.column_stack(line.get_data()))
+    width, height = _POINTS_PER_INCH * figure.get_size_inches()
+    places = np.column_stack([shares[:, 0] * width, (1 - shares[:, 1]) * height])
+    left, top, across, down = _box(axes, figure)
+    inside = (np.abs(places[:, 0] - left - across / 2) <= across / 2) & (
+        np.abs(places[:, 1] - top - down / 2) <= down / 2
+    )
+    for run in np.split(np.arange(len(places)), np.flatnonzero(np.diff(inside)) + 1):
+        if inside[run[0]] and len(run) > 1:
+            yield {
+                "name": plain(str(line.get_label())),
+                "quantity": line.along.quantity,
+                "unit": line.along.unit,
+                "points": _thinned(places[run], line.along.values[run]),
+            }
+
+
+def _thinned(places: NDArray[np.float64], values: NDArray[np.float64]) -> list[float]:
+    kept = [0]
+    for index in range(1, len(values)):
+        far = np.hypot(*(places[index] - places[kept[-1]])) >= _STEP
+        changed = abs(values[index] - values[kept[-1]]) >= _VALUE_STEP * abs(values[kept[-1]])
+        if far or changed or index == len(values) - 1:
+            kept.append(index)
+    return [
+        number
+        for index in kept
+        for number in (
+            *(round(float(place), 1) for place in places[index]),
+            float(f"{values[index]:.6g}"),
+        )
+    ]

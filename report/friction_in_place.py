@@ -1,0 +1,163 @@
+"""Harmonic balance with backlash at the pin and Coulomb friction between cutter and guard.
+
+Both see the displacement y = q2 - q4 of the cutter relative to the guard. The backlash acts by the pin, with
+response G to y; friction acts as a pair of forces on cutter and guard, with response H to y:
+1 + N_r(A) G(jω) + N_f(A) H(jω) = 0 with N_f = j 4 F_c / (π A). No sum of the two in one place is needed.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import control
+import numpy as np
+from numpy.typing import NDArray
+
+from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.displacement import Body
+from trimmer.elements.friction_backlash import FrictionBacklash
+
+BACKLASH = FrictionBacklash(1.0)
+POINTS = 49
+ZOOMS = 4
+HALVINGS = 50
+BEYOND = 0.01
+"""Share by which the search for a frequency reaches beyond those of the two limit cycles without friction."""
+
+Reals = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Balances:
+    """Solutions in order: amplitude per gap, angular frequency (rad/s), force per gap (N/m)."""
+
+    amplitude: Reals
+    omega: Reals
+    force_per_gap: Reals
+
+    @property
+    def frequency(self) -> Reals:
+        """Frequency, Hz."""
+        return self.omega / (2 * math.pi)
+
+
+@dataclass(frozen=True)
+class Merger:
+    """The largest force with a limit cycle, where the stable and the unstable one become one."""
+
+    amplitude: float
+    frequency: float
+    force_per_gap: float
+
+
+@dataclass(frozen=True)
+class FrictionBranch:
+    """All solutions of a loop as the force rises from zero to that of the merger.
+
+    ``stable`` begins at the stable limit cycle without friction, ``unstable`` at the unstable one.
+    """
+
+    stable: Balances
+    unstable: Balances
+    merger: Merger
+
+    def limit_cycles(self, force_per_gap: float) -> int:
+        """Return how many limit cycles there are with a force per gap in N/m."""
+        return 2 if force_per_gap < self.merger.force_per_gap else 0
+
+
+def force_response(parameters: TrimmerParameters) -> control.StateSpace:
+    """Build the response of q2 - q4, m, to a force on the cutter and its reaction on the guard, N."""
+    model = linear_model(parameters)
+    column = np.zeros((model.nstates, 1))
+    column[len(Body) + Body.CUTTER.index] = 1 / parameters.m2
+    column[len(Body) + Body.GUARD.index] = -1 / parameters.m4
+    return control.ss(model.A, column, model.C, [[0.0]])
+
+
+def friction_branch(
+    parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
+) -> FrictionBranch:
+    """Follow the solutions between the two limit cycles of a loop without friction.
+
+    Args:
+        parameters: the trimmer.
+        channels: how the pin acts.
+        unstable: limit cycle without friction for a gap of one metre.
+        stable: the other one, of higher frequency and larger amplitude.
+    """
+    loop = _Loop(
+        pin=_PartialFractions.of(pin_model(parameters, channels=channels)),
+        force=_PartialFractions.of(force_response(parameters)),
+        omegas=((1 - BEYOND) * unstable.omega, (1 + BEYOND) * stable.omega),
+    )
+    first, last = 1 / stable.amplitude, 1 / unstable.amplitude
+    ratio = _ratio_of_largest_force(loop, first, last)
+    (merger,) = zip(*_columns(loop.balances(np.array([ratio]))), strict=True)
+    return FrictionBranch(
+        stable=loop.balances(np.linspace(first, ratio, POINTS)),
+        unstable=loop.balances(np.linspace(last, ratio, POINTS)),
+        merger=Merger(*map(float, merger)),
+    )
+
+
+def _columns(balances: Balances) -> tuple[Reals, Reals, Reals]:
+    return balances.amplitude, balances.frequency, balances.force_per_gap
+
+
+@dataclass(frozen=True)
+class _PartialFractions:
+    """A strictly proper system with distinct poles, in the form that is quickest to evaluate many times."""
+
+    poles: NDArray[np.complex128]
+    residues: NDArray[np.complex128]
+
+    @classmethod
+    def of(cls, system: control.StateSpace) -> _PartialFractions:
+        poles, modes = np.linalg.eig(system.A)
+        return cls(poles, (system.C @ modes)[0] * np.linalg.solve(modes, system.B.astype(complex))[:, 0])
+
+    def response(self, omegas: Reals) -> NDArray[np.complex128]:
+        """Evaluate at jω."""
+        return np.asarray((self.residues / (1j * omegas[:, np.newaxis] - self.poles)).sum(axis=1))
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """Responses of y to pin and friction, and the angular frequencies between which solutions lie."""
+
+    pin: _PartialFractions
+    force: _PartialFractions
+    omegas: tuple[float, float]
+
+    def balances(self, ratios: Reals) -> Balances:
+        """Return the solution for each ratio gap/amplitude, by bisection in the frequency.
+
+        A force that closes the balance is complex in general; the frequency is the one where it is real.
+        """
+        low, high = (np.full(ratios.shape, omega) for omega in self.omegas)
+        sign = np.sign(self._closing_force(ratios, low).imag)
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            same = np.sign(self._closing_force(ratios, middle).imag) == sign
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+        return Balances(1 / ratios, low, self._closing_force(ratios, low).real)
+
+    def _closing_force(self, ratios: Reals, omegas: Reals) -> NDArray[np.complex128]:
+        backlash = BACKLASH.describing_function(1 / ratios)
+        loop = 1 + backlash * self.pin.response(omegas)
+        return np.asarray(-loop / (4j / math.pi * ratios * self.force.response(omegas)))
+
+
+def _ratio_of_largest_force(loop: _Loop, first: float, last: float) -> float:
+    """Return the ratio gap/amplitude at the largest force, by ever finer grids and a last parabola."""
+    for _ in range(ZOOMS):
+        grid = np.linspace(first, last, POINTS)
+        forces = loop.balances(grid).force_per_gap
+        best = int(np.clip(forces.argmax(), 1, POINTS - 2))
+        first, last = grid[best - 1], grid[best + 1]
+    before, at, after = forces[best - 1 : best + 2]
+    step = grid[1] - grid[0]
+    return float(grid[best] + step / 2 * (before - after) / (before - 2 * at + after))

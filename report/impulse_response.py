@@ -1,0 +1,178 @@
+"""The thesis's loop after an impulse: which strength makes it oscillate (section 5.2.1).
+
+Gap and impulse times one factor give the motion times that factor, so all depends on impulse over gap, in s:
+the impulse is displacement of the pin (m) over time (s), and the model has a gap of one metre.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import control
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.motion.loops import ClosedLoop
+from trimmer.motion.simulation import simulate
+
+Reals = NDArray[np.float64]
+
+GAPS = (1e-8, 2e-8, 3e-8)
+"""Gaps of figure 5.7, m."""
+SHOWN = (1e-11, 4e-12)
+"""Impulses after which those are shown, m s."""
+LONGEST = 0.16
+"""Length of a run that is shown, s."""
+ABOVE, CHECKED = 1.05, 0.008
+"""Impulse over the threshold, and time (s), for which the events are counted twice."""
+LOWEST, HIGHEST = 1e-6, 1e3
+"""Range of impulses over gap that is tried, s."""
+PER_DECADE = 2
+DURATION = 0.7
+"""Length of a run of the range, s: the largest impulse takes 0.5 s to die down to the limit cycle."""
+SHORT = 0.04
+"""Length of a run that finds the threshold, s: 22 periods of the unstable limit cycle."""
+WINDOW = 0.005
+"""End of a run in which an event shows that the motion goes on, s: more than two periods."""
+LONGEST_STEP = 2e-5
+"""Of the integration, s: with longer ones it steps over short contacts."""
+HALVINGS = 40
+
+
+@dataclass(frozen=True, eq=False)
+class GapRun:
+    """The loop with one of the thesis's gaps after an impulse.
+
+    Attributes:
+        gap: m.
+        impulse: m s.
+        times: s.
+        output: y, m.
+        amplitude: Half of peak to peak at the end, m.
+    """
+
+    gap: float
+    impulse: float
+    times: Reals
+    output: Reals
+    amplitude: float
+
+
+@dataclass(frozen=True, eq=False)
+class ImpulseNumbers:
+    """What impulses do.
+
+    Attributes:
+        runs: The gaps of figure 5.7, each with the impulses ``SHOWN``, by impulse and then gap.
+        impulses: Impulse over gap, s, in rising order.
+        goes_on: Whether the motion still crosses the gap in the end.
+        threshold: The impulse over gap that parts those that die out from those that go on, s.
+        peak: Largest |y| in gaps after an impulse of a thousand thresholds, over that impulse, 1/s.
+        counted: Events within ``CHECKED`` after an impulse of ``ABOVE`` thresholds, and the same by SciPy.
+    """
+
+    runs: tuple[GapRun, ...]
+    impulses: Reals
+    goes_on: tuple[bool, ...]
+    threshold: float
+    peak: float
+    counted: tuple[int, int]
+
+    @property
+    def one_threshold(self) -> bool:
+        """Whether each impulse of the range dies out below the threshold and goes on above it."""
+        return all(
+            lasts == (impulse > self.threshold)
+            for impulse, lasts in zip(self.impulses, self.goes_on, strict=True)
+        )
+
+
+def solve_impulses(system: control.StateSpace) -> ImpulseNumbers:
+    """Simulate the range of impulses and find the threshold; ``system`` is the thesis's G."""
+    loop = ClosedLoop(system, FrictionBacklash(1.0))
+    count = round(PER_DECADE * math.log10(HIGHEST / LOWEST)) + 1
+    impulses = np.geomspace(LOWEST, HIGHEST, count)
+    goes_on = tuple(_goes_on(loop, impulse, DURATION) for impulse in impulses)
+    first = goes_on.index(True)
+    threshold = _threshold(loop, float(impulses[first - 1]), float(impulses[first]))
+    strong = simulate(loop, SHORT, impulse=1e3 * threshold)
+    peak = float(np.abs(strong.output(np.linspace(0, SHORT, 20_001))).max()) / (1e3 * threshold)
+    return ImpulseNumbers(
+        runs=tuple(_with_gap(system, gap, impulse) for impulse in SHOWN for gap in GAPS),
+        impulses=impulses,
+        goes_on=goes_on,
+        threshold=threshold,
+        peak=peak,
+        counted=(
+            len(simulate(loop, CHECKED, impulse=ABOVE * threshold).events),
+            events_by_integration(system, ABOVE * threshold, CHECKED),
+        ),
+    )
+
+
+def _with_gap(system: control.StateSpace, gap: float, impulse: float) -> GapRun:
+    motion = simulate(ClosedLoop(system, FrictionBacklash(gap)), LONGEST, impulse=impulse)
+    times = np.linspace(0, LONGEST, 16_001)
+    output = motion.output(times)
+    return GapRun(gap, impulse, times, output, float(np.ptp(output[times > LONGEST - 2 * WINDOW])) / 2)
+
+
+def _goes_on(loop: ClosedLoop, impulse: float, duration: float) -> bool:
+    log = simulate(loop, duration, impulse=impulse).log
+    return bool(log.start[-1] > duration - WINDOW)
+
+
+def _threshold(loop: ClosedLoop, low: float, high: float) -> float:
+    for _ in range(HALVINGS):
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if _goes_on(loop, middle, SHORT) else (middle, high)
+    return high
+
+
+def events_by_integration(system: control.StateSpace, impulse: float, duration: float) -> int:
+    """Count the events of the loop with a gap of one metre by SciPy's DOP853 with terminal events.
+
+    Args:
+        system: G.
+        impulse: Over the gap, s.
+        duration: s.
+    """
+    A, B, C = system.A, system.B[:, 0], system.C[0]
+    state, time, bridge, side, count = B * impulse, 0.0, 0.0, 0, 0
+
+    def leaving(_: float, x: Reals) -> float:
+        return float(-side * (C @ (A @ x)))
+
+    def meeting_upper(_: float, x: Reals) -> float:
+        return float(0.5 + C @ x + bridge)
+
+    def meeting_lower(_: float, x: Reals) -> float:
+        return float(0.5 - C @ x - bridge)
+
+    for event in (leaving, meeting_upper, meeting_lower):
+        event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
+    while time < duration:
+        matrix = A - np.outer(B, C) if side else A
+        constant = B * (bridge if side == 0 else -0.5 * side)
+        run = solve_ivp(
+            lambda _, x, matrix=matrix, constant=constant: matrix @ x + constant,
+            (time, duration),
+            state,
+            method="DOP853",
+            rtol=1e-9,
+            atol=1e-12,
+            max_step=LONGEST_STEP,
+            events=(leaving,) if side else (meeting_upper, meeting_lower),
+        )
+        time, state = float(run.t[-1]), run.y[:, -1]
+        if run.status != 1:
+            break
+        count += 1
+        if side:
+            bridge, side = float(-C @ state) - 0.5 * side, 0
+        else:
+            side = 1 if run.t_events[0].size else -1
+    return count

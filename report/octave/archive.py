@@ -1,0 +1,44 @@
+"""The corrected listings as files, and as one archive of them."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Iterable
+from pathlib import Path
+
+from report.document import Program
+from trimmer.files import write_whole
+
+_EARLIEST = (1980, 1, 1, 0, 0, 0)
+_READABLE = 0o100644 << 16
+_UNIX = 3
+
+
+def files(programs: Iterable[Program]) -> dict[str, str]:
+    """Return the text of each program by its file name."""
+    return {program.name: program.text for program in programs}
+
+
+def write_files(programs: Iterable[Program], folder: Path) -> None:
+    """Write each program into a folder, whole or not at all.
+
+    Raises:
+        FileWriteError: if a file cannot be written.
+    """
+    for name, text in files(programs).items():
+        write_whole(folder / name, text)
+
+
+def archive(programs: Iterable[Program]) -> bytes:
+    """Return a zip archive of the programs; the same programs give the same bytes.
+
+    Nothing is compressed, because the bytes would then depend on the version of the compressor.
+    """
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_STORED) as packed:
+        for name, text in files(programs).items():
+            entry = zipfile.ZipInfo(name, _EARLIEST)
+            entry.create_system, entry.external_attr = _UNIX, _READABLE
+            packed.writestr(entry, text)
+    return content.getvalue()

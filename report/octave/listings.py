@@ -1,0 +1,184 @@
+"""Appendix A as corrected MATLAB/Octave programs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import sympy
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from derivations.backlash import (
+    CONTACT,
+    GAMMA,
+    GAP,
+    SEPARATION,
+    inertia_contact_ratio,
+    separation_angle,
+)
+from derivations.friction import FORCE
+from derivations.linear_trimmer import LinearTrimmer
+from derivations.state_space import output_row
+from derivations.symbols import PARAMETERS, A
+from derivations.waveform import THETA
+from report.document import Program
+from report.octave import formulas
+from report.octave.contents import CONTENTS
+from report.octave.printer import CodePrinter, comment
+from trimmer.parameters import TrimmerParameters, parameter_table
+
+TEMPLATES = Path(__file__).parent.parent / "templates" / "octave"
+NAMES: dict[sympy.Expr, str] = {
+    **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},
+    A: "amplitude",
+    GAP: "gap",
+    formulas.RATIO: "ratio",
+    CONTACT: "contact",
+    SEPARATION: "separation",
+    formulas.FLIGHT: "flight",
+    GAMMA: "load_gamma",
+    THETA: "phase",
+    FORCE: "force",
+    formulas.STIFFNESS: "stiffness",
+    formulas.PIN: "pin_now",
+    formulas.LOAD: "load_now",
+}
+"""Variables of the programs."""
+
+
+@dataclass(frozen=True)
+class Example:
+    """Where ``main_numbers`` evaluates the listings, in SI units.
+
+    ``gap`` is that of Listing A.9, ``time_constant`` the M/D of section 4.2.3, ``force`` that of figure 5.18;
+    the drive is that of Listing A.8.
+    """
+
+    gap: float = 4e-5
+    time_constant: float = 1 / 99
+    force: float = 0.015
+    drive_gap: float = 4e-4
+    drive_amplitude: float = 1.5e-3
+    drive_frequency: float = 100.0
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Number of gap/amplitude and of frequencies on which Listing A.9 looks for limit cycles."""
+
+    ratios: int = 100
+    omegas: int = 1500
+
+
+@dataclass(frozen=True)
+class ParameterLine:
+    """A parameter as a program states it: name, digits, unit and meaning."""
+
+    symbol: str
+    value: str
+    unit: str
+    meaning: str
+
+
+def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters) -> tuple[Program, ...]:
+    """Write the corrected listings A.1 to A.10, and ``main_numbers.m``, which runs them all.
+
+    Args:
+        derivation: What was derived from the mechanism.
+        parameters: The trimmer whose numbers stand in the programs.
+
+    Returns:
+        Finished programs in thesis order; their texts are ASCII and depend on the arguments alone.
+
+    Raises:
+        UnnamedSymbolError: if a formula holds a symbol that the programs have no variable for.
+    """
+    environment = _environment()
+    shared = {"bridge_stiffness": _digits(parameters.k2)}
+    particular = _contexts(derivation, parameters)
+    listings = tuple(
+        Program(
+            name=f"{content.function}.m",
+            claim=content.claim,
+            title=content.title,
+            faults=content.faults,
+            text=environment.get_template(f"{content.function}.m.j2").render(
+                content=content, **shared, **particular.get(content.number, {})
+            ),
+        )
+        for content in CONTENTS
+    )
+    text = environment.get_template("main_numbers.m.j2").render(example=Example(), **shared)
+    return (*listings, Program("main_numbers.m", "", "Numbers of all listings, as JSON.", (), text))
+
+
+def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[str, dict[str, Any]]:
+    """Return what each listing's template needs, by the listing's number."""
+    return {
+        "A.1": _linear_context(derivation, parameters),
+        "A.2": {"gain": formulas.friction_gain()},
+        "A.4": {"reached": inertia_contact_ratio(), "gain": formulas.inertia_gain()},
+        "A.5": {
+            "separation": separation_angle(),
+            "reached": formulas.general_ratio(),
+            "gain": formulas.general_gain(),
+        },
+        "A.6": {"friction": formulas.friction_term()},
+        "A.7": {"step": formulas.friction_step()},
+        "A.8": {"motion": formulas.inertia_motion()},
+        "A.9": {"grid": Grid()},
+    }
+
+
+def _linear_context(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[str, Any]:
+    output = output_row(1, 3, 4)
+    lines = [
+        ParameterLine(parameter.symbol, _digits(value), parameter.unit, parameter.meaning)
+        for parameter, value in zip(parameter_table(), parameters.values(), strict=True)
+    ]
+    return {
+        "parameters": lines,
+        "symbols": ", ".join(line.symbol for line in lines),
+        "linear": derivation.space,
+        "output": output,
+        "pin_input": formulas.pin_input(derivation),
+        "coefficients": formulas.transfer_coefficients(derivation, tuple(output[:4])),
+    }
+
+
+def _environment() -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        undefined=StrictUndefined,
+        autoescape=False,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    printer = CodePrinter(NAMES)
+    environment.globals.update(
+        assign=printer.assignment,
+        matrix=printer.matrix,
+        polynomials=printer.polynomials,
+        generated=_generated,
+    )
+    environment.filters.update(comment=comment, commented=_commented, digits=_digits)
+    return environment
+
+
+def _generated(template: str, source: str = "") -> str:
+    formulas_from = f", formulas from {source} by SymPy's Octave printer" if source else ""
+    return comment(
+        f"Generated from report/templates/octave/{template}{formulas_from}; do not edit. SI units throughout."
+    )
+
+
+def _commented(lines: str) -> str:
+    """Return lines as comment lines, broken as they are."""
+    return "\n".join(f"%   {line}".rstrip() for line in lines.strip("\n").split("\n"))
+
+
+def _digits(value: float) -> str:
+    """Return the shortest digits that read back as the same number."""
+    return repr(value).removesuffix(".0")

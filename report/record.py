@@ -1,0 +1,51 @@
+"""Records as the thesis takes them, and the bins of their spectra."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Reals = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Record:
+    """Samples at equal distances over a time, both of whose ends belong to them.
+
+    The sample rate is then (samples - 1) / duration and a bin slightly narrower than 1 / duration, which
+    shows in the digits of the thesis's peaks.
+
+    Attributes:
+        duration: s.
+        samples: Number of samples.
+    """
+
+    duration: float
+    samples: int
+
+    @property
+    def bin_width(self) -> float:
+        """Distance of two bins, Hz."""
+        return (self.samples - 1) / (self.duration * self.samples)
+
+    def frequency(self, number: int) -> float:
+        """Return the frequency of a bin, Hz."""
+        return number * self.bin_width
+
+    def nearest(self, frequency: float) -> float:
+        """Return the frequency (Hz) of the bin nearest to a frequency (Hz)."""
+        return self.frequency(round(frequency / self.bin_width))
+
+
+def line_amplitudes(output: Reals) -> Reals:
+    """Return the amplitude at each bin of the spectrum of a record, without window."""
+    return np.asarray(2 * np.abs(np.fft.rfft(output)) / output.size)
+
+
+def largest_peaks(amplitudes: Reals, count: int) -> tuple[int, ...]:
+    """Return the bins of the largest local maxima, the largest first."""
+    inside = amplitudes[1:-1]
+    peaks = 1 + np.flatnonzero((inside > amplitudes[:-2]) & (inside >= amplitudes[2:]))
+    return tuple(int(each) for each in peaks[np.argsort(-amplitudes[peaks])][:count])

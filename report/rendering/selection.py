@@ -1,0 +1,75 @@
+"""Taking some chapters out of a report."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from report.document import Chapter, Document
+from trimmer.errors import TrimmerError
+
+
+class UnknownChapterError(TrimmerError, ValueError):
+    """A chapter was asked for that the report does not have."""
+
+
+def chapter_name(number: str) -> str:
+    """Return what a chapter is called on the command line: ``ch5`` or ``appA``."""
+    return f"ch{number}" if number.isdigit() else f"app{number}"
+
+
+def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[str]:
+    """Return the numbers and letters of chapters that are named as on the command line.
+
+    Args:
+        names: names such as ``ch5`` and ``appA``, in upper or lower case.
+        known: numbers and letters of the chapters that there are.
+
+    Raises:
+        UnknownChapterError: if a name is none of a known chapter; the message lists those.
+    """
+    by_name = {chapter_name(number).lower(): number for number in known}
+    for name in names:
+        if name.lower() not in by_name:
+            choices = ", ".join(chapter_name(number) for number in sorted(known))
+            raise UnknownChapterError(f"--only {name}: there is no such chapter; choose from {choices}")
+    return frozenset(by_name[name.lower()] for name in names)
+
+
+def select(document: Document, names: Sequence[str]) -> Document:
+    """Return the document with the named chapters only, and with what rests on their claims.
+
+    Without names it is the whole document. The derivations and the answers to the research questions belong
+    to the whole report and are left out of a part.
+
+    Raises:
+        UnknownChapterError: if a name is none of a chapter with findings.
+    """
+    if not names:
+        return document
+    numbers = chapter_numbers(names, {chapter.number for chapter in document.chapters})
+    chosen = tuple(chapter for chapter in document.chapters if chapter.number in numbers)
+    kept = {finding.id for chapter in chosen for finding in chapter.findings}
+    return replace(
+        document,
+        chapters=chosen,
+        omitted=tuple(chapter for chapter in document.chapters if chapter.number not in numbers),
+        highlights=tuple(highlight for highlight in document.highlights if highlight.claim in kept),
+        figures=tuple(figure for figure in document.figures if figure.id in kept),
+        corrected=tuple(result for result in document.corrected if result.claim in kept),
+        programs=tuple(program for program in document.programs if program.claim in kept),
+        derivation=(),
+        describing_functions=(),
+        answers=(),
+    )
+
+
+def without_links_to(text: str, omitted: Sequence[Chapter]) -> str:
+    """Turn Markdown links to places in omitted chapters into their words."""
+    places = {place for chapter in omitted for place in (chapter.id, *(f.id for f in chapter.findings))}
+    return re.sub(
+        r"\[([^\[\]]*)\]\(#([^)\s]+)\)",
+        lambda link: link[1] if link[2] in places else link[0],
+        text,
+    )

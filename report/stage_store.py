@@ -1,0 +1,78 @@
+"""Results of the stages of a build, kept for as long as nothing that they depend on has changed."""
+
+from __future__ import annotations
+
+import io
+import pickle
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from trimmer.files import write_whole
+
+Result = TypeVar("Result")
+UNREADABLE = (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError, ValueError, TypeError)
+"""What reading a file of another version, or half a file, can raise."""
+
+
+@dataclass(frozen=True)
+class StageStore:
+    """A folder with one file per stage, each with the key under which its result was made.
+
+    Attributes:
+        folder: Where the files are.
+    """
+
+    folder: Path
+
+    def load(self, stage: str, key: str) -> Any | None:
+        """Return what was kept for a stage under a key, or None if there is nothing or it cannot be read."""
+        try:
+            kept, result = pickle.loads(self._file(stage).read_bytes())
+        except UNREADABLE:
+            return None
+        return result if kept == key else None
+
+    def keep(self, stage: str, key: str, result: object) -> None:
+        """Keep a result, which must not be None, in place of the last one.
+
+        Raises:
+            FileWriteError: if it cannot be written.
+        """
+        content = io.BytesIO()
+        _Pickler(content, protocol=pickle.HIGHEST_PROTOCOL).dump((key, result))
+        write_whole(self._file(stage), content.getvalue())
+
+    def made(self, stage: str, key: str, make: Callable[[], Result]) -> Result:
+        """Return what was kept under the key, or make it and keep it."""
+        kept = self.load(stage, key)
+        if kept is None:
+            kept = make()
+            self.keep(stage, key, kept)
+        made: Result = kept
+        return made
+
+    def _file(self, stage: str) -> Path:
+        return self.folder / f"{stage}.pickle"
+
+
+class _Pickler(pickle.Pickler):
+    """Pickles python-control's state-space models too, which hold a function that cannot be pickled."""
+
+    def reducer_override(self, value: Any) -> Any:
+        import control  # Whatever is kept was computed with it, so it is loaded already.
+
+        if not isinstance(value, control.StateSpace):
+            return NotImplemented
+        matrices = (value.A, value.B, value.C, value.D)
+        labels = (value.name, value.state_labels, value.input_labels, value.output_labels)
+        return _state_space, (*matrices, value.dt, *labels)
+
+
+def _state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, name: str, *labels: list[str]) -> Any:
+    """Build a state-space model again."""
+    import control
+
+    states, inputs, outputs = labels
+    return control.StateSpace(A, B, C, D, dt, name=name, states=states, inputs=inputs, outputs=outputs)

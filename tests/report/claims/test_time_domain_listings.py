@@ -1,0 +1,75 @@
+"""Listings A.7 and A.8 repeated, against python-control's backlash and the library's waveforms."""
+
+import math
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from report.claims.appendix_a_time_domain import (
+    DRIVE_AMPLITUDE,
+    DRIVE_GAP,
+    DRIVE_OMEGA,
+    PERIOD,
+    contact_time,
+    friction_block,
+    inertia_block,
+)
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+
+POSITIONS = st.lists(st.floats(-5, 5), min_size=1, max_size=40)
+
+
+def run(positions, gap, load=0.0):
+    outputs = []
+    for pin in positions:
+        load = friction_block(pin, gap, load)
+        outputs.append(load)
+    return outputs
+
+
+@given(positions=POSITIONS, gap=st.floats(0.01, 4))
+def test_for_any_input_the_block_does_what_python_control_does(positions, gap):
+    library = control.friction_backlash_nonlinearity(gap)
+    assert run(positions, gap) == [library(pin) for pin in positions]
+
+
+@given(positions=POSITIONS, gap=st.floats(0.01, 4))
+def test_the_load_stays_between_the_walls_and_moves_no_more_than_it_must(positions, gap):
+    loads = run(positions, gap)
+    for pin, before, load in zip(positions, [0.0, *loads], loads, strict=False):
+        assert abs(load - pin) <= gap / 2 * (1 + 1e-12) + 1e-15
+        assert abs(load - before) == pytest.approx(max(0.0, abs(pin - before) - gap / 2), abs=1e-12)
+
+
+def test_on_a_sine_it_has_the_derived_waveform():
+    phase = np.linspace(0, 4 * math.pi, 8001)
+    loads = np.array(run(DRIVE_AMPLITUDE * np.sin(phase), DRIVE_GAP))[4001:]
+    expected = FrictionBacklash(DRIVE_GAP).waveform(phase[4001:], DRIVE_AMPLITUDE)
+    np.testing.assert_allclose(loads, expected, atol=1e-9 * DRIVE_GAP)
+
+
+def test_for_its_own_input_the_inertia_block_has_the_derived_waveform_but_for_the_rounded_constant():
+    time = np.linspace(0, PERIOD, 2000, endpoint=False) + PERIOD / 7777
+    pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * time)
+    difference = inertia_block(pin, time) - InertiaBacklash(DRIVE_GAP).waveform(
+        DRIVE_OMEGA * time, DRIVE_AMPLITUDE
+    )
+    rounded = (time > PERIOD / 2) & (time < PERIOD / 2 + contact_time())
+    offset = 0.0049 - (math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2)
+    np.testing.assert_allclose(difference[rounded], offset, atol=1e-12)
+    np.testing.assert_allclose(difference[~rounded], 0, atol=1e-12)
+
+
+def test_the_contact_time_is_that_of_keplers_equation():
+    angle = DRIVE_OMEGA * contact_time()
+    assert angle - math.sin(angle) == pytest.approx(DRIVE_GAP / DRIVE_AMPLITUDE, rel=1e-12)
+
+
+def test_the_inertia_block_repeats_with_the_period():
+    time = np.linspace(0, PERIOD, 50, endpoint=False) + PERIOD / 333
+    pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * time)
+    np.testing.assert_allclose(inertia_block(pin, time), inertia_block(pin, time + 3 * PERIOD), atol=1e-12)

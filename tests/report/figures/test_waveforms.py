@@ -1,0 +1,110 @@
+"""The drawn waveforms obey mechanics: gap, contact, flight, and the marks on them."""
+
+import numpy as np
+import pytest
+
+from report.figures import waveforms
+from report.figures.waveforms import GAMMAS, GAP, PHASES
+
+HALF = GAP / 2
+
+
+def line(axes, label):
+    (found,) = (each for each in axes.lines if each.get_label() == label)
+    return np.asarray(found.get_xdata(), float), np.asarray(found.get_ydata(), float)
+
+
+def contact(axes):
+    return line(axes, "load, in contact")
+
+
+def let_go(axes):
+    return line(axes, "load, let go")
+
+
+@pytest.fixture(scope="module")
+def friction():
+    return waveforms.friction_controlled().axes
+
+
+@pytest.fixture(scope="module")
+def inertia():
+    return waveforms.inertia_controlled().axes
+
+
+@pytest.fixture(scope="module")
+def viscous():
+    axes = waveforms.viscous_controlled().axes
+    return list(zip(axes[: len(GAMMAS)], axes[len(GAMMAS) :], strict=True))
+
+
+def test_panels_of_friction_controlled_backlash_show_the_same_motion(friction):
+    characteristic, output, drive = friction[:3]
+    for part in (contact, let_go):
+        x, y = part(characteristic)
+        phases, same = part(output)
+        x_again, downwards = part(drive)
+        np.testing.assert_array_equal(y, same)
+        np.testing.assert_allclose(x, np.sin(phases))
+        np.testing.assert_allclose(x_again, np.sin(phases))
+        np.testing.assert_array_equal(downwards[~np.isnan(downwards)], phases[~np.isnan(y)])
+    assert drive.yaxis_inverted()
+
+
+def test_friction_controlled_load_stays_where_it_is_let_go_and_follows_in_contact(friction):
+    characteristic, output, _ = friction[:3]
+    x, y = contact(characteristic)
+    shown = ~np.isnan(y)
+    np.testing.assert_allclose(np.abs(x - y)[shown], HALF, atol=1e-9)
+    phases, resting = let_go(output)
+    early = (phases > np.pi / 2) & (phases < np.pi - 0.5)
+    np.testing.assert_allclose(resting[early], 1 - HALF, atol=1e-12)
+
+
+def test_corners_lie_on_the_traced_characteristic(friction):
+    """A play traced from rest passes each corner; nothing of the library is used."""
+    phases = np.linspace(0, 5 * np.pi / 2, 50_001)
+    output, traced = 0.0, []
+    for position in np.sin(phases):
+        output = min(max(output, position - HALF), position + HALF)
+        traced.append(output)
+    corners = [(p.get_xdata()[0], p.get_ydata()[0]) for p in friction[1].lines if p.get_marker() == "o"]
+    assert len(corners) == 5
+    for phase, height in corners:
+        assert np.interp(phase, phases, traced) == pytest.approx(height, abs=1e-3)
+
+
+def test_inertia_controlled_load_keeps_its_velocity_and_meets_the_other_wall(inertia):
+    positions, velocities, characteristic = inertia[:3]
+    _, speed = let_go(velocities)
+    _, flown = let_go(positions)
+    _, meeting, half_turn, second, _ = velocities.get_xticks()
+    inside = (PHASES > 0.05) & (meeting - 0.05 > PHASES)
+    np.testing.assert_allclose(speed[inside], 1, atol=1e-9)
+    inside = (half_turn + 0.05 < PHASES) & (second - 0.05 > PHASES)
+    np.testing.assert_allclose(speed[inside], -1, atol=1e-9)
+    assert meeting - np.sin(meeting) == pytest.approx(GAP)
+    assert np.interp(meeting, PHASES[~np.isnan(flown)], flown[~np.isnan(flown)]) == pytest.approx(
+        np.sin(meeting) + HALF, abs=1e-2
+    )
+    x, y = contact(characteristic)
+    np.testing.assert_allclose(np.abs(x - y)[~np.isnan(y)], HALF, atol=1e-9)
+
+
+def test_viscous_controlled_load_slows_down_exponentially_in_flight(viscous):
+    for gamma, (positions, velocities) in zip(GAMMAS, viscous, strict=True):
+        separation, meeting, _ = velocities.get_xticks()
+        assert separation == pytest.approx(np.arctan(1 / gamma))
+        _, speed = let_go(velocities)
+        flying = (separation + 0.05 < PHASES) & (meeting - 0.05 > PHASES)
+        decay = np.cos(separation) * np.exp(-(PHASES[flying] - separation) / gamma)
+        np.testing.assert_allclose(speed[flying], decay, atol=0.02)
+        _, load = let_go(positions)
+        within = np.abs(load[flying] - np.sin(PHASES[flying]))
+        assert (within < HALF).all()
+
+
+def test_every_panel_says_what_it_shows(friction, inertia, viscous):
+    assert all(axes.get_title() for axes in friction[:3])
+    assert inertia[1].get_xlabel() and inertia[0].get_ylabel() and inertia[2].get_ylabel()
+    assert [axes.get_title() for axes, _ in viscous] == [rf"$\gamma = {gamma:g}$" for gamma in GAMMAS]

@@ -1,0 +1,100 @@
+"""What harmonic balance says to input that it cannot use."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import numpy as np
+import pytest
+
+from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, THIRD_ORDER, s
+from trimmer.balance.errors import FrequencyRangeError, LinearElementError, UnsupportedElementError
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.frequency_domain import UnsupportedSystemError
+
+
+@pytest.mark.parametrize(
+    ("G", "message"),
+    [
+        (control.tf([1, 0, 0], [1, 1]), "more zeros than poles"),
+        (control.tf([1], [1, 0.5], 0.1), "discrete-time"),
+        (control.tf([2], [1]), "constant gain"),
+        (control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2))), "2 inputs and 2 outputs"),
+        (control.frd([1, 1j, 1], [1, 2, 3]), "not accepted"),  # what a delay needs
+        (control.tf([0], [1, 1]), "identically zero"),
+        (control.tf([math.nan], [1, 1]), "numerator of the system holds a number that is infinite or NaN"),
+        (control.tf([1], [1, math.inf]), "denominator of the system holds a number that is infinite or NaN"),
+        (control.ss([[math.nan]], [[1]], [[1]], [[0]]), "A of the system holds a number"),
+        (control.ss([[-1]], [[1]], [[1]], [[math.inf]]), "D of the system holds a number"),
+        (3.0, "float is not accepted"),
+    ],
+)
+def test_a_system_that_cannot_be_used(G, message: str) -> None:
+    with pytest.raises(UnsupportedSystemError, match=message):
+        limit_cycles(G, FRICTION)
+
+
+def test_a_delay_is_accepted_as_pade_approximation() -> None:
+    # 2 exp(-s)/(s + 1): the phase is -pi where atan(omega) + omega = pi, at 2.0288 (textbook value).
+    delay = control.tf(*control.pade(1.0, 6))
+    first = limit_cycles(2 / (s + 1) * delay, Relay(1.0))[0]
+    assert first.omega == pytest.approx(2.028758, rel=1e-6)
+    assert first.amplitude == pytest.approx(4 * 2 / math.pi / math.hypot(1, 2.028758), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "omegas", [(2, 1), (0, 1), (-1, 1), (1, math.inf), (math.nan, 1), (1, math.nan), (1, 1), (1, 2, 3), (1,)]
+)
+def test_a_range_that_cannot_be_used(omegas) -> None:
+    with pytest.raises(FrequencyRangeError, match="0 < lowest < highest"):
+        limit_cycles(THESIS_LOOP, FRICTION, omega_range=omegas)
+
+
+@pytest.mark.parametrize("omega", [0.0, -1.0, math.nan, math.inf])
+def test_a_frozen_omega_that_cannot_be_used(omega: float) -> None:
+    with pytest.raises(ValueError, match="frozen_omega must be positive"):
+        limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 1e-3), frozen_omega=omega)
+
+
+@pytest.mark.parametrize("gap", [0.0, -1e-5, math.nan, math.inf])
+@pytest.mark.parametrize("build", [FrictionBacklash, InertiaBacklash, lambda gap: ViscousBacklash(gap, 1.0)])
+def test_a_gap_that_cannot_be_used(build, gap: float) -> None:
+    with pytest.raises(ValueError, match="gap must be positive"):
+        limit_cycles(THESIS_LOOP, build(gap))
+
+
+@pytest.mark.parametrize(
+    "element", [ViscousFriction(1.0), -2.0 * ViscousFriction(1.0), Relay(1.0) - Relay(1.0)], ids=repr
+)
+def test_a_linear_element_sets_no_amplitude(element) -> None:
+    with pytest.raises(LinearElementError, match="does not depend on the amplitude"):
+        limit_cycles(THESIS_LOOP, element)
+
+
+def test_what_is_no_element() -> None:
+    with pytest.raises(UnsupportedElementError, match="3 is not an element"):
+        limit_cycles(THESIS_LOOP, 3)
+
+
+def test_viscous_friction_that_leaves_no_proper_loop() -> None:
+    # 1/(s + 1) with -s added to s + 1 leaves the gain 1.
+    with pytest.raises(UnsupportedSystemError, match="cancels the highest derivative"):
+        limit_cycles(1 / (s + 1), Relay(1.0) - ViscousFriction(1.0))
+
+
+def test_no_intersection_is_an_empty_list() -> None:
+    assert limit_cycles(0.1 / (s + 1) ** 3, FrictionBacklash(1.0)) == []
+    assert limit_cycles(1 / (s + 1), Relay(1.0)) == []
+
+
+def test_no_limit_cycle_lies_inside_a_dead_band() -> None:
+    for gain in (5.0, 50.0, 5e4):
+        found = limit_cycles(gain * THIRD_ORDER, FrictionBacklash(1.0))
+        assert all(cycle.amplitude > 0.5 for cycle in found)
+    assert np.isnan(FrictionBacklash(1.0).describing_function([0.3, 0.5])).all()

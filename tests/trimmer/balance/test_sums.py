@@ -1,0 +1,146 @@
+"""Sums of elements: with viscous friction, with Coulomb friction or a relay, and with both."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.trimmer.balance.loops import GAP, THESIS_LOOP, THIRD_ORDER, resolved_by_grid, s, solutions_on_grid
+from tests.trimmer.trimmers import exact_response, stable_systems
+from trimmer.balance.solve import harmonic_balance, limit_cycles
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.viscous_friction import ViscousFriction
+
+
+@pytest.mark.parametrize("damping", [1e-9, 0.3, 70.0])
+def test_relay_and_viscous_friction_by_hand(damping: float) -> None:
+    # s^3 + 3 s^2 + (2 + c) s + k has roots on the axis for k = 3 (2 + c), at omega^2 = 2 + c.
+    (cycle,) = limit_cycles(THIRD_ORDER, Relay(0.7) + ViscousFriction(damping))
+    assert cycle.omega == pytest.approx(math.sqrt(2 + damping), rel=1e-12)
+    assert cycle.amplitude == pytest.approx(4 * 0.7 / (math.pi * 3 * (2 + damping)), rel=1e-12)
+    assert cycle.stable
+    assert cycle.residual < 1e-12
+
+
+def test_coulomb_and_viscous_friction_by_hand() -> None:
+    # With -1/(s+1)^2 the real part sets omega = 1 and the imaginary one 4F/(pi A) + c = 2.
+    (cycle,) = limit_cycles(-1 / (s + 1) ** 2, ViscousFriction(0.4) + CoulombFriction(3.0))
+    assert cycle.omega == pytest.approx(1.0, rel=1e-12)
+    assert cycle.amplitude == pytest.approx(4 * 3 / (math.pi * 1.6), rel=1e-12)
+    assert limit_cycles(-1 / (s + 1) ** 2, ViscousFriction(2.1) + CoulombFriction(3.0)) == []
+
+
+@pytest.mark.parametrize("force", [1e-8, 1e-6, 3e-5])
+def test_equivalent_nonlinearity_of_the_thesis_to_eleven_digits(force: float) -> None:
+    """Backlash and Coulomb friction (equation 5.14), against 40 digits from what is found."""
+    found = limit_cycles(THESIS_LOOP, FrictionBacklash(GAP) + CoulombFriction(force))
+    grid = solutions_on_grid(THESIS_LOOP, FrictionBacklash(GAP) + CoulombFriction(force), (1e3, 1e4))
+    assert len(found) == grid[0]
+    for cycle in found:
+        with mpmath.workdps(40):
+
+            def balance(u, omega):
+                c = 1 - u
+                real = (mpmath.pi / 2 + mpmath.asin(c) + c * mpmath.sqrt(1 - c**2)) / mpmath.pi
+                imaginary = -u * (2 - u) / mpmath.pi + 4 * mpmath.mpf(force) * u / (mpmath.pi * GAP)
+                excess = 1 + mpmath.mpc(real, imaginary) * exact_response(omega)
+                return excess.real, excess.imag
+
+            u, omega = mpmath.findroot(balance, (GAP / cycle.amplitude, cycle.omega), tol=1e-25)
+            assert abs(cycle.omega / omega - 1) < 1e-11
+            assert abs(cycle.amplitude * u / mpmath.mpf(GAP) - 1) < 1e-11
+
+
+@pytest.mark.parametrize("backlash", [FrictionBacklash(1.0), ViscousBacklash(1.0, 0.3)])
+def test_viscous_friction_is_damping_of_the_system(backlash: Element) -> None:
+    """K/D with the feedback c s is K/(D + c K s)."""
+    inside = limit_cycles(6 / (s**2 + s + 0.5) / (s + 1), backlash + ViscousFriction(0.05))
+    denominator = np.polyadd(np.polymul([1, 1, 0.5], [1, 1]), [6 * 0.05, 0])
+    outside = limit_cycles(control.tf([6], denominator), backlash)
+    assert len(inside) == len(outside) > 0
+    for one, other in zip(inside, outside, strict=True):
+        assert one.omega == pytest.approx(other.omega, rel=1e-11)
+        assert one.amplitude == pytest.approx(other.amplitude, rel=1e-11)
+        assert (one.stable, one.index) == (other.stable, other.index)
+
+
+def test_frozen_viscous_friction_is_a_constant() -> None:
+    """At its own frequency the shortcut of the thesis gives the same limit cycle, elsewhere another one."""
+    element = ViscousBacklash(1.0, 0.3) + ViscousFriction(0.05) + CoulombFriction(0.1)
+    G = 20 / (s + 1) ** 3
+    for cycle in limit_cycles(G, element):
+        frozen = limit_cycles(G, element, frozen_omega=cycle.omega)
+        nearest = min(frozen, key=lambda other: abs(other.omega - cycle.omega))
+        assert nearest.omega == pytest.approx(cycle.omega, rel=1e-10)
+        assert nearest.amplitude == pytest.approx(cycle.amplitude, rel=1e-10)
+        moved = limit_cycles(G, element, frozen_omega=1.3 * cycle.omega)
+        assert all(abs(other.omega / cycle.omega - 1) > 1e-4 for other in moved)
+
+
+@given(
+    st.floats(-6, 6).map(lambda exponent: 10**exponent), st.floats(-6, 6).map(lambda exponent: 10**exponent)
+)
+@settings(max_examples=15)
+def test_limit_cycles_of_a_sum_scale_with_length_and_force(length: float, stiffness: float) -> None:
+    def cycles(length: float, stiffness: float) -> list[tuple[float, float]]:
+        backlash = stiffness * FrictionBacklash(length)
+        element = backlash + CoulombFriction(0.1 * stiffness * length) + ViscousFriction(0.05 * stiffness)
+        found = limit_cycles(20 / stiffness / (s + 1) ** 3, element)
+        return [(cycle.amplitude / length, cycle.omega) for cycle in found]
+
+    reference = cycles(1.0, 1.0)
+    assert len(reference) == 1
+    assert cycles(length, stiffness) == pytest.approx(np.array(reference), rel=1e-10)
+
+
+forces = st.floats(-1.5, 1.5).map(lambda exponent: 10**exponent)
+backlashes = st.one_of(
+    st.sampled_from([FrictionBacklash(1.0), InertiaBacklash(1.0)]),
+    forces.map(lambda time_constant: ViscousBacklash(1.0, time_constant)),
+)
+frictions = st.one_of(forces.map(CoulombFriction), forces.map(Relay), forces.map(lambda c: -1.0 * Relay(c)))
+sums = st.one_of(
+    st.builds(lambda a, b: a + b, backlashes, frictions),
+    st.builds(lambda a, b, c: c + a + b, backlashes, frictions, forces.map(ViscousFriction)),
+    st.builds(lambda a, c: 0.5 * (a + c), backlashes, forces.map(ViscousFriction)),
+)
+
+
+@given(stable_systems(), sums)
+@settings(max_examples=20)
+def test_as_many_as_on_a_fine_grid_and_each_solves_the_equation(G, element: Element) -> None:
+    balance = harmonic_balance(G, element)
+    cycles = balance.limit_cycles
+    for cycle in cycles:
+        gain = element.describing_function(cycle.amplitude, cycle.omega)
+        assert abs(1 + gain * G(1j * cycle.omega)) < 1e-9
+    if resolved_by_grid(G) and all(cycle.crossing_angle > 0.05 for cycle in cycles):
+        assert balance.certificate.complete
+        lowest, highest = balance.certificate.omegas
+        expected = (len(cycles), sum(cycle.index for cycle in cycles))
+        assert solutions_on_grid(G, element, (0.99 * lowest, 1.01 * highest)) == expected
+
+
+@given(stable_systems(), st.builds(lambda a, b: a + b, frictions, forces.map(ViscousFriction)))
+@settings(max_examples=20)
+def test_friction_alone_as_many_as_on_a_fine_grid(G, element: Element) -> None:
+    balance = harmonic_balance(G, element)
+    cycles = balance.limit_cycles
+    assert balance.certificate.complete and balance.certificate.outside_excluded
+    if cycles and resolved_by_grid(G) and all(cycle.crossing_angle > 0.05 for cycle in cycles):
+        amplitudes = [cycle.amplitude for cycle in cycles]
+        count, turns = solutions_on_grid(
+            G, element, balance.certificate.omegas, (min(amplitudes) / 30, 30 * max(amplitudes))
+        )
+        assert (count, turns) == (len(cycles), sum(cycle.index for cycle in cycles))

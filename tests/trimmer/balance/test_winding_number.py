@@ -1,0 +1,73 @@
+"""The winding number: equal to the sum of indices, and different when a solution is missing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.trimmer.balance.loops import FRICTION, LOOP_WITH_BOTH_CHANNELS, THESIS_LOOP, THIRD_ORDER, s
+from tests.trimmer.trimmers import stable_systems
+from trimmer.balance.loop import loop_of
+from trimmer.balance.solve import harmonic_balance
+from trimmer.balance.winding_number import winding_number
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.viscous_friction import ViscousFriction
+
+ELEMENTS = (
+    FrictionBacklash(1.0),
+    InertiaBacklash(1.0),
+    ViscousBacklash(1.0, 0.0),
+    ViscousBacklash(1.0, 0.7),
+    Relay(1.0),
+    CoulombFriction(1.0) + ViscousFriction(0.1),
+    FrictionBacklash(1.0) + CoulombFriction(0.3) + ViscousFriction(0.1),
+)
+
+
+@pytest.mark.parametrize("G", [THESIS_LOOP, LOOP_WITH_BOTH_CHANNELS])
+@pytest.mark.parametrize("time_constant", [0.0, 5e-5, 1e-3, float("inf")])
+def test_the_limit_cycles_of_the_trimmer_are_confirmed(G, time_constant: float) -> None:
+    assert harmonic_balance(G, ViscousBacklash(4e-5, time_constant)).confirmed
+
+
+@given(stable_systems(), st.sampled_from(ELEMENTS))
+@settings(max_examples=40)
+def test_it_is_the_sum_of_the_indices(G, element: Element) -> None:
+    balance = harmonic_balance(G, element)
+    if balance.certificate.complete:
+        assert balance.confirmed
+
+
+def test_a_missing_limit_cycle_is_noticed() -> None:
+    balance = harmonic_balance(THESIS_LOOP, FRICTION)
+    for left in balance.limit_cycles:
+        assert not replace(balance, limit_cycles=(left,)).confirmed
+
+
+def test_it_counts_what_is_in_the_range_only() -> None:
+    loop = loop_of(THESIS_LOOP, FRICTION)
+    unstable, stable = harmonic_balance(THESIS_LOOP, FRICTION).limit_cycles
+    between = (unstable.omega * stable.omega) ** 0.5
+    assert winding_number(loop, (1e3, between)) == -1
+    assert winding_number(loop, (between, 1e4)) == 1
+    assert winding_number(loop, (1e3, 1e4)) == 0
+    assert winding_number(loop, (100.0, 1e3)) == 0
+
+
+def test_it_is_not_told_where_a_solution_lies_on_the_border() -> None:
+    (cycle,) = harmonic_balance(THIRD_ORDER, Relay(1.0)).limit_cycles
+    assert winding_number(loop_of(THIRD_ORDER, Relay(1.0)), (cycle.omega, 10.0)) is None
+
+
+def test_it_is_not_told_where_the_system_has_a_zero_on_the_axis() -> None:
+    balance = harmonic_balance(20 * (s**2 + 4) / (s + 1) ** 4, FrictionBacklash(1.0))
+    assert balance.certificate.winding_number is None
+    assert not balance.confirmed

@@ -1,0 +1,43 @@
+"""Poles of a loop whose describing function is frozen: the roots of 1 + N G(s)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.balance.inverse_response import InverseResponse
+
+    Complexes = NDArray[np.complex128]
+
+
+def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
+    """Find all poles of 1 + N G(s) at each of some N.
+
+    G is a chain of sections: 1/(s - pole) without, then (s - zero)/(s - pole) with a zero. The eigenvalues of
+    the chain in a loop are the poles; unlike a polynomial's coefficients its entries are of the size of the
+    roots.
+
+    Args:
+        response: 1/G.
+        gains: N, of shape (n,).
+
+    Returns:
+        Poles over ``response.reference``, of shape (n, number of poles).
+    """
+    poles, without = response.poles, response.relative_degree
+    first = max(without - 1, 0)
+    output = np.ones(poles.size, dtype=complex)
+    output[:first] = 0.0
+    output[without:] = poles[without:] - response.zeros
+    # A section with a zero takes all that the ones before it add to the output, one without only the last.
+    chain = np.diag(poles) + np.tril(np.tile(output, (poles.size, 1)), -1)
+    chain[np.arange(1, without), np.arange(without - 1)] = 1.0
+    feedback = gains / response.gain
+    if without == 0:
+        feedback = feedback / (1.0 + feedback)
+    reached = np.eye(poles.size)[0] if without else np.ones(poles.size)
+    return np.linalg.eigvals(chain - feedback[:, None, None] * np.outer(reached, output))

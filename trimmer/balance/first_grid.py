@@ -1,0 +1,104 @@
+"""The first boxes of a search: a grid, less the boxes that cannot hold a solution.
+
+The grid has the rows of a table of N, and columns. The columns begin as the blocks of the table; those that
+may hold a solution are cut until 1/G changes little on each.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.balance.exclusion import EnclosedCells, disks_meet, sizes_meet
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.balance.problem import Problem
+    from trimmer.balance.response import Enclosure
+
+    Flags = NDArray[np.bool_]
+    Reals = NDArray[np.float64]
+    Places = NDArray[np.intp]
+
+_SPREAD = 0.05
+"""Relative change of 1/G below which a column is narrow enough."""
+
+_MOST_PARTS = 32
+"""Into how many parts a column is cut at most."""
+
+NARROWEST = 1e-10
+"""Half width in x below which nothing is cut: there a zero and a pole on the axis cancel."""
+
+
+@dataclass(frozen=True)
+class _Columns:
+    """Intervals of x, with 1/G on them and the number of the block that each is a part of."""
+
+    lower: Reals
+    upper: Reals
+    enclosure: Enclosure
+    block: Places
+
+    @property
+    def parts(self) -> Places:
+        """Into how many parts to cut each; 1 where 1/G changes little on it."""
+        excess = np.log1p(self.enclosure.radius / np.abs(self.enclosure.centre)) / _SPREAD
+        parts = np.fmax(np.fmin(np.ceil(excess), _MOST_PARTS), 1.0)
+        parts[self.upper - self.lower <= 2.0 * NARROWEST] = 1.0
+        return parts.astype(int)
+
+
+def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
+    """Find the boxes of the grid that may hold a solution, and count all that were compared."""
+    breaks = problem.table.x_breaks
+    columns = _columns(problem, breaks[:-1], breaks[1:], np.arange(breaks.size - 1))
+    possible = _possible(problem, columns)
+    finished, size = [], possible.size
+    while True:
+        parts = columns.parts
+        finished.append(_boxes(problem, columns, possible & (parts == 1)))
+        coarse = possible.any(axis=0) & (parts > 1)
+        if not coarse.any():
+            break
+        columns = _cut(problem, columns, np.where(coarse, parts, 0))
+        possible = _possible(problem, columns)
+        size += possible.size
+    boxes = EnclosedCells.joined(finished)
+    if problem.curve.depends_on_x:
+        boxes = boxes.refined(problem.curve).open(problem.smallest_gain)
+    return boxes, size
+
+
+def _columns(problem: Problem, lower: Reals, upper: Reals, block: Places) -> _Columns:
+    """Enclose 1/G on columns, and keep those on which it is of the size of N."""
+    enclosure = problem.response.enclose(lower, upper)
+    smallest = max(problem.smallest_gain, problem.table.smallest_gain)
+    which = np.flatnonzero(sizes_meet(enclosure, smallest, problem.table.largest_gain))
+    return _Columns(lower[which], upper[which], enclosure.take(which), block[which])
+
+
+def _possible(problem: Problem, columns: _Columns) -> Flags:
+    """Whether each row (first axis) of each column may hold a solution."""
+    return disks_meet(problem.table.rows_at(columns.block), columns.enclosure)
+
+
+def _boxes(problem: Problem, columns: _Columns, which: Flags) -> EnclosedCells:
+    """Boxes on some rows of some columns."""
+    row, column = np.nonzero(which)
+    table = problem.table
+    return EnclosedCells(
+        table.cells(row, columns.lower[column], columns.upper[column]),
+        table.disks_at(row, columns.block[column]),
+        columns.enclosure.take(column),
+    )
+
+
+def _cut(problem: Problem, columns: _Columns, parts: Places) -> _Columns:
+    """Cut each column into a number of equal parts; none are left of those with 0."""
+    width = np.repeat((columns.upper - columns.lower) / np.maximum(parts, 1), parts)
+    place = np.arange(width.size) - np.repeat(np.cumsum(parts) - parts, parts)
+    lower = np.repeat(columns.lower, parts) + place * width
+    return _columns(problem, lower, lower + width, np.repeat(columns.block, parts))

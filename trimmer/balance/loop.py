@@ -1,0 +1,75 @@
+"""A loop as harmonic balance treats it: 1/G with the linear part of the element, and the rest of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.errors import LinearElementError, UnsupportedElementError
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.linear_feedback import with_feedback
+from trimmer.balance.linear_part import LinearGain, parted
+from trimmer.elements.element import Element
+from trimmer.frequency_domain import UnsupportedSystemError
+from trimmer.zero_pole_gain import ZeroPoleGain
+
+if TYPE_CHECKING:
+    import control
+
+_NOTHING = LinearGain()
+
+
+@dataclass(frozen=True)
+class Loop:
+    """N + 1/G = 0 with the linear part of N taken over to 1/G.
+
+    Attributes:
+        response: 1/G and the linear part.
+        curve: The rest of N.
+        linear: The linear part.
+    """
+
+    response: InverseResponse
+    curve: ElementCurve
+    linear: LinearGain = field(default=_NOTHING)
+
+
+def loop_of(G: control.lti.LTI, element: Element) -> Loop:
+    """Take a loop apart.
+
+    Raises:
+        UnsupportedSystemError: if G is not a system that ``harmonic_balance`` accepts.
+        LinearElementError: if the element is linear.
+        UnsupportedElementError: if it is no element.
+    """
+    if not isinstance(element, Element):
+        raise UnsupportedElementError(f"{element!r} is not an element: give a trimmer.Element")
+    response = inverse_response(G)
+    linear, rest = parted(element)
+    if rest is None:
+        raise LinearElementError(
+            f"{element!r} is linear: its describing function does not depend on the amplitude, so "
+            "nothing sets the amplitude of a limit cycle"
+        )
+    if linear == _NOTHING:
+        loop = Loop(response, ElementCurve(element))
+    else:
+        loop = Loop(with_feedback(response, linear), ElementCurve(rest), linear)
+    if loop.response.poles.size == 0:
+        raise UnsupportedSystemError(
+            "the system is a constant gain: nothing sets the frequency of a limit cycle"
+        )
+    return loop
+
+
+def inverse_response(G: control.lti.LTI) -> InverseResponse:
+    """Take 1/G from a proper system.
+
+    Raises:
+        UnsupportedSystemError: if it is improper, or not what ``ZeroPoleGain.of`` accepts.
+    """
+    factored = ZeroPoleGain.of(G)
+    if factored.relative_degree < 0:
+        raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
+    return InverseResponse.of(factored)

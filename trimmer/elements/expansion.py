@@ -1,0 +1,65 @@
+"""A describing function next to a point: its value, its derivatives, and bounds of these on a box.
+
+The variables are u = amplitude_scale / amplitude and ln omega.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+
+class Derivatives(NamedTuple):
+    """Derivatives of the first harmonic's N.
+
+    Attributes:
+        by_u: dN/du at constant omega.
+        by_log_omega: dN/d(ln omega) at constant amplitude.
+    """
+
+    by_u: Complexes
+    by_log_omega: Complexes
+
+
+class Expansion(NamedTuple):
+    """The first harmonic's N and its derivatives at the same points.
+
+    Attributes:
+        value: N.
+        by_u: dN/du at constant omega.
+        by_log_omega: dN/d(ln omega) at constant amplitude.
+    """
+
+    value: Complexes
+    by_u: Complexes
+    by_log_omega: Complexes
+
+
+class Sensitivity(NamedTuple):
+    """Upper bounds of the moduli of ``Derivatives`` on a box of u and omega.
+
+    Attributes:
+        by_u: Bound of |dN/du|.
+        by_log_omega: Bound of |dN/d(ln omega)|.
+    """
+
+    by_u: Reals
+    by_log_omega: Reals
+
+
+class Variation(NamedTuple):
+    """Upper bounds of how much ``Derivatives`` differ between two points of a box of u and omega.
+
+    Attributes:
+        by_u: Bound of the change of dN/du.
+        by_log_omega: Bound of the change of dN/d(ln omega).
+    """
+
+    by_u: Reals
+    by_log_omega: Reals

@@ -1,0 +1,68 @@
+"""What an ideal relay and Coulomb friction share: an output that switches between two values."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+
+from trimmer.elements.bounds import constant_sensitivity, no_variation, unlimited_domain
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
+    from trimmer.elements.expansion import Sensitivity, Variation
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+_FUNDAMENTAL = 4.0 / np.pi
+"""First Fourier coefficient of a square wave between -1 and 1."""
+
+
+class SquareWaveElement(Element):
+    """An element whose output is a square wave of the same height for any input A sin θ.
+
+    With u = height / A and the lead φ of the output, N_n = (4/(π n)) exp(jnφ) u for odd n.
+    """
+
+    LEAD: ClassVar[complex]
+    """exp(jφ)."""
+
+    @property
+    @abstractmethod
+    def height(self) -> float:
+        """Output while it is positive."""
+
+    @property
+    def depends_on_frequency(self) -> bool:
+        """False."""
+        return False
+
+    @property
+    def amplitude_scale(self) -> float:
+        """The height of the output."""
+        return self.height
+
+    def domain(self, omega: ArrayLike | None = None) -> Reals:
+        """Return infinity: any amplitude will do."""
+        return unlimited_domain(self._omegas(omega))
+
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+        """Return 4/π and 0."""
+        return constant_sensitivity(_FUNDAMENTAL, 0.0, u_range, omega_range)
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return zeros: N is proportional to u."""
+        return no_variation(u_range, omega_range)
+
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        return self.LEAD**harmonic * (_FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
+
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        value = self._describing_function(amplitude, omega, 1)
+        return Expansion(value, np.full_like(value, self.LEAD * _FUNDAMENTAL), np.zeros_like(value))
