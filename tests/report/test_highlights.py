@@ -38,22 +38,15 @@ def test_static_gains_of_the_two_outputs(sizes):
     assert sizes["eq-5.1"] == f"static gain {wrong:.4f} instead of {right:.4f}"
 
 
-def test_cutoff_and_unit_gain(sizes):
-    omega = np.arange(2300, 5200, 0.02)
-    gain = np.abs([response(each) for each in omega])
-    unity = omega[gain >= 1][-1]
-    level = abs(response(0)) * 10 ** (-3 / 20)
-    first, last = omega[gain <= level][0], omega[gain >= level][-1]
-    for printed, found in zip(_numbers(sizes["txt-5.1.2-cutoff"]), (unity, 3, first, last), strict=True):
-        assert printed == pytest.approx(found, abs=0.08)
+def test_there_are_ten(sizes):
+    assert len(sizes) == 10
 
 
-def test_lost_amplitude_and_roll_off(sizes):
-    assert sizes["eq-2.8"].startswith(f"{1 / 0.0015:.0f} times")
+def test_force_that_ends_the_limit_cycle(sizes):
+    # Exact motion with 0.2 mm: it lasts at 1.2 N and is gone at 1.3 N (tests/report/test_released_motion.py).
+    assert "1.62 N in the thesis's loop, 1.25 N with the pin's velocity" in sizes["txt-5.2.5-prediction"]
+
+
+def test_roll_off(sizes):
     fall = 20 * np.log10(abs(response(1e8) / response(1e7)))
     assert sizes["txt-5.1.2-roll-off"].startswith(f"−{-fall:.0f} dB")
-
-
-def _numbers(text):
-    words = (word.strip(";,") for word in text.split())
-    return [float(word) for word in words if word.replace(".", "", 1).isdigit()]
