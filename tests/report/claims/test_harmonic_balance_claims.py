@@ -23,12 +23,12 @@ LETTERS = {
 }
 PARTS = {
     "fig-5.5": "rr",
-    "fig-5.10": "rr",
+    "fig-5.10": "rrr",
     "fig-5.15": "en",
     "fig-5.16": "er",
     "fig-5.21": "eer",
     "fig-5.22": "rxx",
-    "fig-5.23": "eeee",
+    "fig-5.23": "eeeeerre",
     "fig-5.24": "e",
     "lst-A.7": "rrre",
     "lst-A.8": "rrrrrreee",

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 import pytest
 
 from report.document import Document
-from report.rendering.render import RenderedFiles, render
+from report.rendering.render import render
+from report.rendering.request import Format
 from tests.report.rendering.chromium import Connection, running
 from tests.report.rendering.sample import sample
 
@@ -18,7 +20,7 @@ def document() -> Document:
 
 
 @pytest.fixture(scope="session")
-def rendered(document: Document, tmp_path_factory: pytest.TempPathFactory) -> RenderedFiles:
+def rendered(document: Document, tmp_path_factory: pytest.TempPathFactory) -> Mapping[Format, Path]:
     return render(document, tmp_path_factory.mktemp("report") / "build")
 
 

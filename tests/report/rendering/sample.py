@@ -46,11 +46,11 @@ def figures() -> tuple[Figure, ...]:
             to_svg(linear_system(), "fig-2.3", "Linear system", linear),
         ),
         Figure(
-            "fig-2.4",
+            "eq-2.37",
             "Feedback system",
             r"The loop has $M = \frac{G}{1 + G N}$ from $U$ to $Y$.",
             feedback,
-            to_svg(feedback_system(), "fig-2.4", "Feedback system", feedback),
+            to_svg(feedback_system(), "eq-2.37", "Feedback system", feedback),
         ),
     )
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 import pytest
 
 from report.claim import Verdict
 from report.document import Document
-from report.rendering.render import RenderedFiles
+from report.rendering.request import Format
 from tests.report.rendering.chromium import Connection, Page
 
 pytestmark = pytest.mark.browser
@@ -54,8 +55,8 @@ def page(browser: Connection) -> Iterator[Page]:
 
 
 @pytest.fixture
-def address(rendered: RenderedFiles) -> str:
-    return rendered.html.as_uri()
+def address(rendered: Mapping[Format, Path]) -> str:
+    return rendered[Format.HTML].as_uri()
 
 
 def test_the_page_is_silent_and_asks_the_network_for_nothing(page: Page, address: str) -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections.abc import Mapping
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 
 from report.document import Document
-from report.rendering.render import RenderedFiles
+from report.rendering.request import Format
 from tests.report.rendering.sample_formulas import SPECIAL
 
 NAMESPACES = {
@@ -47,8 +49,8 @@ class Outline(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def text(rendered: RenderedFiles) -> str:
-    return rendered.html.read_text(encoding="utf-8")
+def text(rendered: Mapping[Format, Path]) -> str:
+    return rendered[Format.HTML].read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")

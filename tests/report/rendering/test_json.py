@@ -1,11 +1,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 from report.document import Document
 from report.rendering.json import to_json
-from report.rendering.render import RenderedFiles
+from report.rendering.request import Format
 
 REQUIRED = (
     "id",
@@ -47,8 +48,10 @@ def test_a_claim_with_several_parts_joins_them_behind_their_labels(document: Doc
     assert [part["verdict"] for part in claim["parts"]] == ["reproduced", "erratum", "explained"]
 
 
-def test_the_file_is_utf_8_and_ends_with_a_line_end(rendered: RenderedFiles, document: Document) -> None:
-    text = Path(rendered.claims).read_bytes().decode("utf-8")
+def test_the_file_is_utf_8_and_ends_with_a_line_end(
+    rendered: Mapping[Format, Path], document: Document
+) -> None:
+    text = Path(rendered[Format.JSON]).read_bytes().decode("utf-8")
     assert text == to_json(document)
     assert text.endswith("}\n")
     assert "−60" in text

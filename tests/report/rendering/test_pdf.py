@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import dataclasses
 import subprocess
+from collections.abc import Mapping
+from pathlib import Path
 
 import pytest
 
 from report.document import DerivationStep, Document, Equation
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import TypesettingError, to_pdf, to_typst
-from report.rendering.render import RenderedFiles
+from report.rendering.request import Format
 
 
 def poppler(tool: str, *arguments: str) -> str:
@@ -18,13 +20,13 @@ def poppler(tool: str, *arguments: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def text(rendered: RenderedFiles) -> str:
-    return poppler("pdftotext", "-layout", str(rendered.pdf), "-")
+def text(rendered: Mapping[Format, Path]) -> str:
+    return poppler("pdftotext", "-layout", str(rendered[Format.PDF]), "-")
 
 
 @pytest.mark.poppler
-def test_the_pdf_has_its_title_size_and_date(rendered: RenderedFiles, document: Document) -> None:
-    lines = poppler("pdfinfo", "-isodates", str(rendered.pdf)).splitlines()
+def test_the_pdf_has_its_title_size_and_date(rendered: Mapping[Format, Path], document: Document) -> None:
+    lines = poppler("pdfinfo", "-isodates", str(rendered[Format.PDF])).splitlines()
     information = {key: value.strip() for key, _, value in (line.partition(":") for line in lines)}
     assert information["Title"] == document.title
     assert "A4" in information["Page size"]
@@ -48,19 +50,19 @@ def test_pages_are_numbered_and_have_a_running_head(text: str) -> None:
 
 
 @pytest.mark.poppler
-def test_only_the_fonts_that_typst_carries_are_used(rendered: RenderedFiles) -> None:
-    rows = poppler("pdffonts", str(rendered.pdf)).splitlines()[2:]
+def test_only_the_fonts_that_typst_carries_are_used(rendered: Mapping[Format, Path]) -> None:
+    rows = poppler("pdffonts", str(rendered[Format.PDF])).splitlines()[2:]
     families = {row.split()[0].partition("+")[2].partition("-")[0] for row in rows}
     assert families <= {"LibertinusSerif", "NewCMMath", "DejaVuSansMono"}
     assert "NewCMMath" in families
 
 
 @pytest.mark.poppler
-def test_claims_can_be_reached_from_the_outline_and_by_links(rendered: RenderedFiles) -> None:
-    raw = poppler("pdfinfo", "-dests", str(rendered.pdf))
+def test_claims_can_be_reached_from_the_outline_and_by_links(rendered: Mapping[Format, Path]) -> None:
+    raw = poppler("pdfinfo", "-dests", str(rendered[Format.PDF]))
     assert '"eq-2.8"' in raw
     assert '"txt-5.2.1-impulse-1e-8"' in raw
-    assert b"/Outlines" in rendered.pdf.read_bytes()
+    assert b"/Outlines" in rendered[Format.PDF].read_bytes()
 
 
 def with_equation(document: Document, latex: str) -> Document:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
-from report.rendering.render import RenderedFiles
+from report.rendering.request import Format
 
 PROGRAM = """
 import sys
@@ -19,12 +20,12 @@ render(sample(), Path(sys.argv[1]))
 
 
 def test_the_same_document_gives_the_same_bytes(
-    rendered: RenderedFiles, tmp_path: Path, project_folder: Path
+    rendered: Mapping[Format, Path], tmp_path: Path, project_folder: Path
 ) -> None:
     elsewhere = tmp_path / "another folder"
     environment = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "PYTHONPATH": str(project_folder)}
     subprocess.run([sys.executable, "-c", PROGRAM, str(elsewhere)], cwd=tmp_path, env=environment, check=True)
-    for path in (rendered.html, rendered.pdf, rendered.claims):
+    for path in (rendered[Format.HTML], rendered[Format.PDF], rendered[Format.JSON]):
         assert (elsewhere / path.name).read_bytes() == path.read_bytes(), path.name
 
 
