@@ -16,8 +16,9 @@ import control
 import mpmath
 import numpy as np
 
-from trimmer.balance.solve import limit_cycles
+from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.linear import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 
@@ -47,6 +48,16 @@ def peer() -> list[float]:
         refine=False,
     )
     return sorted(float(amplitude) for amplitude, _ in response.intersections)
+
+
+def certified() -> list[float]:
+    """Return them with a certificate and the winding number that checks it."""
+    return [cycle.amplitude for cycle in harmonic_balance(LOOP, FrictionBacklash(GAP)).limit_cycles]
+
+
+def viscous() -> list[float]:
+    """Return the amplitudes with a load whose N depends on frequency; the peer has nothing like it."""
+    return [cycle.amplitude for cycle in limit_cycles(LOOP, ViscousBacklash(GAP, 1e-3))]
 
 
 def exact(guess: tuple[float, float]) -> mpmath.mpf:
@@ -80,12 +91,16 @@ def largest_error(amplitudes: list[float], references: list[mpmath.mpf]) -> floa
 def main() -> None:
     """Print times, their ratio and errors."""
     references = [exact(guess) for guess in GUESSES]
-    own(), peer()
-    times = [(seconds(own), seconds(peer)) for _ in range(ROUNDS)]
-    mine, theirs = (statistics.median(column) for column in zip(*times, strict=True))
+    functions = (own, peer, certified, viscous)
+    for function in functions:
+        function()
+    times = [[seconds(function) for function in functions] for _ in range(ROUNDS)]
+    mine, theirs, with_check, with_load = (statistics.median(column) for column in zip(*times, strict=True))
     print(f"limit_cycles                 {mine * 1e3:9.2f} ms  (target {TARGET * 1e3:g} ms)")
     print(f"describing_function_response {theirs * 1e3:9.2f} ms")
     print(f"ratio                        {mine / theirs:9.4f}     (target {TARGET_RATIO:g})")
+    print(f"harmonic_balance             {with_check * 1e3:9.2f} ms  (with the winding number)")
+    print(f"limit_cycles, viscous load   {with_load * 1e3:9.2f} ms")
     print(f"relative error, ours         {largest_error(own(), references):9.1e}     (target 1e-11)")
     print(f"relative error, theirs       {largest_error(peer(), references):9.1e}")
 

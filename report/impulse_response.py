@@ -7,7 +7,9 @@ the impulse is displacement of the pin (m) over time (s), and the model has a ga
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import control
 import numpy as np
@@ -37,8 +39,8 @@ SHORT = 0.04
 """Length of a run that finds the threshold, s: 22 periods of the unstable limit cycle."""
 WINDOW = 0.005
 """End of a run in which an event shows that the motion goes on, s: more than two periods."""
-LONGEST_STEP = 2e-5
-"""Of the integration, s: with longer ones it steps over short contacts."""
+ACCURACY: Final[dict[str, float]] = {"rtol": 1e-9, "atol": 1e-12, "max_step": 2e-5}
+"""Of the integration; with longer steps (s) it steps over short contacts."""
 HALVINGS = 40
 
 
@@ -141,38 +143,36 @@ def events_by_integration(system: control.StateSpace, impulse: float, duration: 
         duration: s.
     """
     A, B, C = system.A, system.B[:, 0], system.C[0]
-    state, time, bridge, side, count = B * impulse, 0.0, 0.0, 0, 0
 
-    def leaving(_: float, x: Reals) -> float:
-        return float(-side * (C @ (A @ x)))
+    def rate(_: float, x: Reals, side: int, bridge: float) -> Reals:
+        return np.asarray(A @ x + B * (-C @ x - side / 2 if side else bridge))
 
-    def meeting_upper(_: float, x: Reals) -> float:
-        return float(0.5 + C @ x + bridge)
+    def leaving(time: float, x: Reals, side: int, bridge: float) -> float:
+        return float(-side * (C @ rate(time, x, side, bridge)))
 
-    def meeting_lower(_: float, x: Reals) -> float:
-        return float(0.5 - C @ x - bridge)
+    def meeting(side: int) -> Callable[..., float]:
+        return lambda _, x, __, bridge: float(0.5 + side * (C @ x + bridge))
 
-    for event in (leaving, meeting_upper, meeting_lower):
-        event.terminal, event.direction = True, -1  # type: ignore[attr-defined]
+    events = [_falling(function) for function in (leaving, meeting(1), meeting(-1))]
+    state, time, bridge, side, count = impulse * B, 0.0, 0.0, 0, 0
     while time < duration:
-        matrix = A - np.outer(B, C) if side else A
-        constant = B * (bridge if side == 0 else -0.5 * side)
         run = solve_ivp(
-            lambda _, x, matrix=matrix, constant=constant: matrix @ x + constant,
-            (time, duration),
-            state,
-            method="DOP853",
-            rtol=1e-9,
-            atol=1e-12,
-            max_step=LONGEST_STEP,
-            events=(leaving,) if side else (meeting_upper, meeting_lower),
+            *(rate, (time, duration), state, "DOP853"),
+            events=events[:1] if side else events[1:],
+            args=(side, bridge),
+            **ACCURACY,
         )
         time, state = float(run.t[-1]), run.y[:, -1]
-        if run.status != 1:
-            break
-        count += 1
-        if side:
-            bridge, side = float(-C @ state) - 0.5 * side, 0
-        else:
-            side = 1 if run.t_events[0].size else -1
+        if run.status == 1:
+            count += 1
+            if side:
+                bridge, side = float(-C @ state) - side / 2, 0
+            else:
+                side = 1 if run.t_events[0].size else -1
     return count
+
+
+def _falling(function: Callable[..., float]) -> Callable[..., float]:
+    """Mark a function as an event that ends the integration where it falls to zero."""
+    function.terminal, function.direction = True, -1  # type: ignore[attr-defined]
+    return function

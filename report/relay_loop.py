@@ -80,13 +80,11 @@ class FrictionRun:
 
     Attributes:
         impulse: Over the force, s.
-        last_event: When it stuck or reversed for the last time, s.
-        left: Half of peak to peak of y over the last tenth, over the largest |y|.
+        last_turn: When y' was zero for the last time before it stuck for good, or crept on one way, s.
     """
 
     impulse: float
-    last_event: float
-    left: float
+    last_turn: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,10 +142,8 @@ def friction_motion(system: control.StateSpace, impulse: float) -> Motion:
 
 
 def _rub(system: control.StateSpace, impulse: float) -> FrictionRun:
-    motion = friction_motion(system, impulse)
-    output = motion.output(np.linspace(0, DURATION, 2_001))
-    left = float(np.ptp(output[-200:])) / 2 / float(np.abs(output).max())
-    return FrictionRun(impulse, float(motion.log.start[-1]), left)
+    """Every zero of y' is an event: it turns there or sticks."""
+    return FrictionRun(impulse, float(friction_motion(system, impulse).log.start[-1]))
 
 
 def output_at_jump(A: Reals, B: Reals, C: Reals, half_periods: Reals) -> Reals:

@@ -1,4 +1,4 @@
-"""Tasks of a build: what is kept from the last one is taken, the rest is done in two processes."""
+"""Tasks of a build: what is kept from the last one is taken, the rest is done in several processes."""
 
 from __future__ import annotations
 
@@ -31,27 +31,15 @@ class Task:
 def done(tasks: Sequence[Task], store: StageStore, progress: Progress) -> dict[str, Any]:
     """Return the result of each task by its name.
 
-    Tasks whose results are not kept under their key are done, every other one in a second process, and
-    their results kept.
+    Tasks whose results are not kept under their key are done, in several processes, and their results kept
+    when all are there.
     """
     results = {task.name: store.load(task.name, task.key) for task in tasks}
     missing = [task for task in tasks if results[task.name] is None]
-    here, there = missing[::2], missing[1::2]
-    elsewhere = background.start([task.work for task in there])
-    for task, result in zip(here, _by_stage(here, progress, lambda task: task.work()), strict=True):
-        results[task.name] = result
-    for task, result in zip(there, _by_stage(there, progress, lambda _: next(elsewhere)), strict=True):
-        results[task.name] = result
+    for finished in progress.follow("tasks", len(missing), background.run([task.work for task in missing])):
+        task = missing[finished.index]
+        results[task.name] = finished.result
+        progress.add(task.stage, task.name, finished.seconds)
     for task in missing:
         store.keep(task.name, task.key, results[task.name])
-    return results
-
-
-def _by_stage(tasks: Sequence[Task], progress: Progress, work: Callable[[Task], Any]) -> list[Any]:
-    """Do tasks in their order, the neighbours of one stage behind one progress bar."""
-    results: list[Any] = []
-    while len(results) < len(tasks):
-        stage = tasks[len(results)].stage
-        group = [task for task in tasks[len(results) :] if task.stage == stage]
-        results += progress.run(stage, group, work)
     return results

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
-from report.claims.section_5_2_1 import ROUNDED, SMALL_GAP
+from report.claims.section_5_2_1 import LARGE_GAP, ROUNDED, SMALL_GAP
 from report.claims.section_5_2_1_driven import line_part, size_part
 from report.claims.section_5_2_1_impulse import one_impulse_part
 from report.claims.section_5_2_1_simulated import SECOND_WAY, peak_part
@@ -45,8 +45,8 @@ def larger_gap_parts(evidence: Evidence) -> tuple[Part, ...]:
                 statement="an oscillation sustains itself",
                 derived=orbit.stable,
                 evidence=(
-                    f"{1e6 * 4e-5 * orbit.amplitude:.2f} µm at {orbit.frequency:.2f} Hz; the motion is that "
-                    "of figure 5.9, ten times as large"
+                    f"{1e6 * LARGE_GAP * orbit.amplitude:.2f} µm at {orbit.frequency:.2f} Hz; the motion is "
+                    "that of figure 5.9, ten times as large"
                 ),
                 method="Floquet multipliers of the exact orbit",
             ),
@@ -78,10 +78,10 @@ def _three_gaps(evidence: Evidence) -> Claim:
             ),
         ),
         explanation=(
-            "The three panels can only be the same curve at three scales, or, with one impulse, of the three "
-            "the largest gap dies out first. No panel without, with a little, and with a clear oscillation, "
-            "in this order, follows from the model; three amplitudes of 1 : 2 : 3 on one scale may look like "
-            "it."
+            "The three panels can only be one curve at three scales; if one of them dies out after the same "
+            "impulse as the others, it is that of the largest gap. A panel without oscillation, one with a "
+            "little and one with a clear one, in this order, do not follow from the model. Three amplitudes "
+            "of 1 : 2 : 3 on one scale may look like it."
         ),
         consequence="The threshold of 2e-8 m has no support in simulation.",
         impact=Impact.DOWNSTREAM,
@@ -242,8 +242,8 @@ def _relay_and_viscous(evidence: Evidence) -> Claim:
         ),
         explanation=(
             "Which signal enters the block is not said. On the output it is a relay with a small gain, and "
-            "there is no periodic motion; on its velocity it is friction, and the loop comes to rest at "
-            "once. A lasting high frequency is again the simulation's own."
+            "there is no periodic motion; on its velocity it is friction, and the loop sticks or creeps to "
+            "rest without oscillation. A lasting high frequency is again the simulation's own."
         ),
         consequence="The second simulation does not confirm the first.",
         impact=Impact.DOWNSTREAM,

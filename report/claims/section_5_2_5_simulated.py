@@ -34,7 +34,7 @@ def peak_parts(evidence: Evidence, prefix: str = "") -> tuple[Part, ...]:
     found = [RECORD.frequency(number) for number in numbers.runs[0].peaks]
     parts = tuple(
         Part(
-            f"{prefix}peak {number} of a record of {RECORD.duration:.0f} s",
+            f"{prefix}peak {number} of {RECORD.duration:.0f} s, all bodies released alike",
             PrintedDigits(printed, frequency, "Hz"),
             Confirmation(
                 f"natural mode {number} of the loop without play and friction",
@@ -83,7 +83,7 @@ def _peaks(evidence: Evidence) -> Claim:
         ),
         consequence=(
             "The agreement of 736.993 with the predicted 737.514 Hz is no evidence for the equivalent "
-            "nonlinearity: both are nearly the frequency at which $G$ passes $-1$."
+            "nonlinearity: both are nearly the frequency at which $G$ passes by $-1$."
         ),
         impact=Impact.DOWNSTREAM,
         source=SOURCE,

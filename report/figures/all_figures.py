@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from report.figures import appendix_e, chapters_1_and_2, chapters_3_and_4, section_5_2
+from report.figures import (
+    appendix_e,
+    chapters_1_and_2,
+    chapters_3_and_4,
+    section_5_2,
+    section_5_2_simulated,
+)
 from report.figures.drawing import Drawing
 from report.figures.limit_cycles import friction_intersections, inertia_intersections
 from report.figures.linear import (
@@ -52,6 +58,7 @@ DRAWINGS = (
         lambda evidence: bode_plot_light_damping(evidence.numbers),
     ),
     section_5_2.SECOND_IMPLEMENTATION,
+    section_5_2_simulated.THREE_GAPS,
     Drawing(
         "fig-5.8",
         "Friction-controlled backlash with G",
@@ -62,7 +69,10 @@ DRAWINGS = (
         "near minus one shows two nearly parallel loci that meet the curve at different places.",
         friction_intersections,
     ),
+    section_5_2_simulated.SMALL_GAP,
     section_5_2.LARGER_GAP,
+    section_5_2_simulated.RESPONSES,
+    section_5_2_simulated.SPECTRA,
     Drawing(
         "fig-5.13",
         "Inertia-controlled backlash with G",
@@ -71,6 +81,7 @@ DRAWINGS = (
         "The curve of minus one over N starts at minus one and meets the locus twice.",
         inertia_intersections,
     ),
+    section_5_2_simulated.INERTIA,
     *section_5_2.LATER,
     *appendix_e.DRAWINGS,
 )

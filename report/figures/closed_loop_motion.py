@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from report.claims.section_5_2_1 import LARGE_GAP, SMALL_GAP
 from report.claims.section_5_2_5_simulated import PEAKS
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, LineStyle, new_figure, style
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
 
     Reals = NDArray[np.float64]
 
-SMALL_GAP, LARGE_GAP = 4e-6, 4e-5
-"""Gaps of figures 5.9 and 5.10, m."""
 READINGS = (33.03, -32.961)
 """Printed readings of figure 5.9a, µm."""
 WINDOW: Final = 1.5e-3
@@ -33,7 +32,7 @@ NEAR_PEAK: Final = (690.0, 780.0)
 """Frequencies of figure 5.9b, Hz."""
 NEAR_MODES: Final = (150.0, 850.0)
 """Frequencies of figure 5.23b, Hz."""
-RECORDS: Final = (Record(1.0, 10_001), Record(0.1, 1_001))
+RECORDS: Final = (Record(1.0, 20_001), Record(0.1, 20_001))
 
 
 def three_gaps(evidence: Evidence) -> Figure:
@@ -46,7 +45,12 @@ def three_gaps(evidence: Evidence) -> Figure:
             axes = grid[GAPS.index(run.gap), SHOWN.index(run.impulse)]
             _band(axes, run.times, 1e9 * run.output, LINES[0])
             axes.text(
-                0.985, 0.93, _outcome(run.amplitude, run.gap), transform=axes.transAxes, va="top", ha="right"
+                0.97,
+                0.5,
+                _outcome(run.amplitude, run.gap),
+                transform=axes.transAxes,
+                va="center" if run.amplitude > run.gap / 2 else "bottom",
+                ha="right",
             )
         for row, gap in zip(grid, GAPS, strict=True):
             row[0].set_ylabel(f"$b$ = {1e9 * gap:.0f} nm\n$y$ [nm]")
@@ -67,8 +71,8 @@ def _band(axes: Axes, times: Reals, values: Reals, line: LineStyle, scale: float
     middles = scale * np.array([times[part].mean() for part in parts])
     low, high = (np.array([extreme(values[part]) for part in parts]) for extreme in (np.min, np.max))
     axes.fill_between(middles, low, high, color=line.colour, alpha=0.35, linewidth=0)
-    axes.plot(middles, low, color=line.colour, linewidth=1)
-    axes.plot(middles, high, color=line.colour, linewidth=1)
+    for edge in (low, high):
+        axes.plot(middles, edge, linewidth=1, **line.keywords)
 
 
 def small_gap(evidence: Evidence) -> Figure:
@@ -85,7 +89,7 @@ def small_gap(evidence: Evidence) -> Figure:
         upper.annotate(
             f"exact ±{1e6 * SMALL_GAP * orbit.amplitude:.2f} µm, rounded coefficients "
             f"±{1e6 * SMALL_GAP * rounded.amplitude:.2f} µm; dotted: readings {READINGS[0]} and "
-            f"{READINGS[1]} µm",
+            f"−{-READINGS[1]} µm",
             (0.5, 1.02),
             xycoords="axes fraction",
             ha="center",
@@ -128,7 +132,7 @@ def larger_gap_over_time(start: Axes, settled: Axes, evidence: Evidence) -> None
     run = closed.impulses.runs[0]  # scaled by the gap it is the motion for any gap
     _band(start, run.times, 1e3 * LARGE_GAP / run.gap * run.output, LINES[0])
     start.set(
-        title=f"b: after an impulse of {run.impulse / run.gap:.0e} s times $b$",
+        title=f"b: after an impulse of {1e3 * run.impulse / run.gap:g} ms times $b$",
         xlabel="time [ms]",
         ylabel="$y$ [mm]",
         xlim=(0, 120),

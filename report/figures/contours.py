@@ -1,4 +1,4 @@
-"""G with -1/N of backlash: figures 5.5, 5.10a, 5.15 and 5.16 of the thesis, drawn again."""
+"""G with -1/N of backlash: figures 5.5, 5.10, 5.15 and 5.16 of the thesis, drawn again."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from report.claims.appendix_a_elements import friction_listing
 from report.evidence import Evidence
+from report.figures.closed_loop_motion import larger_gap_over_time
 from report.figures.plane import curve, element_curve, frame, inverse, locus, mark
 from report.figures.style import BLACK, LINES, new_figure, style
 from report.viscous_listing import listing_contour
@@ -72,13 +73,14 @@ def _over_amplitude(axes: Axes, library: control.DescribingFunctionNonlinearity)
 
 
 def larger_gap(evidence: Evidence) -> Figure:
-    """Draw G with -1/N of friction-controlled backlash for a gap of 40 µm (thesis, figure 5.10a)."""
+    """Draw G with -1/N of friction-controlled backlash for 40 µm, and the loop in time (figure 5.10)."""
     system = evidence.numbers.displacement_only
     element = FrictionBacklash(LARGER_GAP)
     inner, outer = limit_cycles(system, element)
     with style():
-        figure = new_figure(3.6)
-        whole, near = figure.subplots(1, 2)
+        figure = new_figure(6.4)
+        (whole, near), (start, settled) = figure.subplots(2, 2, height_ratios=(5, 4))
+        larger_gap_over_time(start, settled, evidence)
         for axes in (whole, near):
             locus(axes, system)
             element_curve(axes, element, "$-1/N$, $b$ = 40 µm", LINES[1])

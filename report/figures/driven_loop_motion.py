@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from report.claims.section_5_2_1 import SMALL_GAP
 from report.claims.section_5_2_1_driven import open_loop
 from report.claims.section_5_2_2_simulated import largest_other_line
 from report.evidence import Evidence
@@ -64,7 +65,7 @@ def spectra(evidence: Evidence) -> Figure:
     with style():
         figure = new_figure(5.2)
         top, middle, bottom = figure.subplots(3, 1, sharex=True)
-        sizes = 1e6 * 4e-6 * abs(orbit.harmonics)
+        sizes = 1e6 * SMALL_GAP * abs(orbit.harmonics)
         _stems(top, orbit.frequency * np.arange(1, sizes.size + 1), sizes)
         top.set_title("a: closed loop without drive, $b$ = 4 µm")
         _stems(middle, DRIVE_FREQUENCY * np.arange(run.harmonics.size), 1e6 * run.harmonics)
@@ -107,7 +108,12 @@ def inertia(evidence: Evidence) -> Figure:
             axes.plot(frequencies[near], sizes[near], **LINES[0].keywords)
             multiples = DRIVE_FREQUENCY * np.arange(1, HIGHEST // DRIVE_FREQUENCY)
             places = np.round(multiples / SHORT.bin_width).astype(int)
-            axes.plot(frequencies[places], sizes[places], "o", color=LINES[1].colour, markersize=3.5)
+            axes.plot(
+                *(frequencies[places], sizes[places], "o"),
+                color=LINES[1].colour,
+                markersize=3.5,
+                label="multiples of 100 Hz",
+            )
             axes.axvline(frequency, color=BLACK, linestyle=":", linewidth=0.9)
             axes.set_yscale("log")
             axes.set(ylabel="amplitude [µm]", title=f"b: {name}", ylim=(FLOOR, 5e3))
@@ -120,6 +126,7 @@ def inertia(evidence: Evidence) -> Figure:
             fontsize=8,
             arrowprops={"arrowstyle": "-"},
         )
+        grid[0, 1].legend(loc="upper right", handletextpad=0.2)
         grid[1, 0].set(xlabel="time [ms]", xlim=(0, 30))
         grid[1, 1].set(xlabel="frequency [Hz]", xlim=(0, HIGHEST))
     return figure

@@ -18,6 +18,7 @@ from report.equivalent_nonlinearity import (
     right_element,
 )
 from report.evidence import Evidence
+from report.figures.closed_loop_motion import released_spectrum
 from report.figures.plane import curve, element_curve, frame, locus, mark
 from report.figures.style import LINES, new_figure, style
 from report.friction_in_place import FrictionBranch
@@ -99,21 +100,23 @@ def without_force(evidence: Evidence) -> Figure:
 
 
 def one_force(evidence: Evidence) -> Figure:
-    """Draw Listing A.6 and the right function at 0.6 N (thesis, figure 5.23a)."""
+    """Draw Listing A.6 and the right function at 0.6 N, and the loop's peaks (thesis, figure 5.23)."""
     numbers, system = evidence.cycles.equivalent, evidence.numbers.displacement_only
     right = right_element(FORCE, evidence.numbers.parameters.k2)
     (cycle,) = numbers.listing
     with style():
-        figure = new_figure(3.6)
-        whole, near = figure.subplots(1, 2)
+        figure = new_figure(6.2)
+        grid = figure.add_gridspec(2, 2, height_ratios=(5, 4))
+        whole, near = (figure.add_subplot(grid[0, column]) for column in range(2))
+        released_spectrum(figure.add_subplot(grid[1, :]), evidence)
         for axes in (whole, near):
             locus(axes, system)
             element_curve(axes, listing_element(FORCE), "$-1/N$, Listing A.6", LINES[1])
             element_curve(axes, right, "$-1/N$, right term over $k_2$", LINES[2])
         text = f"{cycle.frequency:.2f} Hz\n{1e3 * cycle.amplitude:.1f} mm"
         mark(near, system, (cycle,), (text,), ((9, -24),))
-        frame(whole, f"$b$ = 4 µm, $F_c$ = {FORCE} N", (-2, 1), (-1.5, 2.2))
-        frame(near, "near $-1$", (-1.1, -0.9), (-0.13, 0.05), left=False)
+        frame(whole, f"a: $b$ = 4 µm, $F_c$ = {FORCE} N", (-2, 1), (-1.5, 2.2))
+        frame(near, "a: near $-1$", (-1.1, -0.9), (-0.13, 0.05), left=False)
         whole.legend(loc="upper left")
     return figure
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 SHOWN_TIME: Final = 40e-6
 """Time that is shown of the loop with friction, s."""
-EVERY: Final = 10
+EVERY: Final = 5
 """One of so many swings is drawn."""
 
 
@@ -37,10 +37,9 @@ def relay_swings(evidence: Evidence) -> Figure:
             axes.set_yscale("log")
             axes.set(xlabel="time [ms]", xlim=(0, 220))
         frequencies.annotate(
-            f"kept up by a step of {1e6 * STEP:.0f} µs",
-            (215, kept),
-            (0, 3),
-            textcoords="offset points",
+            f"dotted: kept up by\na step of {1e6 * STEP:.0f} µs",
+            (0.98, 0.03),
+            xycoords="axes fraction",
             ha="right",
             fontsize=8,
         )
@@ -60,16 +59,17 @@ def friction_and_condition(evidence: Evidence) -> Figure:
         for gain, line in zip((0.0, VISCOUS), LINES, strict=False):
             values = output_at_jump(A - gain * B @ C, B[:, 0], C[0], HALF_PERIODS)
             name = "relay" if gain == 0 else f"relay and gain {gain}"
-            condition.plot(0.5 / HALF_PERIODS, values, label=name, **line.keywords)
-        for frequency in evidence.motion.closed.relay.alone.frequencies:
-            condition.plot([frequency], [0], "x", color=BLACK, markersize=6)
+            below = np.where(values < 0, -values, np.nan)
+            condition.plot(0.5 / HALF_PERIODS, below, label=name, **line.keywords)
+        condition.axvspan(*sorted(evidence.motion.closed.relay.alone.frequencies), color="#dddddd")
         condition.set_xscale("log")
+        condition.set_yscale("log")
         condition.set(
             title="on the output",
             xlabel="frequency of the square wave [Hz]",
-            ylabel="$y$ at its jump up",
-            xlim=(50, 5e3),
-            ylim=(-1, 22),
+            ylabel="$-y$ at its jump up",
+            xlim=(50, 1e5),
+            ylim=(1e-9, 1e3),
         )
         condition.legend(loc="upper right")
         times = np.linspace(0, SHOWN_TIME, 801)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.figures import contours, equivalent_nonlinearity
+from report.figures import contours, equivalent_nonlinearity, section_5_2_simulated
 from report.figures.drawing import Drawing
 
 SECOND_IMPLEMENTATION = Drawing(
@@ -19,12 +19,13 @@ SECOND_IMPLEMENTATION = Drawing(
 
 LARGER_GAP = Drawing(
     "fig-5.10",
-    "Intersections for a gap of 40 µm",
-    "$G$ and $-1/N$ of friction-controlled backlash with $b$ = 4e-5 m (thesis, figure 5.10a). Full point: "
+    "Intersections and oscillation for a gap of 40 µm",
+    "a: $G$ and $-1/N$ of friction-controlled backlash with $b$ = 4e-5 m (thesis, figure 5.10). Full point: "
     "stable limit cycle; open point: unstable. The curve is that of every other gap; only the amplitudes "
-    "along it belong to this one.",
+    "along it belong to this one. b: how far the exact loop swings after an impulse, and the settled motion.",
     "The dashed curve leaves the large loop of G at its lower side, at 21.1 micrometres and 553.6 hertz, "
-    "unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz, stable.",
+    "unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz, stable. Below, "
+    "a band that widens to 0.33 millimetres, and four periods of a sine of that size.",
     contours.larger_gap,
 )
 
@@ -51,6 +52,7 @@ LATER = (
         "small loop; near minus one there is none of them.",
         contours.viscous_contours,
     ),
+    *section_5_2_simulated.RELAY,
     Drawing(
         "fig-5.21",
         "Backlash and friction together",
@@ -74,11 +76,13 @@ LATER = (
     Drawing(
         "fig-5.23",
         "Equivalent nonlinearity with 0.6 N",
-        "a: $G$ with $-1/N$ for $b$ = 4e-6 m and $F_c$ = 0.6 N (thesis, figure 5.23a). By Listing A.6 there "
+        "a: $G$ with $-1/N$ for $b$ = 4e-6 m and $F_c$ = 0.6 N (thesis, figure 5.23). By Listing A.6 there "
         "is one intersection, with an amplitude of 16.9 mm. With the right sign the curve leaves $-1$ "
-        "upwards and meets $G$ nowhere.",
+        "upwards and meets $G$ nowhere. b: spectrum of the exact loop with that gap and force, all bodies "
+        "displaced alike at the start; dotted: natural modes of the loop without play and friction.",
         "Two half circles from minus one to zero, one below the real axis, which crosses G close to minus "
-        "one, and one above it, which does not.",
+        "one, and one above it, which does not. Below, a spectrum with three rounded peaks at 222, 370 and "
+        "737 hertz, the same for three starts.",
         equivalent_nonlinearity.one_force,
     ),
     Drawing(

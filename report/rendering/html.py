@@ -5,6 +5,8 @@ from __future__ import annotations
 import base64
 import functools
 import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -19,32 +21,27 @@ from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js")
-_CONTENTS_END = "<!-- end of contents -->"
+_HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
 
-def to_html(document: Document, content: bytes) -> str:
+@dataclass(frozen=True)
+class Entry:
+    """A line of the table of contents: where it leads, its HTML, and the lines below it."""
+
+    identifier: str
+    heading: str
+    inner: tuple[Entry, ...]
+
+
+def to_html(document: Document, content: Sequence[bytes]) -> str:
     """Return the report as one HTML page with its style, script, font, figures and programs inside.
 
     Args:
         document: the report.
         content: its text, as ``pandoc.read`` returns it.
     """
-    converted = write(
-        content,
-        "html5",
-        [
-            "--standalone",
-            "--wrap=none",
-            "--mathml",
-            "--toc",
-            "--toc-depth=3",
-            f"--template={TEMPLATES / 'fragment.html'}",
-            f"--lua-filter={TEMPLATES / 'html.lua'}",
-            "--metadata=title=-",
-        ],
-    )
-    contents, body = repaired(converted).split(_CONTENTS_END)
+    body = repaired(write(content, "html5", ["--mathml", f"--lua-filter={TEMPLATES / 'html.lua'}"]))
     drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
     return (
         _environment()
@@ -53,13 +50,24 @@ def to_html(document: Document, content: bytes) -> str:
             document=document,
             symbols=SYMBOLS,
             verdicts={finding.verdict for finding in document.findings},
-            contents=contents,
+            contents=contents(body),
             body=_with_programs(_with_drawings(body, drawings), document),
             style=(TEMPLATES / "page.css").read_text(encoding="utf-8"),
             scripts=[(TEMPLATES / name).read_text(encoding="utf-8") for name in SCRIPTS],
             font=_base64(FONT.read_bytes()),
         )
     )
+
+
+def contents(body: str) -> tuple[Entry, ...]:
+    """Return the table of contents: each heading of level 2 that has an identifier, with those of level 3."""
+    entries: list[Entry] = []
+    for level, identifier, heading in _HEADING.findall(body):
+        if level == "2":
+            entries.append(Entry(identifier, heading, ()))
+        elif entries:
+            entries[-1] = replace(entries[-1], inner=(*entries[-1].inner, Entry(identifier, heading, ())))
+    return tuple(entries)
 
 
 def _with_drawings(body: str, drawings: dict[str, str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import re
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -27,8 +28,8 @@ ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
 
 
-def to_markdown(document: Document) -> str:
-    """Return the whole report as pandoc Markdown.
+def to_markdown(document: Document) -> tuple[str, ...]:
+    """Return the whole report as pandoc Markdown, in parts that each stand alone and follow each other.
 
     Raises:
         BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
@@ -36,21 +37,23 @@ def to_markdown(document: Document) -> str:
         ValueError: if an equation is empty or holds a dollar sign.
     """
     check_claims(document)
-    text = (
-        _environment()
-        .get_template("report.md.j2")
-        .render(
-            document=document,
-            findings={finding.id: finding for finding in document.findings},
-            figures={figure.id: figure for figure in document.figures},
-            program_of={program.claim: program.name for program in document.programs},
-            counts=summary.count_table(document),
-            errata=errata.errata(document),
-        )
+    content: dict[str, Any] = {
+        "document": document,
+        "findings": {finding.id: finding for finding in document.findings},
+        "figures": {figure.id: figure for figure in document.figures},
+        "program_of": {program.claim: program.name for program in document.programs},
+        "counts": summary.count_table(document),
+        "errata": errata.errata(document),
+    }
+    template = _environment().get_template
+    parts = (
+        template("front.md.j2").render(content),
+        *(template("chapter.md.j2").render(content, chapter=chapter) for chapter in document.chapters),
+        template("back.md.j2").render(content),
     )
-    text = without_links_to(text, document.omitted)
-    check_links(text)
-    return text
+    linked = tuple(without_links_to(part, document.omitted) for part in parts)
+    check_links("\n".join(linked))
+    return linked
 
 
 def shown(content: Shown, name: str, line: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from typing import Any
 
@@ -19,7 +20,7 @@ class TypesettingError(RuntimeError):
     """Typst refused the report, for instance because a formula runs off the page."""
 
 
-def to_typst(document: Document, content: bytes, paper: Paper = Paper.A4) -> str:
+def to_typst(document: Document, content: Sequence[bytes], paper: Paper = Paper.A4) -> str:
     """Return the report as Typst source; figures and programs are named as files in it.
 
     Args:
@@ -28,23 +29,26 @@ def to_typst(document: Document, content: bytes, paper: Paper = Paper.A4) -> str
         paper: size of the pages.
     """
     source = document.provenance
-    return write(
+    settings = {
+        "title": document.title,
+        "version": f"trimmer {source.version}, commit {source.commit}, {source.date[:10]}",
+        "paper": _PAPERS[paper],
+    }
+    body = write(
         content,
         "typst-smart",
-        [
-            "--standalone",
-            "--wrap=none",
-            "--shift-heading-level-by=-1",
-            f"--template={TEMPLATES / 'report.typ'}",
-            f"--lua-filter={TEMPLATES / 'typst.lua'}",
-            f"--metadata=title={document.title}",
-            f"--metadata=version=trimmer {source.version}, commit {source.commit}, {source.date[:10]}",
-            f"--variable=paper={_PAPERS[paper]}",
-        ],
+        ["--shift-heading-level-by=-1", f"--lua-filter={TEMPLATES / 'typst.lua'}"],
     )
+    defined = "".join(f"#let {name} = {_string(value)}\n" for name, value in settings.items())
+    return f"{defined}{(TEMPLATES / 'report.typ').read_text(encoding='utf-8')}\n{body}"
 
 
-def to_pdf(document: Document, content: bytes, paper: Paper = Paper.A4) -> bytes:
+def _string(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def to_pdf(document: Document, content: Sequence[bytes], paper: Paper = Paper.A4) -> bytes:
     """Return the report as PDF; the same document gives the same bytes on every machine.
 
     Raises:

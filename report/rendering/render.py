@@ -30,7 +30,7 @@ def render(document: Document, directory: Path, request: Request = WHOLE_REPORT)
         TypesettingError: if the PDF cannot be set, for instance because a formula does not fit the page.
         FileWriteError: if a file cannot be written.
     """
-    text = pandoc.read(to_markdown(document)) if request.formats - {Format.JSON} else b""
+    text = pandoc.read(to_markdown(document)) if request.formats - {Format.JSON} else ()
     makers: dict[Format, Callable[[], str | bytes]] = {
         Format.PDF: lambda: to_pdf(document, text, request.paper),
         Format.HTML: lambda: to_html(document, text),

@@ -24,13 +24,24 @@ local function cell_blocks(cell)
   return cell.content
 end
 
+-- A formula alone has no name that a screen reader could say for the whole row.
+local function has_words(cell)
+  local found = false
+  cell:walk({
+    Str = function()
+      found = true
+    end,
+  })
+  return found
+end
+
 local function table_row(row, alignments, is_head, header_column)
   local result = pandoc.List({ raw('<tr class="' .. table.concat(row.classes, " ") .. '">') })
   for position, cell in ipairs(row.content) do
     local tag, scope = "td", ""
     if is_head then
       tag, scope = "th", ' scope="col"'
-    elseif position == header_column then
+    elseif position == header_column and has_words(cell) then
       tag, scope = "th", ' scope="row"'
     end
     local opening = '<%s%s class="%s">'

@@ -66,8 +66,8 @@ def examine(response: Response, curve: ElementCurve, cells: Cells, regions: Cell
     return CellTest(
         inside & beside,
         inside & (np.abs(across) > parallel),
-        np.clip(u - along_x / across, regions.u_lower, regions.u_upper),
-        np.clip(x - along_u / across, regions.x_lower, regions.x_upper),
+        np.minimum(np.maximum(u - along_x / across, regions.u_lower), regions.u_upper),
+        np.minimum(np.maximum(x - along_u / across, regions.x_lower), regions.x_upper),
     )
 
 

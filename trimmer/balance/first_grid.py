@@ -29,7 +29,10 @@ _SPREAD = 0.05
 _MOST_PARTS = 32
 """Into how many parts a column is cut at most."""
 
-NARROWEST = 1e-10
+_MOST_COLUMNS = 50_000
+"""Number of columns above which none is cut; what is left of them is undecided then."""
+
+NARROWEST = 1e-12
 """Half width in x below which nothing is cut: there a zero and a pole on the axis cancel."""
 
 
@@ -47,6 +50,8 @@ class _Columns:
         """Into how many parts to cut each; 1 where 1/G changes little on it."""
         excess = np.log1p(self.enclosure.radius / np.abs(self.enclosure.centre)) / _SPREAD
         parts = np.fmax(np.fmin(np.ceil(excess), _MOST_PARTS), 1.0)
+        if self.lower.size > _MOST_COLUMNS:
+            parts[:] = 1.0
         parts[self.upper - self.lower <= 2.0 * NARROWEST] = 1.0
         return parts.astype(int)
 

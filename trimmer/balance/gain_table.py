@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 
 from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import GainDisks
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.balance.element_curve import ElementCurve, GainDisks
+    from trimmer.balance.element_curve import ElementCurve
 
     Reals = NDArray[np.float64]
     Places = NDArray[np.intp]
@@ -50,8 +51,14 @@ class GainTable:
         u_upper = float(curve.edge(x_breaks[[0, -1]]).max())
         u_breaks = np.linspace(0.0, u_upper, rows + 1)
         cells = Cells.grid(u_breaks, x_breaks[:blocks], x_breaks[1 : blocks + 1])
-        order = np.arange(len(cells)).reshape(blocks, rows).T
-        return cls(curve, u_breaks, x_breaks, curve.disks(cells).take(order))
+        disks = curve.disks(cells)
+        table = GainDisks(
+            disks.centre.reshape(blocks, rows).T,
+            disks.radius.reshape(blocks, rows).T,
+            disks.u_share.reshape(blocks, rows).T,
+            disks.exists.reshape(blocks, rows).T,
+        )
+        return cls(curve, u_breaks, x_breaks, table)
 
     @cached_property
     def box(self) -> Cells:

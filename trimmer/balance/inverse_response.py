@@ -99,12 +99,8 @@ class InverseResponse:
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
         """Evaluate 1/G(j exp x) and its derivative with respect to x."""
-        rotating = 1j * self._omega(x)
-        distances = rotating - self.roots[:, None]
-        value = self.gain * self._quotient(distances)
-        shares = 1.0 / distances
-        poles = self.poles.size
-        return value, value * rotating * (shares[:poles].sum(axis=0) - shares[poles:].sum(axis=0))
+        value, log_slope = self._value_and_log_slope(x)
+        return value, value * log_slope
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
         """Bound 1/G on the intervals [lower, upper] of x.
@@ -114,14 +110,14 @@ class InverseResponse:
         """
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
-            centre, slope = self.value_and_slope(0.5 * (lower + upper))
+            centre, log_slope = self._value_and_log_slope(0.5 * (lower + upper))
             bend = self._bend(lower, upper)
-            size, log_slope = np.abs(centre), np.abs(slope / centre)
-            spread = half * (log_slope + 0.5 * half * bend)
+            slope, size, rate = centre * log_slope, self._size(centre, lower, upper), np.abs(log_slope)
+            spread = half * (rate + 0.5 * half * bend)
             # Without a number, as where the centre is a root, there is no bound.
             spread[np.isnan(spread)] = np.inf
             growth = np.exp(spread)
-            slope_radius = half * size * growth * ((log_slope + half * bend) ** 2 + bend)
+            slope_radius = half * size * growth * ((rate + half * bend) ** 2 + bend)
             slope_radius[np.isnan(slope_radius)] = np.inf
             radius, smallest, largest = size * (growth - 1.0), size / growth, size * growth
             if self._reaches_zero_or_infinity:
@@ -134,9 +130,9 @@ class InverseResponse:
         """Bound the phase of 1/G on the intervals [lower, upper] of x, by the same theorem."""
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
-            centre, slope = self.value_and_slope(0.5 * (lower + upper))
+            centre, log_slope = self._value_and_log_slope(0.5 * (lower + upper))
             bend = self._bend(lower, upper)
-            rate = (slope / centre).imag
+            rate = log_slope.imag
         spread = half * (np.abs(rate) + 0.5 * half * bend)
         return Turning(centre, np.where(np.isnan(spread), np.inf, spread), np.abs(rate) > half * bend)
 
@@ -168,6 +164,26 @@ class InverseResponse:
     def _omega(self, x: Reals) -> Reals:
         return np.asarray(np.exp(x) / self.reference)
 
+    def _size(self, centre: Complexes, x_lower: Reals, x_upper: Reals) -> Reals:
+        """|1/G| in the middle of intervals; infinite where 1/G overflows and its parts are no numbers."""
+        sizes = np.abs(centre)
+        lost = np.isnan(sizes)
+        if lost.any():
+            middle = 0.5 * (x_lower + x_upper)[lost]
+            sizes[lost] = abs(self.gain) * self._quotient(
+                np.abs(1j * self._omega(middle) - self.roots[:, None])
+            )
+        return np.asarray(sizes)
+
+    def _value_and_log_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
+        """Evaluate 1/G and d ln(1/G)/dx, which stays finite where 1/G overflows."""
+        rotating = 1j * self._omega(x)
+        distances = rotating - self.roots[:, None]
+        shares = rotating / distances
+        poles = self.poles.size
+        log_slope = shares[:poles].sum(axis=0) - shares[poles:].sum(axis=0)
+        return self.gain * self._quotient(distances), log_slope
+
     def _quotient(self, factors: NDArray[Number]) -> NDArray[Number]:
         """Product of the first rows, one per pole, over the others; in pairs, so that it seldom overflows."""
         poles, zeros = self.poles.size, self.zeros.size
@@ -181,5 +197,5 @@ class InverseResponse:
         """
         sizes = np.abs(self.roots)[:, None]
         worst = np.minimum(np.maximum(sizes, self._omega(x_lower)), self._omega(x_upper))
-        squared = np.abs(1j * worst - self.roots[:, None]) ** 2
+        squared = (worst - self.roots.imag[:, None]) ** 2 + (self.roots.real**2)[:, None]
         return np.asarray((sizes * worst / squared).sum(axis=0))

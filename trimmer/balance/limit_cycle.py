@@ -107,6 +107,8 @@ class HarmonicBalance:
     certificate: Certificate
 
     @property
-    def confirmed(self) -> bool:
-        """Whether the winding number is the sum of the indices of the limit cycles."""
+    def confirmed(self) -> bool | None:
+        """Whether the winding number is the sum of the indices; None if it is not told."""
+        if self.certificate.winding_number is None:
+            return None
         return self.certificate.winding_number == sum(cycle.index for cycle in self.limit_cycles)

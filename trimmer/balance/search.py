@@ -74,30 +74,30 @@ def find_all(problem: Problem) -> SearchResult:
         boxes, examined = first_grid(problem)
         while len(boxes):
             found, settled = _settled(problem, boxes.cells, found)
-            given_up = ~settled & _hopeless(problem, boxes)
+            given_up = ~settled & _hopeless(boxes)
             undecided.append(boxes.cells.take(given_up))
             left = ~(settled | given_up)
             if not left.any():
                 break
-            cells = _cut(boxes, left)
+            cells = boxes.cells.take(left).split(_along_u(boxes)[left], _PARTS)
             examined += len(cells)
             boxes = EnclosedCells.of(problem.response, problem.curve, cells).open(problem.smallest_gain)
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
 
 
-def _hopeless(problem: Problem, boxes: EnclosedCells) -> Flags:
+def _hopeless(boxes: EnclosedCells) -> Flags:
     """Whether boxes are too small, or too many, to be cut."""
     sizes = np.maximum(np.abs(boxes.disks.centre), np.abs(boxes.enclosure.centre))
     radius = boxes.disks.radius + boxes.enclosure.radius
-    tiny = (radius <= _RESOLUTION * sizes) | (boxes.cells.x_half <= NARROWEST) | np.isnan(sizes)
+    narrow = (boxes.cells.x_half <= NARROWEST) & ~_along_u(boxes)
+    tiny = (radius <= _RESOLUTION * sizes) | narrow | np.isnan(sizes)
     return np.asarray(tiny | (len(boxes) > _MOST_BOXES))
 
 
-def _cut(boxes: EnclosedCells, which: Flags) -> Cells:
-    """Cut some boxes along the side that matters more to the bounds."""
-    u_share = boxes.disks.u_share[which]
-    others = boxes.disks.radius[which] - u_share + boxes.enclosure.radius[which]
-    return boxes.cells.take(which).split(u_share >= others, _PARTS)
+def _along_u(boxes: EnclosedCells) -> Flags:
+    """Whether the width in u matters more to the bounds than that in x."""
+    u_share = boxes.disks.u_share
+    return np.asarray(u_share >= boxes.disks.radius - u_share + boxes.enclosure.radius)
 
 
 def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:

@@ -13,6 +13,7 @@ is undecided.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -31,8 +32,8 @@ def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:
     Both may be multiplied by a common complex factor, and each by a positive one. NaN if one of them is 0.
     """
     cross = by_amplitude.real * by_omega.imag - by_amplitude.imag * by_omega.real
-    with np.errstate(invalid="ignore"):
-        return float(np.divide(cross, abs(by_amplitude) * abs(by_omega)))
+    size = abs(by_amplitude) * abs(by_omega)
+    return cross / size if size else math.nan
 
 
 def other_unstable_poles(

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     Flags = NDArray[np.bool_]
     Reals = NDArray[np.float64]
 
-_INSIDE = 1.0 - 1e-9
+_INSIDE = 1.0 - 1e-13
 """Where the border runs, over the largest u."""
 
 _PARTS_OF_U = 16
@@ -56,6 +56,20 @@ class _Pieces:
     v_end: Reals
     x_start: Reals
     x_end: Reals
+
+    @classmethod
+    def joined(cls, groups: list[_Pieces]) -> Self:
+        """Put those of some groups one after the other."""
+        return cls(
+            np.concatenate([group.v_start for group in groups]),
+            np.concatenate([group.v_end for group in groups]),
+            np.concatenate([group.x_start for group in groups]),
+            np.concatenate([group.x_end for group in groups]),
+        )
+
+    def take(self, which: Flags) -> _Pieces:
+        """Keep some of them."""
+        return _Pieces(self.v_start[which], self.v_end[which], self.x_start[which], self.x_end[which])
 
     def halves(self, which: Flags) -> _Pieces:
         """Halve some of them."""
@@ -83,26 +97,25 @@ def winding_number(loop: Loop, omegas: tuple[float, float]) -> int | None:
         largest_u = _largest_u(loop, pieces)
         if largest_u is None:
             return None
-        angle = 0.0
+        told = []
         for _ in range(_MOST_LEVELS):
-            told, turned = _turned(loop, pieces, largest_u)
-            angle += float(turned[told].sum())
-            pieces = pieces.halves(~told)
-            if pieces.x_start.size == 0:
-                return round(angle / (2.0 * math.pi))
+            narrow = _is_seen_narrowly(loop, pieces, largest_u)
+            told.append(pieces.take(narrow))
+            if narrow.all():
+                return _turns(loop, _Pieces.joined(told), largest_u)
+            pieces = pieces.halves(~narrow)
             if pieces.x_start.size > _MOST_PIECES:
                 break
     return None
 
 
-def _turned(loop: Loop, pieces: _Pieces, largest_u: float) -> tuple[Flags, Reals]:
-    """For which pieces the change of the phase of F is told by their ends, and that change, rad."""
-    start, end = (
-        loop.curve.value(_u(loop.curve, v, x, largest_u), x) + loop.response.value(x)
-        for v, x in ((pieces.v_start, pieces.x_start), (pieces.v_end, pieces.x_end))
-    )
-    turned = np.angle(end / start)
-    return _is_seen_narrowly(loop, pieces, largest_u) & np.isfinite(turned), turned
+def _turns(loop: Loop, pieces: _Pieces, largest_u: float) -> int | None:
+    """Add the changes of the phase of F from end to end of all pieces."""
+    v, x = np.concatenate([pieces.v_start, pieces.v_end]), np.concatenate([pieces.x_start, pieces.x_end])
+    residual = loop.curve.value(_u(loop.curve, v, x, largest_u), x) + loop.response.value(x)
+    start, end = np.split(residual, 2)
+    angle = float(np.angle(end / start).sum())
+    return round(angle / (2.0 * math.pi)) if math.isfinite(angle) else None
 
 
 def _largest_u(loop: Loop, pieces: _Pieces) -> float | None:

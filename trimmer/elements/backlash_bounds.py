@@ -24,7 +24,7 @@ ROUNDED_UP = 1.0 + 1e-9
 """Factor that outweighs the rounding errors of a bound."""
 LARGEST_LAG = 0.29844
 """Upper bound of (1 - (1 + x) exp(-x)) / x for x > 0; the maximum is at x = 1.7933."""
-_PHASE_ERROR = 1e-9
+PHASE_ERROR = 1e-9
 """More than the error of a computed θ_c, rad."""
 
 
@@ -99,7 +99,7 @@ class BacklashBox:
         """Bound the range of θ_c; a box wholly outside the domain has the flight start at once."""
         at_once = np.arctan(1.0 / self.highest_gamma)
         earliest = np.where(np.isnan(self.earliest_impact), at_once, self.earliest_impact)
-        return np.asarray(self._latest() - earliest + _PHASE_ERROR)
+        return np.asarray(self._latest() - earliest + PHASE_ERROR)
 
     def _longest_flight(self) -> Reals:
-        return np.minimum(self._latest() - np.arctan(1.0 / self.highest_gamma) + _PHASE_ERROR, np.pi)
+        return np.minimum(self._latest() - np.arctan(1.0 / self.highest_gamma) + PHASE_ERROR, np.pi)

@@ -37,4 +37,5 @@ def no_variation(u_range: Range, omega_range: Range | None) -> Variation:
 
 def range_shape(u_range: Range, omega_range: Range | None) -> tuple[int, ...]:
     """Return the shape that the limits of both ranges broadcast to."""
-    return np.broadcast_shapes(*(np.shape(limit) for limit in (*u_range, *(omega_range or ()))))
+    shapes = {np.shape(limit) for limit in (*u_range, *(omega_range or ()))}
+    return shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)

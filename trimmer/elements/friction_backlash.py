@@ -8,16 +8,22 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.elements.backlash import Backlash
+from trimmer.elements.backlash_bounds import PHASE_ERROR, ROUNDED_UP
 from trimmer.elements.backlash_motion import (
     GAMMA_LIMITS,
+    SLOPE_BY_RATIO,
     BacklashMotion,
     complex_of,
     separation,
 )
+from trimmer.elements.bounds import range_shape
+from trimmer.elements.expansion import Variation
 from trimmer.elements.small_arguments import argument_less_sine
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.elements.element import Range
 
     Reals = NDArray[np.float64]
     Complexes = NDArray[np.complex128]
@@ -45,6 +51,13 @@ class FrictionBacklash(Backlash):
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return 2."""
         return np.full(self._omegas(omega).shape, 2.0)[()]
+
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+        """Return the change of (2/π) exp(-jθ) with the phase of the impact, θ = π/2 + acos(1 - u); and 0."""
+        shape = range_shape(u_range, omega_range)
+        earliest, latest = (np.arccos(1.0 - np.minimum(u, 2.0)) for u in u_range)
+        by_u = ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR))
+        return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
     def gamma(self, omega: Reals) -> Reals:
         """Return what stands for zero."""

@@ -8,15 +8,15 @@ from trimmer.motion.linear_combination import (
     all_positive,
     any_negative,
     combine,
+    combine_moduli,
     combine_polynomials,
-    size_of_terms,
     within,
 )
 from trimmer.motion.tables import Reals, Tables, Work
 from trimmer.motion.taylor import DEGREE, MOST_ZEROS
 
 ROUNDING = 64 * 2.0**-53
-"""A guard below this share of the sum of the moduli of all terms of its series is zero to rounding."""
+"""A coefficient below this share of the moduli of its terms, or of those of the value, is zero."""
 
 
 @inlined
@@ -41,23 +41,21 @@ def first_event(tables: Tables, work: Work, mode: int, at_start: bool) -> tuple[
         known = work.known_zeros[guard] if at_start else 0
         if known == 0 and all_positive(work.bernstein):
             continue
-        tolerance = ROUNDING * size_of_terms(tables.guard_sizes[mode, guard], work.state)
-        if within(work.bernstein, tolerance):
+        combine_polynomials(work.state, tables.taylor[mode, guard], work.taylor)
+        combine_moduli(work.state, tables.sizes[mode, guard], work.sizes)
+        zeros = _leading_zeros(work.taylor, work.sizes, known)
+        if zeros == count or within(work.bernstein, ROUNDING * work.sizes[0]):
             continue  # It stays at zero, as the contact force of a pin that sticks.
-        zeros = _leading_zeros(work.bernstein, known, tolerance)
-        polynomial, taylor = work.bernstein, work.taylor
+        zeros = min(zeros, MOST_ZEROS)
+        polynomial, taylor = work.bernstein, work.taylor[zeros:]
         if zeros > 0:
             # Without s^zeros, whose coefficients would drown the others in their rounding.
-            combine_polynomials(work.state, tables.taylor[mode, guard], taylor)
-            taylor = taylor[zeros:]
             polynomial = work.deflated
             combine(taylor, tables.bernstein_from_taylor[zeros], count - zeros, polynomial)
         if polynomial[0] < 0.0:
             return guard, 0.0, at_start and zeros == 0
         if not any_negative(polynomial, count - zeros):
             continue
-        if zeros == 0:
-            combine_polynomials(work.state, tables.taylor[mode, guard], taylor)
         root, work.touch[guard] = first_root(polynomial, taylor, count - zeros, work.pieces)
         if root < fraction:
             fired, fraction = guard, root
@@ -65,9 +63,12 @@ def first_event(tables: Tables, work: Work, mode: int, at_start: bool) -> tuple[
 
 
 @inlined
-def _leading_zeros(coefficients: Reals, known: int, tolerance: float) -> int:
-    """Count the coefficients at the start that are known or found to be zero."""
-    zeros = known
-    while zeros < MOST_ZEROS and abs(coefficients[zeros]) <= tolerance:
+def _leading_zeros(taylor: Reals, sizes: Reals, known: int) -> int:
+    """Count the coefficients at the start that are known or found to be zero, and make them so."""
+    zeros = 0
+    while zeros < taylor.size:
+        if zeros >= known and abs(taylor[zeros]) > ROUNDING * max(sizes[0], sizes[zeros]):
+            break
+        taylor[zeros] = 0.0
         zeros += 1
     return zeros

@@ -25,7 +25,8 @@ def initial_stretch(
     """Return the mode and the extended state at t = 0.
 
     Raises:
-        ValueError: if the initial state has the wrong shape or a value is not finite.
+        ValueError: if a value is not real and finite, or if an initial state has the wrong shape or is given
+            for a system without states of its own.
     """
     system, layout = modes.system, modes.layout
     state = np.zeros(layout.size)
@@ -52,6 +53,12 @@ def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) ->
     model = loop.model
     state = np.zeros(model.nstates)
     if initial_state is not None:
+        if not loop.has_states:
+            raise ValueError(
+                "initial_state: a transfer function has no states of its own; give a control.StateSpace"
+            )
+        if np.iscomplexobj(initial_state):
+            raise ValueError("initial_state must be real")
         state = np.array(initial_state, dtype=float)
         if state.shape != (model.nstates,):
             raise ValueError(f"initial_state must have shape ({model.nstates},), not {state.shape}")

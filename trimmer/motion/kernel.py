@@ -124,6 +124,7 @@ def _work(tables: Tables) -> Work:
         np.empty(count),
         np.empty(count),
         np.empty(count),
+        np.empty(count),
         np.empty((DEEPEST + 3, count + 2)),
         np.zeros(guards, dtype=np.int64),
         np.empty(guards),

@@ -69,12 +69,13 @@ def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> No
 
 
 @compiled
-def size_of_terms(row: Reals, state: Reals) -> float:
-    """Sum the moduli of the terms of a functional."""
-    total = 0.0
-    for i in range(state.size):
-        total += abs(row[i] * state[i])
-    return total
+def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
+    """Write the sum of polynomials of degree DEGREE with the moduli of weights."""
+    for i in range(DEGREE + 1):
+        result[i] = 0.0
+    for j in range(weights.size):
+        for i in range(DEGREE + 1):
+            result[i] += abs(weights[j]) * rows[j, i]
 
 
 @compiled

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, final
 
+import control
 import numpy as np
 
 from trimmer.motion.components import components_of
@@ -16,8 +17,6 @@ from trimmer.motion.realization import realized
 from trimmer.motion.rigid_component import RigidComponent
 
 if TYPE_CHECKING:
-    import control
-
     from trimmer.elements.element import Element
     from trimmer.motion.drive import Drive
 
@@ -33,6 +32,11 @@ class Loop(ABC):
     @abstractmethod
     def model(self) -> control.StateSpace:
         """The linear system with one input and one output; its states are those of the interconnection."""
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the states of the model have a meaning, and are not those of some realization."""
+        return True
 
     @cached_property
     def modes(self) -> ModeTables:
@@ -56,6 +60,11 @@ class ClosedLoop(Loop):
     def interconnection(self) -> Interconnection:
         """Return the equations."""
         return element_around(self.model, self.element, None)
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the system was given in state space."""
+        return isinstance(self.system, control.StateSpace)
 
     @cached_property
     def model(self) -> control.StateSpace:
@@ -81,6 +90,11 @@ class OpenLoop(Loop):
     def interconnection(self) -> Interconnection:
         """Return the equations."""
         return element_around(self.model, self.element, self.drive)
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the system was given in state space."""
+        return isinstance(self.system, control.StateSpace)
 
     @cached_property
     def model(self) -> control.StateSpace:

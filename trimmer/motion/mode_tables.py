@@ -15,8 +15,9 @@ from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,
     LEVELS,
+    StepSeries,
+    along,
     bernstein_from_taylor,
-    guard_polynomials,
     step_series,
     sufficient_terms,
 )
@@ -92,8 +93,8 @@ class ModeTables:
             terms=np.zeros((modes, LEVELS), dtype=np.int64),
             bernstein=np.zeros((modes, guards, size, DEGREE + 1)),
             taylor=np.zeros((modes, guards, size, DEGREE + 1)),
+            sizes=np.zeros((modes, guards, size, DEGREE + 1)),
             guard_rows=np.zeros((modes, guards, size)),
-            guard_sizes=np.zeros((modes, guards, size)),
             guard_count=np.zeros(modes, dtype=np.int64),
             component=np.zeros((modes, guards), dtype=np.int64),
             target=np.zeros((modes, guards, 2), dtype=np.int64),
@@ -110,15 +111,14 @@ class ModeTables:
         tables.step[number] = series.step
         tables.whole[number] = series.whole.T
         tables.series[number] = series.terms.transpose(2, 0, 1).reshape(size, -1)
-        sizes = abs(series.terms).sum(axis=0)
+        moduli = StepSeries(series.step, abs(series.terms))
         tables.terms[number] = sufficient_terms(series)
         tables.guard_count[number] = len(mode.guards)
         for place, entry in enumerate(mode.guards):
             tables.guard_rows[number, place] = entry.guard.row
-            tables.taylor[number, place], tables.bernstein[number, place] = guard_polynomials(
-                entry.guard.row, series
-            )
-            tables.guard_sizes[number, place] = abs(entry.guard.row) @ sizes
+            tables.taylor[number, place] = along(entry.guard.row, series)
+            tables.bernstein[number, place] = tables.taylor[number, place] @ bernstein_from_taylor()[0]
+            tables.sizes[number, place] = along(abs(entry.guard.row), moduli)
             self._tabulate_guard(number, place, mode, entry)
         tables.known[number] = True
 

@@ -98,7 +98,7 @@ class Motion:
         """Return the states of the linear system, of shape (n,) + shape of the times (s)."""
         layout = self.loop.modes.layout
         rows = np.eye(layout.order, layout.size)
-        return self._values(times, lambda mode: rows)
+        return self.values(times, lambda mode: rows)
 
     def output(self, times: ArrayLike) -> Reals:
         """Return the output y of the linear system at times (s)."""
@@ -107,19 +107,19 @@ class Motion:
         row[0, : self.loop.modes.layout.order] = model.C[0]
         direct = model.D[0, 0]
         values: Reals
-        (values,) = self._values(times, lambda mode: row + direct * self._element_output(mode))
+        (values,) = self.values(times, lambda mode: row + direct * self._element_output(mode))
         return values
 
     def element_input(self, times: ArrayLike) -> Reals:
         """Return the input of the nonlinear element at times (s)."""
         values: Reals
-        (values,) = self._values(times, lambda mode: mode.signals[0].input[None])
+        (values,) = self.values(times, lambda mode: mode.signals[0].input[None])
         return values
 
     def element_output(self, times: ArrayLike) -> Reals:
         """Return the output of the nonlinear element, which drives the linear system, at times (s)."""
         values: Reals
-        (values,) = self._values(times, self._element_output)
+        (values,) = self.values(times, self._element_output)
         return values
 
     def component_outputs(self, times: ArrayLike) -> Reals:
@@ -128,19 +128,27 @@ class Motion:
         For friction this is its force, also while it sticks, where the force is what holding needs. Shape
         (components,) + shape of the times (s).
         """
-        return self._values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        return self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
 
-    def _element_output(self, mode: Mode) -> Reals:
-        factors = np.array(self.loop.modes.system.element_factors)
-        row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
-        return row
+    def values(self, times: ArrayLike, rows_of: Callable[[Mode], Reals]) -> Reals:
+        """Return rows of the extended state, which may differ from mode to mode, at times (s).
 
-    def _values(self, times: ArrayLike, rows_of: Callable[[Mode], Reals]) -> Reals:
-        """Evaluate rows, which may differ from mode to mode, at times of any shape and order."""
+        At an event they are those just after it.
+
+        Args:
+            times: Instants of any shape and order, from 0 to ``duration``.
+            rows_of: Gives the rows of a mode, an array (p, n).
+
+        Returns:
+            Array of shape (p,) + shape of the times.
+
+        Raises:
+            ValueError: if a time lies outside the motion, or is NaN.
+        """
         instants = np.asarray(times, dtype=float)
         if not ((instants >= 0) & (instants <= self.duration)).all():
             raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
-        flat = instants.ravel()
+        flat = instants.ravel().copy() if not instants.flags.writeable else instants.ravel()
         sorted_already = bool((np.diff(flat) >= 0).all())
         order = None if sorted_already else np.argsort(flat, kind="stable")
         visited = np.unique(self.log.mode)
@@ -154,6 +162,11 @@ class Motion:
             values[:, order] = values.copy()
         shaped: Reals = values.reshape(-1, *instants.shape)
         return shaped
+
+    def _element_output(self, mode: Mode) -> Reals:
+        factors = np.array(self.loop.modes.system.element_factors)
+        row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
+        return row
 
     def _polynomials(self, number: int, rows_of: Callable[[Mode], Reals]) -> Reals:
         """Return the coefficients of rows over a step as functionals of its initial state: (n, p (K + 1))."""

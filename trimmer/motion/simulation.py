@@ -63,10 +63,12 @@ def simulate(
         event_limit: Greatest number of events.
 
     Returns:
-        The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit.
+        The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit, if
+        the motion grows without bound, or if it is too long for the fastest mode of the loop.
 
     Raises:
-        ValueError: if an argument is out of range, or the loop is not well posed.
+        ValueError: if an argument is out of range, a value of the system is not finite, or the loop is not
+            well posed (``IllPosedLoopError``).
         UnsupportedMotionError: if the element or the system cannot be simulated.
     """
     if not (math.isfinite(duration) and duration > 0):
@@ -79,7 +81,8 @@ def simulate(
     log.mode[0], log.state[0], log.guard[0] = mode, state, -1
     stretch = 0
     while True:
-        reason, stretch, reached = march(modes.tables, log, stretch, duration, event_limit + 1)
+        # Of one type each, since the march is compiled for every combination of types.
+        reason, stretch, reached = march(modes.tables, log, stretch, float(duration), int(event_limit) + 1)
         if reason == UNKNOWN_MODE:
             modes.tabulate(int(log.mode[stretch]))
         elif reason == FULL:

@@ -23,8 +23,8 @@ class Tables(NamedTuple):
         terms: How many terms of the series do for fractions up to 4^-level of a step: (modes, LEVELS).
         bernstein: Bernstein coefficients of the guards over a step: (modes, guards, n, K + 1).
         taylor: Their coefficients of s^k: (modes, guards, n, K + 1).
+        sizes: Sums of the moduli of what these are made of, in the same shape.
         guard_rows: Guards as functionals: (modes, guards, n).
-        guard_sizes: Sums of the moduli of what their series are made of: (modes, guards, n).
         guard_count: Guards in use.
         component: Component that owns the guard.
         number: Number of the guard among those of its owner.
@@ -41,8 +41,8 @@ class Tables(NamedTuple):
     terms: Integers
     bernstein: Reals
     taylor: Reals
+    sizes: Reals
     guard_rows: Reals
-    guard_sizes: Reals
     guard_count: Integers
     component: Integers
     number: Integers
@@ -81,6 +81,7 @@ class Work(NamedTuple):
         terms: Taylor terms of the state over the step: (K + 1) n.
         bernstein: Bernstein coefficients of one guard over the step.
         taylor: Its coefficients of s^k.
+        sizes: Sums of the moduli of the terms of these.
         deflated: Its Bernstein coefficients without its known zeros.
         pieces: Coefficients of parts of the step, for the search of a zero.
         known_zeros: For each guard, how many derivatives vanish at the start of the stretch.
@@ -93,6 +94,7 @@ class Work(NamedTuple):
     terms: Reals
     bernstein: Reals
     taylor: Reals
+    sizes: Reals
     deflated: Reals
     pieces: Reals
     known_zeros: Integers

@@ -85,18 +85,18 @@ def sufficient_terms(series: StepSeries) -> NDArray[np.int64]:
     return np.asarray(enough.argmax(axis=1) + 1)
 
 
-def guard_polynomials(row: Reals, series: StepSeries) -> tuple[Reals, Reals]:
-    """Return the coefficients of a guard over one step, as functionals of its initial state.
+def along(row: Reals, series: StepSeries) -> Reals:
+    """Return the coefficients of s^k of a signal over one step, as functionals of the state it begins with.
 
     Args:
-        row: The guard, of shape (n,).
+        row: The signal, of shape (n,).
         series: The flow.
 
     Returns:
-        Coefficients of s^k, and Bernstein coefficients, each of shape (n, DEGREE + 1).
+        Array (n, DEGREE + 1).
     """
-    taylor = np.einsum("i,kij->jk", row, series.terms)
-    return taylor, taylor @ bernstein_from_taylor()[0]
+    coefficients: Reals = np.einsum("i,kij->jk", row, series.terms)
+    return coefficients
 
 
 @cache

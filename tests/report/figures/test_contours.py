@@ -78,7 +78,7 @@ def test_the_librarys_squares_lie_on_the_listings_curve(figures):
 
 
 def test_the_larger_gap_has_an_open_and_a_full_point(figures, evidence):
-    whole, near = figures["fig-5.10"].axes
+    whole, near, *_ = figures["fig-5.10"].axes
     ((inner, inner_full),), ((outer, outer_full),) = points(whole), points(near)
     assert not inner_full
     assert outer_full
@@ -123,7 +123,7 @@ def test_wrong_sign_bends_down_and_right_sign_bends_up(figures):
 
 
 def test_friction_of_the_caption_leaves_one_point_on_the_listings_curve(figures, evidence):
-    whole, near = figures["fig-5.23"].axes
+    whole, near, _ = figures["fig-5.23"].axes
     assert points(whole) == []
     ((point, _),) = points(near)
     curve = line(near, "$-1/N$, Listing A.6")

@@ -1,0 +1,178 @@
+"""Where the energy of a moving trimmer comes from and where it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from trimmer.displacement import Body
+from trimmer.generated import linear_trimmer
+from trimmer.linear import InputChannels
+from trimmer.motion.components import components_of
+from trimmer.motion.errors import UnsupportedMotionError
+from trimmer.motion.taylor import DEGREE
+from trimmer.motion.trimmer_loop import TrimmerLoop
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from trimmer.motion.mode import Mode
+    from trimmer.motion.motion import Motion
+
+    Reals = NDArray[np.float64]
+
+NODES = DEGREE + 1
+"""Points of Gauss and Legendre in a step: exact for products of two polynomials of that degree."""
+INTERVALS = 10_000
+"""Steps that are integrated at once."""
+BODIES = len(Body)
+
+
+@final
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Energies of the four bodies and their springs, and works, from the start of a motion to its end, in J.
+
+    Attributes:
+        kinetic_at_start: 1/2 q'^T M q'.
+        kinetic_at_end: The same at the end.
+        potential_at_start: 1/2 q^T K q, the springs with the bridge in the middle.
+        potential_at_end: The same at the end.
+        pin_work: Work of the force k2 u + c2 u' of the bridge u on cutter and motor; k2 u if the bridge
+            acts by its displacement alone.
+        damping_loss: What the dampers dissipate.
+        friction_loss: What the forces between bodies dissipate.
+    """
+
+    kinetic_at_start: float
+    kinetic_at_end: float
+    potential_at_start: float
+    potential_at_end: float
+    pin_work: float
+    damping_loss: float
+    friction_loss: float
+
+    @property
+    def residual(self) -> float:
+        """What is missing, relative to the largest term; 0 for a trimmer at rest."""
+        terms = (
+            self.kinetic_at_end,
+            -self.kinetic_at_start,
+            self.potential_at_end,
+            -self.potential_at_start,
+            -self.pin_work,
+            self.damping_loss,
+            self.friction_loss,
+        )
+        largest = max(abs(term) for term in terms)
+        return abs(sum(terms)) / largest if largest > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class _Sampled:
+    """Displacements, velocities (4 x times), bridge and its rate, forces and rates between bodies."""
+
+    q: Reals
+    rate: Reals
+    bridge: Reals
+    bridge_rate: Reals
+    forces: Reals
+    sliding: Reals
+
+
+def energy_balance(motion: Motion) -> EnergyBalance:
+    """Balance the energy of a trimmer over a motion.
+
+    The integrals are those of Gauss and Legendre on the exact flow, between events and within steps on which
+    the flow is a polynomial to rounding; so they are exact to rounding too. Masses, dampers and springs are
+    those of the derivation.
+
+    Args:
+        motion: A motion of a ``TrimmerLoop``.
+
+    Raises:
+        UnsupportedMotionError: if it is the motion of another loop.
+    """
+    loop = motion.loop
+    if not isinstance(loop, TrimmerLoop):
+        raise UnsupportedMotionError(f"an energy balance needs the motion of a TrimmerLoop, not of {loop!r}")
+    values = loop.parameters.values()
+    M, C, K = (
+        np.array(matrix(*values), dtype=float)
+        for matrix in (
+            linear_trimmer.mass_matrix,
+            linear_trimmer.damping_matrix,
+            linear_trimmer.stiffness_matrix,
+        )
+    )
+    works = np.zeros(3)
+    for times, weights in _quadrature(motion):
+        works += _powers(loop, C, _sampled(motion, loop, times)) @ weights
+    ends = _sampled(motion, loop, np.array([0.0, motion.duration]))
+    kinetic, potential = (
+        0.5 * np.einsum("it,ij,jt->t", x, matrix, x) for x, matrix in ((ends.rate, M), (ends.q, K))
+    )
+    return EnergyBalance(*kinetic.tolist(), *potential.tolist(), *works.tolist())
+
+
+def _powers(loop: TrimmerLoop, C: Reals, at: _Sampled) -> Reals:
+    """Return the powers of the pin, of the dampers and of the forces between bodies, 3 x times, W."""
+    force = loop.parameters.k2 * at.bridge
+    if loop.channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
+        force = force + loop.parameters.c2 * at.bridge_rate
+    pin = force * (at.rate[Body.CUTTER.index] - at.rate[Body.MOTOR.index])
+    return np.array(
+        [pin, np.einsum("it,ij,jt->t", at.rate, C, at.rate), (at.forces * at.sliding).sum(axis=0)]
+    )
+
+
+def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
+    system, layout = loop.modes.system, loop.modes.layout
+    first = len(system.element_factors)
+    velocity_gain = np.zeros(BODIES)
+    if loop.channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
+        # The states are then the velocities less their rows of B2 u (``trimmer.linear.pin_model``).
+        velocity_gain = np.array(linear_trimmer.input_matrix(*loop.parameters.values()))[BODIES:, 1]
+
+    def rows_of(mode: Mode) -> Reals:
+        states = np.eye(2 * BODIES, layout.size)
+        bridge = np.array(system.element_factors) @ [each.output for each in mode.signals[:first]]
+        between = mode.signals[first:]
+        return np.vstack(
+            [
+                states[:BODIES],
+                states[BODIES:] + np.outer(velocity_gain, bridge),
+                bridge,
+                bridge @ mode.matrix,
+                *(each.output for each in between),
+                *(each.input_rate for each in between),
+            ]
+        )
+
+    values = motion.values(times, rows_of)
+    q, rate, (bridge, bridge_rate) = values[:4], values[4:8], values[8:10]
+    forces, sliding = np.split(values[10:], 2)
+    factors = [factor for friction in loop.frictions for _, factor in components_of(friction.law)]
+    return _Sampled(q, rate, bridge, bridge_rate, np.reshape(factors, (-1, 1)) * forces, sliding)
+
+
+def _quadrature(motion: Motion) -> Iterator[tuple[Reals, Reals]]:
+    """Yield times and weights that integrate over the motion, some steps at once."""
+    begins = motion.log.start
+    lengths = np.diff(np.append(begins, motion.duration))
+    steps = np.maximum(np.ceil(lengths / motion.loop.modes.tables.step[motion.log.mode]), 1.0).astype(int)
+    steps[lengths <= 0] = 0
+    widths = np.repeat(lengths / np.maximum(steps, 1), steps)
+    places = np.arange(len(widths)) - np.repeat(np.cumsum(steps) - steps, steps)
+    lows = np.repeat(begins, steps) + places * widths
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    for low, width in zip(_parts(lows), _parts(widths), strict=True):
+        times = low[:, None] + 0.5 * width[:, None] * (1.0 + nodes)
+        yield np.minimum(times, motion.duration).ravel(), (0.5 * width[:, None] * weights).ravel()
+
+
+def _parts(values: Reals) -> list[Reals]:
+    return [values[first : first + INTERVALS] for first in range(0, len(values), INTERVALS)]
