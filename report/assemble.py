@@ -3,27 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from derivations.element_quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
-from derivations.narrative import Step, narrative
+from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
-from report.answers import answers
 from report.claim import Entry, Finding
-from report.corrected_results import corrected_results
 from report.document import (
+    Answer,
     Chapter,
+    CorrectedResult,
     DerivationStep,
     Document,
     Equation,
     Figure,
+    Highlight,
     NomenclatureRow,
     ParameterRow,
     Program,
 )
-from report.evidence import Evidence
-from report.highlights import highlights
 from report.provenance import provenance
+from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
 CHAPTERS = {
@@ -41,35 +42,53 @@ CHAPTERS = {
 }
 
 
-def assemble(
-    evidence: Evidence,
-    findings: tuple[Finding, ...],
-    figures: tuple[Figure, ...],
-    elements: tuple[Step, ...],
-    programs: tuple[Program, ...],
-    inventory: Mapping[str, Entry],
-) -> Document:
-    """Return the finished document; ``elements`` are the steps to the describing functions."""
+@dataclass(frozen=True)
+class Parts:
+    """What a report is put together from, beside the inventory.
+
+    Attributes:
+        findings: One for each claim, in the order of the inventory.
+        figures: The redrawn figures, in the order of the thesis.
+        trimmer_steps: The derivation of the linear trimmer.
+        element_steps: The derivation of the describing functions.
+        programs: The corrected listings.
+        highlights: The findings that matter most.
+        answers: Answers to the thesis's questions.
+        corrected: Printed and corrected predictions.
+    """
+
+    findings: tuple[Finding, ...]
+    figures: tuple[Figure, ...]
+    trimmer_steps: tuple[Step, ...]
+    element_steps: tuple[Step, ...]
+    programs: tuple[Program, ...]
+    highlights: tuple[Highlight, ...]
+    answers: tuple[Answer, ...]
+    corrected: tuple[CorrectedResult, ...]
+
+
+def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Entry]) -> Document:
+    """Return the finished document."""
     return Document(
         title=TITLE,
-        highlights=highlights(evidence),
-        chapters=_chapters(findings, inventory),
+        highlights=parts.highlights,
+        chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
-        derivation=_derivation(narrative(evidence.derivation), findings),
-        figures=figures,
+        derivation=_derivation(parts.trimmer_steps, parts.findings),
+        figures=parts.figures,
         nomenclature=tuple(
             NomenclatureRow(latex(quantity.symbol), quantity.meaning, quantity.unit.text)
             for quantity in QUANTITIES + ELEMENT_QUANTITIES
         ),
         parameters=tuple(
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
-            for quantity, value in zip(PARAMETERS, evidence.numbers.parameters.values(), strict=True)
+            for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
         provenance=provenance(),
-        programs=programs,
-        describing_functions=_derivation(elements, findings),
-        answers=answers(evidence),
-        corrected=corrected_results(evidence),
+        programs=parts.programs,
+        describing_functions=_derivation(parts.element_steps, parts.findings),
+        answers=parts.answers,
+        corrected=parts.corrected,
     )
 
 

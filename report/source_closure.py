@@ -18,12 +18,12 @@ def source_closure(module: str) -> tuple[Path, ...]:
     Imports inside functions and for type checking count too: they may name too much, never too little.
     """
     seen: set[Path] = set()
-    waiting = [module]
+    waiting = list(_sources_of(module))
     while waiting:
-        for path in _sources_of(waiting.pop()):
-            if path not in seen:
-                seen.add(path)
-                waiting.extend(_imported(path))
+        path = waiting.pop()
+        if path not in seen:
+            seen.add(path)
+            waiting.extend(_imported(path))
     return tuple(sorted(seen))
 
 
@@ -36,20 +36,20 @@ def digest(modules: Iterable[str], *others: object) -> str:
     return summary.hexdigest()
 
 
-def _sources_of(name: str) -> list[Path]:
+@cache
+def _sources_of(name: str) -> tuple[Path, ...]:
     """Return the file of a module, or of the module that a name is imported from, and its packages' files."""
     parts = name.split(".")
     if parts[0] not in PACKAGES:
-        return []
-    found = []
-    for length in range(1, len(parts) + 1):
-        stem = ROOT.joinpath(*parts[:length])
-        found += [path for path in (stem / "__init__.py", stem.with_suffix(".py")) if path.is_file()]
-    return found
+        return ()
+    stems = (ROOT.joinpath(*parts[:length]) for length in range(1, len(parts) + 1))
+    candidates = (path for stem in stems for path in (stem / "__init__.py", stem.with_suffix(".py")))
+    return tuple(path for path in candidates if path.is_file())
 
 
 @cache
-def _imported(path: Path) -> tuple[str, ...]:
+def _imported(path: Path) -> frozenset[Path]:
+    """Return the sources that a source imports itself."""
     names = []
     for node in ast.walk(ast.parse(_content(path))):
         if isinstance(node, ast.Import):
@@ -57,7 +57,7 @@ def _imported(path: Path) -> tuple[str, ...]:
         elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level == 0:
             # What is imported may be a module itself.
             names += [f"{node.module}.{alias.name}" for alias in node.names]
-    return tuple(names)
+    return frozenset(source for name in names for source in _sources_of(name))
 
 
 @cache

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
+from functools import cache, partial
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from derivations.element_narrative import element_narrative
-from report.assemble import assemble
+from derivations.narrative import narrative
+from report.answers import answers
+from report.assemble import Parts, assemble
 from report.claim import Entry, Finding, judge
 from report.claims.all_claims import SECTIONS, require_known_once
+from report.corrected_results import corrected_results
 from report.document import Document
 from report.evidence import Evidence, derive, solve
 from report.figures.all_figures import DRAWINGS
+from report.highlights import highlights
 from report.inventory import read_inventory
 from report.octave.listings import corrected_programs
 from report.progress import Progress
@@ -42,14 +46,17 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     inventory = read_inventory()
     evidence = _evidence(progress, store)
     results = done(_tasks(evidence, inventory), store, progress)
-    findings = _in_order([results[_name(section)] for section in SECTIONS], inventory)
-    figures = tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS)
-    (document,) = progress.run(
-        "assemble",
-        [evidence],
-        lambda known: assemble(known, findings, figures, results["elements"], results["programs"], inventory),
+    parts = Parts(
+        findings=_in_order([results[_name(section)] for section in SECTIONS], inventory),
+        figures=tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS),
+        trimmer_steps=results["trimmer-steps"],
+        element_steps=results["element-steps"],
+        programs=results["programs"],
+        highlights=results["highlights"],
+        answers=results["answers"],
+        corrected=results["corrected-results"],
     )
-    return document
+    return assemble(parts, evidence.numbers.parameters, inventory)
 
 
 def _evidence(progress: Progress, store: StageStore) -> Evidence:
@@ -64,24 +71,33 @@ def _evidence(progress: Progress, store: StageStore) -> Evidence:
 
 
 def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
-    """List what is made from the evidence; the long tasks first, so that two processes share them well."""
+    """List what is made from the evidence; long tasks first, so that the processes end together.
+
+    Proofs, then the figures of motion and the last sections take longest.
+    """
     templates = [(path.name, path.read_text(encoding="utf-8")) for path in sorted(OCTAVE_TEMPLATES.iterdir())]
+    print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
-        Task("elements", "prove", _key(["derivations.element_narrative"]), element_narrative),
+        Task("element-steps", "prove", _key(["derivations.element_narrative"]), element_narrative),
+        Task(
+            "trimmer-steps",
+            "prove",
+            _key(["derivations.narrative", "report.evidence"]),
+            partial(narrative, evidence.derivation),
+        ),
         Task(
             "programs",
             "print",
             _key(["report.octave.listings", "report.evidence"], templates),
-            partial(corrected_programs, evidence.derivation, evidence.numbers.parameters),
+            print_programs,
         ),
         *(
-            Task(
-                _name(section),
-                "judge",
-                _key([section.__name__, "report.evidence"], inventory),
-                partial(_judged, section, evidence, inventory),
+            Task(name, "sum up", _key([work.__module__]), partial(work, evidence))
+            for name, work in (
+                ("highlights", highlights),
+                ("answers", answers),
+                ("corrected-results", corrected_results),
             )
-            for section in SECTIONS
         ),
         *(
             Task(
@@ -90,13 +106,27 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
                 _key([*drawing.modules, "report.evidence"], drawing.words),
                 partial(drawing.finished, evidence),
             )
-            for drawing in DRAWINGS
+            for drawing in reversed(DRAWINGS)
+        ),
+        *(
+            Task(
+                _name(section),
+                "judge",
+                _key([section.__name__, "report.evidence"], inventory),
+                partial(_judged, section, evidence, inventory),
+            )
+            for section in reversed(SECTIONS)
         ),
     ]
 
 
 def _key(modules: list[str], *others: Any) -> str:
-    return digest(modules, libraries(), version("trimmer"), *others)
+    return digest(modules, _versions(), *others)
+
+
+@cache
+def _versions() -> tuple[tuple[str, str], ...]:
+    return (*libraries(), ("trimmer", version("trimmer")))
 
 
 def _name(section: ModuleType) -> str:

@@ -58,6 +58,7 @@ def test_digest_changes_with_a_helper_of_a_helper(tmp_path: Path, monkeypatch: p
 
     def now() -> str:
         source_closure._imported.cache_clear()
+        source_closure._sources_of.cache_clear()
         source_closure._content.cache_clear()
         return digest(["report.first"])
 
