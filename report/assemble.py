@@ -9,6 +9,7 @@ from derivations.element_quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
+from report.alterations import Alterations
 from report.claim import Entry, Finding
 from report.document import (
     Answer,
@@ -48,6 +49,7 @@ class Parts:
 
     Attributes:
         findings: One for each claim, in the order of the inventory.
+        alterations: Printed sides that were changed on purpose.
         figures: The redrawn figures, in the order of the thesis.
         trimmer_steps: The derivation of the linear trimmer.
         element_steps: The derivation of the describing functions.
@@ -58,6 +60,7 @@ class Parts:
     """
 
     findings: tuple[Finding, ...]
+    alterations: Alterations
     figures: tuple[Figure, ...]
     trimmer_steps: tuple[Step, ...]
     element_steps: tuple[Step, ...]
@@ -89,6 +92,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,
         corrected=parts.corrected,
+        alterations=parts.alterations,
     )
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from report.alterations import Alterations
 from report.claim import Finding
 
 
@@ -137,7 +138,10 @@ class Program:
 
 @dataclass(frozen=True)
 class Document:
-    """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out."""
+    """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
+
+    ``alterations`` counts the printed sides of the whole report that were changed on purpose.
+    """
 
     title: str
     highlights: tuple[Highlight, ...]
@@ -154,6 +158,7 @@ class Document:
     corrected: tuple[CorrectedResult, ...] = ()
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
+    alterations: Alterations = field(default_factory=Alterations)
 
     @property
     def findings(self) -> tuple[Finding, ...]:

@@ -11,6 +11,7 @@ from typing import Any
 
 from derivations.element_narrative import element_narrative
 from derivations.narrative import narrative
+from report.alterations import Alterations, alter
 from report.answers import answers
 from report.assemble import Parts, assemble
 from report.claim import Entry, Finding, judge
@@ -46,8 +47,10 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     inventory = read_inventory()
     evidence = _evidence(progress, store)
     results = done(_tasks(evidence, inventory), store, progress)
+    judged = [results[_name(section)] for section in SECTIONS]
     parts = Parts(
-        findings=_in_order([results[_name(section)] for section in SECTIONS], inventory),
+        findings=_in_order([findings for findings, _ in judged], inventory),
+        alterations=sum((alterations for _, alterations in judged), Alterations()),
         figures=tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
@@ -112,7 +115,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
             Task(
                 _name(section),
                 "judge",
-                _key([section.__name__, "report.evidence"], inventory),
+                _key([section.__name__, "report.evidence", "report.alterations"], inventory),
                 partial(_judged, section, evidence, inventory),
             )
             for section in reversed(SECTIONS)
@@ -133,10 +136,12 @@ def _name(section: ModuleType) -> str:
     return f"section-{section.__name__.rpartition('.')[2]}"
 
 
-def _judged(section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
+def _judged(
+    section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]
+) -> tuple[tuple[Finding, ...], Alterations]:
     claims = section.claims(evidence)
     require_known_once((claim.id for claim in claims), inventory)
-    return tuple(judge(claim, inventory[claim.id]) for claim in claims)
+    return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
 
 
 def _in_order(by_section: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
