@@ -101,6 +101,10 @@ def _friction(text: str) -> BodyFriction:
     if not equals:
         raise OptionError(f"--friction {text}: write the displacement and the force, such as q2-q4=0.5")
     try:
-        return BodyFriction(Displacement.parse(between), CoulombFriction(float(force)))
+        magnitude = float(force)
+    except ValueError:
+        raise OptionError(f"--friction {text}: {force!r} is not a number (N)") from None
+    try:
+        return BodyFriction(Displacement.parse(between), CoulombFriction(magnitude))
     except ValueError as error:
         raise OptionError(f"--friction {text}: {error}") from error

@@ -23,7 +23,8 @@ def as_text(element: Element, predictions: Sequence[LimitCycle], orbits: Sequenc
         f"predicted, but not found: amplitude {each.amplitude:.6g} at {each.frequency:.6g} Hz"
         for each in _without_orbit(predictions, orbits)
     ]
-    lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
+    if orbits:
+        lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
 
 

@@ -61,7 +61,13 @@ def _run(arguments: Namespace) -> int:
             write_signal(arguments.csv, output, *others)
         if arguments.wav is not None:
             write_wav(arguments.wav, output.values, output.sample_rate)
-    print((as_json if arguments.json else as_text)(motion))
+    if arguments.json:
+        print(as_json(motion))
+    else:
+        print(as_text(motion))
+        for path in (arguments.csv, arguments.wav):
+            if path is not None:
+                print(f"wrote {path}")
     return 0
 
 

@@ -114,7 +114,8 @@ def _similar(table: CsvTable, name: str) -> str:
 def _listed(table: CsvTable) -> str:
     if table.width == 1:
         return f"the only one is {_told(table, 0)}"
-    return f"there are {table.width}: {', '.join(_told(table, place) for place in range(table.width))}"
+    told = ", ".join(_told(table, place) for place in range(table.width))
+    return f"there are {table.width} columns: {told}"
 
 
 def _told(table: CsvTable, place: int) -> str:

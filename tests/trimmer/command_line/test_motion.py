@@ -54,7 +54,8 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
     with wave.open(str(sound)) as file:
         assert file.getframerate() >= 8000
         assert file.getnframes() / file.getframerate() == pytest.approx(1.0, abs=0.01)
-    capsys.readouterr()
+    told = capsys.readouterr().out.splitlines()
+    assert told[-2:] == [f"wrote {table}", f"wrote {sound}"]
     assert main(["spectrum", str(table), "--column", "q2-q4", "--drive", "110", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)
 
@@ -72,7 +73,7 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
         (["simulate", "--amplitude", "1"], "--drive (Hz) is missing"),
         (["simulate", "--drive", "-1", "--amplitude", "1"], "omega of the drive must be positive"),
         ([*DRIVEN, "--friction", "q2"], "such as q2-q4=0.5"),
-        ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x"),
+        ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x: 'x' is not a number (N)"),
         ([*DRIVEN, "--friction", "q2-q2=1"], "--friction q2-q2=1"),
         ([*DRIVEN, "--friction", "q2-q4=-1"], "--friction q2-q4=-1"),
         (["simulate", "--element", "coulomb", "--force", "1", "--impulse", "1"], "two more poles than zeros"),

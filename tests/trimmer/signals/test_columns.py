@@ -27,13 +27,13 @@ def test_a_name_of_digits_comes_before_a_number(file) -> None:
     [
         (
             {},
-            ": there are 4: 1 'time [s]', 2 'pin [m]', 3 'pin', 4 'q2-q4 [m]'; choose one by name or number",
+            ": there are 4 columns: 1 'time [s]', 2 'pin [m]', 3 'pin', 4 'q2-q4 [m]'; choose one by name or number",
         ),
         ({"column": "q2-q3"}, ": no column is named 'q2-q3'; did you mean 'q2-q4'?"),
-        ({"column": "velocity"}, ": no column is named 'velocity'; there are 4: 1 'time [s]'"),
+        ({"column": "velocity"}, ": no column is named 'velocity'; there are 4 columns: 1 'time [s]'"),
         ({"column": "pin"}, ": columns 2 and 3 are named 'pin'; choose by number"),
-        ({"column": 5}, ": there is no column 5; there are 4"),
-        ({"column": "0"}, ": there is no column 0; there are 4"),
+        ({"column": 5}, ": there is no column 5; there are 4 columns"),
+        ({"column": "0"}, ": there is no column 0; there are 4 columns"),
         ({"column": -1}, ": there is no column -1"),
         ({"column": ""}, ": no column is named ''"),
         ({"column": 1, "time_column": 1}, ": the signal and the time stamps cannot both be 1 'time [s]'"),
