@@ -106,7 +106,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
             Task(
                 f"figure-{drawing.id}",
                 "draw",
-                _key([*drawing.modules, "report.evidence"], drawing.words),
+                _key([*drawing.modules, "report.figures.drawing", "report.evidence"], drawing.words),
                 partial(drawing.finished, evidence),
             )
             for drawing in reversed(DRAWINGS)

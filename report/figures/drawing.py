@@ -28,16 +28,21 @@ class Drawing:
     @property
     def modules(self) -> frozenset[str]:
         """Modules that draw it: that of ``draw``, or those of the functions that a lambda calls."""
-        if self.draw.__name__ != "<lambda>":
+        if not self._is_lambda:
             return frozenset({self.draw.__module__})
         called = (self.draw.__globals__.get(name) for name in self.draw.__code__.co_names)
         return frozenset(each.__module__ for each in called if isinstance(each, FunctionType))
 
     @property
-    def words(self) -> tuple[str, ...]:
-        """All that the figure depends on besides what its modules contain."""
+    def words(self) -> tuple[object, ...]:
+        """All that the figure depends on besides its modules: its words, and what a lambda does."""
         code = self.draw.__code__
-        return (self.id, self.title, self.caption, self.alternative_text, repr((code.co_names, code.co_code)))
+        call = (code.co_names, code.co_consts, code.co_code) if self._is_lambda else ()
+        return (self.id, self.title, self.caption, self.alternative_text, call)
+
+    @property
+    def _is_lambda(self) -> bool:
+        return self.draw.__name__ == "<lambda>"
 
     def finished(self, evidence: Evidence) -> Figure:
         """Draw it."""

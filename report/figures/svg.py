@@ -7,6 +7,8 @@ import re
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from matplotlib.ticker import ScalarFormatter
+
 from report.figures.read_out import read_out
 from report.figures.style import style
 
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
 _METADATA = re.compile(r"\s*<metadata>.*?</metadata>", re.DOTALL)
 _OPENING = re.compile(r"<svg\b[^>]*>", re.DOTALL)
 _STYLE = re.compile(r"\s*<defs>\s*<style.*?</style>\s*</defs>", re.DOTALL)
+_MATHEMATICS = re.compile(r"^\$\\mathdefault\{(.*)\}\$$")
 _REFERENCE = re.compile(r'(?P<before>\bid="|href="#|url\(#)')
 
 
@@ -35,10 +38,26 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
 
     buffer = io.StringIO()
     with style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
+        _write_ticks_plainly(figure)
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
         axes = read_out(figure)
     svg = _prefixed(_element(buffer.getvalue()), identifier)
     return _described(_with_axes(svg, axes), identifier, title, alternative_text)
+
+
+class _PlainTicks(ScalarFormatter):
+    """Numbers at ticks without the mathematics around them; a power of ten beside the axis keeps it."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return _MATHEMATICS.sub(r"\1", super().__call__(x, pos))
+
+
+def _write_ticks_plainly(figure: Figure) -> None:
+    """Have numbers at linear axes set as text: as mathematics they take half of the time of a drawing."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if type(axis.get_major_formatter()) is ScalarFormatter:
+                axis.set_major_formatter(_PlainTicks())
 
 
 def _with_axes(svg: str, axes: str) -> str:
