@@ -3,30 +3,42 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from report.claim import Entry, Kind
 
 PATH = Path(__file__).parent / "data" / "inventory.csv"
+"""The statements that were handed over with the thesis."""
+FURTHER = PATH.with_name("further_statements.csv")
+"""Statements that the inventory lacks, found by reading the thesis again; same columns."""
 
 
 class InventoryError(ValueError):
     """The inventory holds an id twice, or a kind that is not known."""
 
 
-def read_inventory(path: Path = PATH) -> Mapping[str, Entry]:
-    """Read the inventory, by id, in its own order.
+def read_inventory(*paths: Path) -> Mapping[str, Entry]:
+    """Read the statements, by id, in their own order: those handed over, then the further ones.
+
+    Args:
+        paths: Files to read instead of these two.
 
     Raises:
         InventoryError: naming file, line and value, if an id stands twice or a kind is unknown.
     """
     entries: dict[str, Entry] = {}
+    for path in paths or (PATH, FURTHER):
+        for line, entry in _entries(path):
+            if entry.id in entries:
+                raise InventoryError(f"{path.name}, line {line}: the id {entry.id} stands there twice")
+            entries[entry.id] = entry
+    return entries
+
+
+def _entries(path: Path) -> Iterator[tuple[int, Entry]]:
     with path.open(encoding="utf-8", newline="") as file:
         for line, row in enumerate(csv.DictReader(file), start=2):
-            if row["id"] in entries:
-                raise InventoryError(f"{path.name}, line {line}: the id {row['id']} stands there twice")
             if row["kind"] not in {kind.value for kind in Kind}:
                 raise InventoryError(f"{path.name}, line {line}: unknown kind {row['kind']!r}")
-            entries[row["id"]] = Entry(row["id"], Kind(row["kind"]), row["section"], row["subject"])
-    return entries
+            yield line, Entry(row["id"], Kind(row["kind"]), row["section"], row["subject"])

@@ -12,6 +12,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
@@ -155,8 +156,14 @@ def output_at_jump(A: Reals, B: Reals, C: Reals, half_periods: Reals) -> Reals:
 
 
 def _candidates(A: Reals, B: Reals, C: Reals) -> PeriodicCandidates:
+    def at_one(half_period: float) -> float:
+        return float(output_at_jump(A, B, C, np.array([half_period]))[0])
+
     at_jump = output_at_jump(A, B, C, HALF_PERIODS)
-    found = [float(HALF_PERIODS[k]) for k in np.flatnonzero(at_jump[:-1] * at_jump[1:] <= 0)]
+    found = [
+        float(brentq(at_one, HALF_PERIODS[k], HALF_PERIODS[k + 1]))
+        for k in np.flatnonzero(at_jump[:-1] * at_jump[1:] < 0)
+    ]
     return PeriodicCandidates(
         frequencies=tuple(0.5 / half_period for half_period in found),
         in_phase=tuple(_in_the_middle(A, B, C, half_period) > 0 for half_period in found),

@@ -10,7 +10,7 @@ import sympy
 
 from derivations.latex import latex
 from derivations.state_space import output_row
-from derivations.symbols import A, s
+from derivations.symbols import A, coordinates, s, u, u_dot, velocities
 from report.claim import Claim, Confirmation, Impact, Mathematics, Part
 from report.claims import trimmer_printed
 from report.claims.printed import product
@@ -136,8 +136,25 @@ def _quadrature(
     return Confirmation("quadrature", CloseNumbers(1 + number, 1 + complex(derived.subs(values)), 1e-12))
 
 
+def _matrix(
+    label: str,
+    printed: sympy.ImmutableMatrix,
+    derived: sympy.ImmutableMatrix,
+    rates: tuple[sympy.Expr, ...],
+    variables: tuple[sympy.Expr, ...],
+) -> Part:
+    """Compare a matrix, and confirm it by the derivatives of what Newton's law gives."""
+    by_newton = sympy.ImmutableMatrix(sympy.Matrix(rates).jacobian(variables)).expand()
+    return Part(
+        label,
+        SameMatrix(printed, derived),
+        Confirmation("the forces on each body", SameMatrix(by_newton, derived.expand())),
+    )
+
+
 def _listing(evidence: Evidence) -> Claim:
-    space, numbers = evidence.derivation.space, evidence.numbers
+    space, newton, numbers = evidence.derivation.space, evidence.derivation.newton, evidence.numbers
+    states = (*coordinates, *velocities)
     kept, whole = (
         complex(frequency_response(system, LIMIT_CYCLE_OMEGA))
         for system in (numbers.displacement_only, numbers.both_channels)
@@ -149,9 +166,23 @@ def _listing(evidence: Evidence) -> Claim:
     return Claim(
         id="lst-A.1",
         parts=(
-            Part("A, lines 30 to 37", SameMatrix(trimmer_printed.state_matrix(), space.a)),
-            Part("B, lines 39 to 46", SameMatrix(trimmer_printed.input_matrix(), space.b)),
-            Part("C, line 50", SameMatrix(trimmer_printed.output_matrix(), output_row(1, 3, 4))),
+            _matrix(
+                "A, lines 30 to 37", trimmer_printed.state_matrix(), space.a, (*velocities, *newton), states
+            ),
+            _matrix(
+                "B, lines 39 to 46",
+                trimmer_printed.input_matrix(),
+                space.b,
+                (*velocities, *newton),
+                (u, u_dot),
+            ),
+            _matrix(
+                "C, line 50",
+                trimmer_printed.output_matrix(),
+                output_row(1, 3, 4),
+                (coordinates[1] - coordinates[3],),
+                states,
+            ),
             Part(
                 "G = G(1), line 58",
                 Assertion(

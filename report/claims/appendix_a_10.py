@@ -19,7 +19,7 @@ DENOMINATOR = (
 )
 GRID_OFFSET, GRID_END, GRID_POINTS = 1e-6, 0.0025, 10000
 LISTING_GAP = 4e-5
-LINE_OF_SEARCH, LINE_OF_START = 22, 31
+LINE_OF_SEARCH, LINE_OF_START = 23, 31
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -117,7 +117,7 @@ def _listing(evidence: Evidence) -> Claim:
         id="lst-A.9",
         parts=(
             Part(
-                "the two equations of lines 22 to 25, at their solution: amplitude over gap",
+                "the two equations of lines 23 to 26, at their solution: amplitude over gap",
                 PrintedDigits("8.2845", cycle.amplitude),
                 Confirmation("Newton's method in 30 digits", CloseNumbers(amplitude, cycle.amplitude)),
             ),
@@ -135,7 +135,8 @@ def _listing(evidence: Evidence) -> Claim:
             "Real and imaginary part of the condition are right here, unlike equation 2.54, and the search "
             "converges to the thesis's numbers: $3.3138\\cdot 10^{-4}/4\\cdot 10^{-5} = 8.2845$ at "
             f"{omega:.1f} rad/s. Run from an empty workspace it stops, because the start is defined after "
-            "the search; it finds one solution for each start, and nothing tells whether there are more."
+            "the search; it finds one solution for each start, and nothing tells whether there are more. The "
+            "text says line 22 for the search; in the copy at hand it is line 23."
         ),
         consequence=(
             "Two starts gave the two limit cycles of table 5.1; a search for all of them finds no third."

@@ -5,25 +5,43 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import sympy
 
-from report.claim import Claim, Confirmation, Impact, Part
+from derivations.backlash import inertia_waveform
+from derivations.symbols import A
+from derivations.waveform import THETA
+from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.appendix_a_time_domain import (
     DRIVE_AMPLITUDE,
     DRIVE_GAP,
     DRIVE_OMEGA,
+    PHASES,
     PRINTED_CONTACT,
     PRINTED_OFFSET,
+    b,
     contact_time,
     inertia_block,
 )
+from report.claims.printed import product, total
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
+from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE = "trimmer/elements/inertia_backlash.py"
 IN_TEXT = "109.845"
 TURN = 2 * math.pi
+PIECES = ("first", "second", "third", "fourth")
+EQUATION = (
+    total(A * THETA, -b / 2),
+    total(A * sympy.sin(THETA), b / 2),
+    product(-A, THETA - sympy.pi),
+    total(A * sympy.sin(THETA), -b / 2),
+)
+"""Right sides of equation 2.42."""
+ROUNDED_CONSTANT = 0.02
+"""Share by which the two digits of line 12's constant may move the output at that phase."""
 CLOSE = 0.01
 """Share of the gap by which the block may differ from the waveform that it stands for."""
 PERIODS, POINTS = 20, 4000
@@ -32,7 +50,45 @@ PERIODS, POINTS = 20, 4000
 
 def claims(_: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
-    return (_constants(), _frequency())
+    return (_constants(), _equation(), _frequency())
+
+
+def _equation() -> Claim:
+    """The listing's pieces are those of the derived waveform, see Listing A.8."""
+    pieces = [segment.value for segment in inertia_waveform(b).segments]
+    return Claim(
+        id="txt-A.9-equation",
+        parts=tuple(
+            Part(
+                f"line {line} against the {name} piece, $\\theta = \\omega t$",
+                SameExpression(printed, piece, left="y"),
+                Confirmation("the listing, repeated, inside of the piece", _as_listed(piece, phase)),
+                Slip("equation 2.42 lacks the offset b/2", piece - b / 2, Verdict.ERRATUM),
+            )
+            for line, name, printed, piece, phase in zip(
+                range(10, 14), PIECES, EQUATION, pieces, PHASES, strict=True
+            )
+        ),
+        explanation=(
+            "The text says that the code gives equation 2.42. Three of its pieces do; line 12 contains the "
+            "offset $b/2$ that the equation has lost, so on the way back the code lies half a gap above it. "
+            "The code is right, up to the digits of its constant."
+        ),
+        consequence=(
+            "Whoever writes the block anew from the equation gets an output that jumps by half a gap, 0.2 mm "
+            "here, twice a period."
+        ),
+        impact=Impact.LOCAL,
+        source="derivations/backlash.py",
+    )
+
+
+def _as_listed(piece: sympy.Expr, phase: float) -> CloseNumbers:
+    """Return the listing's output at a phase (rad) beside a piece there; its constant has two digits."""
+    time = np.array([phase / DRIVE_OMEGA])
+    (listed,) = inertia_block(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * time), time)
+    value = piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: DRIVE_GAP})
+    return CloseNumbers(float(listed), float(value), ROUNDED_CONSTANT)
 
 
 def contact_angle() -> float:

@@ -21,6 +21,7 @@ from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from report.octave.formulas import LOAD, PIN, friction_step
+from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE = "derivations/backlash.py"
 b = sympy.Symbol("b", positive=True)
@@ -33,6 +34,8 @@ FRICTION_LINES = (
     *("end", "end", "end", "end"),
 )
 """Listing A.7, line by line."""
+PHASES = (0.5, 2.0, 4.0, 5.5)
+"""A phase inside of each piece, rad."""
 OPENING = r"\b(function|if|for|while|switch)\b"
 
 Reals = NDArray[np.float64]
@@ -159,9 +162,20 @@ def _pieces() -> tuple[Part, ...]:
         ("line 13", total(sine, -b / 2), fourth),
     )
     return tuple(
-        Part(f"{label}, $\\theta = \\omega t$", SameExpression(value, segment.value, left=sympy.Symbol("y")))
-        for label, value, segment in rows
+        Part(
+            f"{label}, $\\theta = \\omega t$",
+            SameExpression(value, segment.value, left=sympy.Symbol("y")),
+            Confirmation("the numeric element at a phase inside", _by_element(segment.value, phase)),
+        )
+        for (label, value, segment), phase in zip(rows, PHASES, strict=True)
     )
+
+
+def _by_element(piece: sympy.Expr, phase: float) -> CloseNumbers:
+    """Return the numeric element's output at a phase (rad) beside a piece of the waveform there."""
+    wave = InertiaBacklash(DRIVE_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    value = piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: DRIVE_GAP})
+    return CloseNumbers(float(wave[0]), float(value))
 
 
 def contact_time() -> float:
@@ -181,7 +195,14 @@ def _constants() -> tuple[Part, ...]:
             PrintedDigits(PRINTED_CONTACT, contact_time(), "s"),
             Confirmation("flight and wall at that time", CloseNumbers(flight, wall)),
         ),
-        Part("line 12, the constant $\\pi A + b/2$", PrintedDigits(PRINTED_OFFSET, float(offset), "m")),
+        Part(
+            "line 12, the constant $\\pi A + b/2$",
+            PrintedDigits(PRINTED_OFFSET, float(offset), "m"),
+            Confirmation(
+                "its value $b/2$ above $A \\theta$ half a period on",
+                CloseNumbers(DRIVE_GAP / 2 + DRIVE_AMPLITUDE * DRIVE_OMEGA * PERIOD / 2, float(offset)),
+            ),
+        ),
     )
 
 

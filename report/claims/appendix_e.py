@@ -107,7 +107,7 @@ def _amplitudes(evidence: Evidence) -> Claim:
                 Assertion(
                     statement=UNALTERED,
                     derived=_unaltered(ripples[1:]),
-                    evidence=f"it stays within {100 * (1 - ripples[1] / ripples[-1]):.0f} %",
+                    evidence=f"it changes by {100 * (1 - ripples[1] / ripples[-1]):.1f} %",
                     method="exact simulation from rest",
                 ),
                 Confirmation(

@@ -37,7 +37,7 @@ SETTLED = 0.01
 
 def claims(_: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
-    return (_graphical_balance(), _two_limit_cycles(), _stability_rule())
+    return (_graphical_balance(), _two_limit_cycles(), _stability_rule(), _nyquist_premise())
 
 
 def _graphical_balance() -> Claim:
@@ -94,8 +94,8 @@ def _two_limit_cycles() -> Claim:
         explanation=(
             f"The figure names no loop; taken is {LOOP}, which has two limit cycles. The operating points "
             "beside them are encircled or not as the text says, counted by turns of the locus and by growing "
-            "poles. For other loops with a stable $G$ it is the same: along $-1/N$ the count changes only "
-            "where the curves cross, so a way in is followed by a way out."
+            "poles. With another stable $G$ the same count decides, since along $-1/N$ it changes only where "
+            "the curves cross; which of two limit cycles is the way in depends on where $-1/N$ begins."
         ),
         source=SOURCE,
     )
@@ -114,21 +114,15 @@ def _operating_point(loop: Loop, label: str, printed: str, amplitude: float) -> 
 
 def _stability_rule() -> Claim:
     loop = backlash_loop()
-    first, _ = loop.limit_cycles()
     return Claim(
         id="txt-2.3.6-stability-rule",
-        parts=(_side_of_the_crossing(loop), *_stable_or_not(loop), _premise(loop, STEP * first.amplitude)),
+        parts=(_side_of_the_crossing(loop), *_stable_or_not(loop)),
         explanation=(
-            "The rule is right where $G$ has no pole in the right half plane: with rising amplitude $L_1$ "
-            "goes to the encircled side and grows, $L_2$ goes to the other and shrinks back. That is Loeb's "
-            "criterion, and a simulated loop does it. Wrong is the premise before it, that a stable open "
-            "loop asks for a stable closed one: were it so, no operating point could grow."
+            "The rule is right where $G$ has no pole in the right half plane, as the trimmer's: with rising "
+            "amplitude $L_1$ goes to the encircled side and grows, $L_2$ goes to the other and shrinks back. "
+            "That is Loeb's criterion, and a simulated loop does it. With poles of $G$ in the right half "
+            "plane, encircled points can be the stable ones."
         ),
-        consequence=(
-            "None: the argument uses only that $G$ is stable, which the trimmer's is. With poles of $G$ in "
-            "the right half plane, encircled points can be the stable ones."
-        ),
-        impact=Impact.NOTATION,
         source="trimmer/balance/stability.py",
     )
 
@@ -196,21 +190,44 @@ def _sine(loop: Loop) -> float:
     return abs((locus.conjugate() * inverse).imag) / abs(locus * inverse)
 
 
-def _premise(loop: Loop, amplitude: float) -> Part:
-    """Return the part on what the text says the Nyquist criterion asks for."""
-    open_poles = loop.plant.poles()
-    growing = growing_poles(loop, amplitude)
-    linear = control.feedback(control.tf([10], [1, 3, 3, 1]), 1).poles()
-    return Part(
-        "the premise",
-        Assertion(
-            statement="for the open loop to be stable, the closed loop has to be stable",
-            derived=bool((open_poles.real < 0).all()) and growing == 0 and bool((linear.real < 0).all()),
-            evidence=(
-                f"the open loop at $L_1'$ is stable, the closed one has {growing} growing pole; "
-                f"$10/(s + 1)^3$ with unit feedback has poles at ${linear.real.max():.3f} \\pm "
-                f"{abs(linear.imag).max():.3f}j$"
+def _nyquist_premise() -> Claim:
+    loop = backlash_loop()
+    first, _ = loop.limit_cycles()
+    growing = growing_poles(loop, STEP * first.amplitude)
+    linear = control.tf([10], [1, 3, 3, 1])
+    closed = control.feedback(linear, 1).poles()
+    both_open_stable = bool((loop.plant.poles().real < 0).all() and (linear.poles().real < 0).all())
+    return Claim(
+        id="txt-2.3.6-nyquist-premise",
+        parts=(
+            Part(
+                "",
+                Assertion(
+                    statement="an open loop can be stable only if the closed loop is",
+                    derived=not (both_open_stable and growing > 0 and bool((closed.real > 0).any())),
+                    evidence=(
+                        f"the open loop at $L_1'$ of figure 2.14 is stable, the closed one has {growing} "
+                        f"growing pole; $10/(s + 1)^3$ with unit feedback has poles at "
+                        f"${closed.real.max():.3f} \\pm {abs(closed.imag).max():.3f}j$"
+                    ),
+                    method="counterexamples, by their poles",
+                ),
+                Confirmation(
+                    "turns of the locus about $-1$, one for each growing pole",
+                    CloseNumbers(encirclements_of(linear, -1.0), int((closed.real > 0).sum())),
+                ),
             ),
-            method="counterexamples",
         ),
+        explanation=(
+            "The sentence has the two loops exchanged: the Nyquist criterion takes the poles of the open "
+            "loop as known and tells the stability of the closed one. Read as it stands it says that a "
+            "stable $G$ asks for a stable loop; then no operating point could grow, and there were no "
+            "unstable limit cycle."
+        ),
+        consequence=(
+            "None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable. Section 5.1.2 "
+            "draws its conclusion from the locus in the same wrong direction."
+        ),
+        impact=Impact.NOTATION,
+        source=SOURCE,
     )

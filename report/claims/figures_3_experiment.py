@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.claim import Claim, Part, Uncheckable, Words
+from report.claim import Claim, Confirmation, Part, Uncheckable, Words
+from report.claims.chapters_6_and_7 import GAPS_QUOTED
+from report.claims.driven_harmonics import confirm_friction, confirm_play
 from report.claims.measured_peaks import TABLE_2
 from report.claims.section_3_2 import RAW_DATA
 from report.comparisons.assertion import Assertion
-from report.comparisons.digits import PrintedDigits
-from report.driven_motion import FORCES, GAP, DrivenRun
+from report.comparisons.digits import CloseNumbers, PrintedDigits
+from report.driven_motion import FORCES, GAP, SAMPLE_RATE, DrivenRun
 from report.evidence import Evidence
 
 SOURCE = "report/driven_motion.py"
@@ -17,6 +19,8 @@ METHOD = (
     "exact simulation with the parameters of Listing A.1, 109.945 Hz and 1.5 mm, three forces of friction"
 )
 PRINTED_GAP, PRINTED_GAP_IN_CAPTION = "200e-6", "200"
+SETTLED = int(0.1 * SAMPLE_RATE)
+"""Samples at the end of a run, when the start has died out: as many as the experiment recorded."""
 LOWEST_SHOWN, HIGHEST_SHOWN = 200.0, 1000.0
 """Range of figure 3.5, Hz."""
 
@@ -26,9 +30,9 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
     without, with_play = ([evidence.motion.driven.run(gap, force) for force in FORCES] for gap in (0.0, GAP))
     return (
         _motions("fig-3.1", "without play", without),
-        _first_spectrum(without),
+        _first_spectrum(evidence, without),
         _motions("fig-3.3", "with play", with_play),
-        _second_spectrum(without, with_play),
+        _second_spectrum(evidence, without, with_play),
         _enlarged(),
     )
 
@@ -38,7 +42,11 @@ def _curves(what: str) -> Uncheckable:
 
 
 def _motions(claim_id: str, case: str, runs: list[DrivenRun]) -> Claim:
-    shares = [float(np.ptp(run.guard) / np.ptp(run.cutter)) for run in runs]
+    shares = [
+        float(np.ptp(run.guard[settled]) / np.ptp(run.cutter[settled]))
+        for run in runs
+        for settled in (run.last(SETTLED),)
+    ]
     return Claim(
         id=claim_id,
         parts=(
@@ -66,7 +74,7 @@ def _largest(run: DrivenRun) -> list[int]:
     return sorted(range(1, run.harmonics.size), key=lambda order: -run.harmonics[order])[:3]
 
 
-def _first_spectrum(runs: list[DrivenRun]) -> Claim:
+def _first_spectrum(evidence: Evidence, runs: list[DrivenRun]) -> Claim:
     run = runs[1]
     return Claim(
         id="fig-3.2",
@@ -83,6 +91,7 @@ def _first_spectrum(runs: list[DrivenRun]) -> Claim:
                     ),
                     method=METHOD,
                 ),
+                confirm_friction(evidence),
             ),
             _curves("measured spectra"),
         ),
@@ -94,7 +103,7 @@ def _first_spectrum(runs: list[DrivenRun]) -> Claim:
     )
 
 
-def _second_spectrum(without: list[DrivenRun], with_play: list[DrivenRun]) -> Claim:
+def _second_spectrum(evidence: Evidence, without: list[DrivenRun], with_play: list[DrivenRun]) -> Claim:
     growth = [
         float(play.harmonics[order] / none.harmonics[order])
         for none, play in zip(without, with_play, strict=True)
@@ -106,6 +115,10 @@ def _second_spectrum(without: list[DrivenRun], with_play: list[DrivenRun]) -> Cl
             Part(
                 "gap in the caption, from 200e-6 m",
                 PrintedDigits(PRINTED_GAP_IN_CAPTION, 1e6 * float(PRINTED_GAP), "µm"),
+                Confirmation(
+                    "chapter 6, which quotes the gap again",
+                    CloseNumbers(float(GAPS_QUOTED["chapter 6"]), float(PRINTED_GAP)),
+                ),
             ),
             Part(
                 "harmonics",
@@ -118,6 +131,7 @@ def _second_spectrum(without: list[DrivenRun], with_play: list[DrivenRun]) -> Cl
                     ),
                     method=METHOD,
                 ),
+                confirm_play(evidence, GAP),
             ),
             _curves("measured spectra"),
         ),

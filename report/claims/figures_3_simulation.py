@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.claim import Claim, Impact, Part, Uncheckable, Words
+from report.claim import Claim, Confirmation, Impact, Part, Uncheckable, Words
+from report.claims.driven_harmonics import confirm_play
 from report.claims.driven_steady_motion import METHOD, has_odd_harmonics_only
 from report.comparisons.assertion import Assertion
 from report.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
 from report.evidence import Evidence
 from report.linear_numbers import DRIVE_AMPLITUDE
 from report.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
+from trimmer.elements.friction_backlash import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/driven_motion.py", "report/released_motion.py"
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
@@ -74,6 +76,18 @@ def _follows_the_drive(evidence: Evidence) -> Part:
             ),
             method=SIMULATION,
         ),
+        Confirmation(
+            "the domain of the describing function, which begins at half a gap",
+            Assertion(
+                statement="backlash has a response to this amplitude",
+                derived=not bool(
+                    np.isnan(FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE))
+                ),
+                evidence=f"it begins at {1e3 * LARGEST_GAP / 2:.0f} mm",
+                method="describing function of backlash",
+                asserted=False,
+            ),
+        ),
     )
 
 
@@ -96,14 +110,15 @@ def _largest_gap(evidence: Evidence) -> Claim:
                     ),
                     method=SIMULATION,
                 ),
+                confirm_play(evidence, LARGER_GAP),
             ),
             _curves(),
         ),
         explanation=(
-            "A play of 20 mm lets a pin of 1.5 mm, the only amplitude that the thesis gives, swing freely: "
-            "nothing can move. Either the gap is misprinted or the pin moved by more than a centimetre. At 2 "
-            "mm the model has two additional oscillations as described, which are the third and fifth "
-            "harmonic; if $b$ were half of the gap, that play would not be crossed either."
+            "A play of 20 mm lets a pin of 1.5 mm, the eccentricity of section 5.2.1, swing freely: nothing "
+            "can move. Either the gap is misprinted or the pin moved by more than a centimetre. At 2 mm the "
+            "model has two additional oscillations as described, which are the third and fifth harmonic; if "
+            "$b$ were half of the gap, that play would not be crossed either."
         ),
         consequence=(
             "It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a "

@@ -23,7 +23,10 @@ from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.equivalent_nonlinearity import FORCE, FORCES, GAP, OTHER_FORCE, OTHER_GAP
 from report.evidence import Evidence
+from report.friction_in_place import force_response
 from report.limit_cycle_numbers import friction_by_newton
+from trimmer import frequency_response
+from trimmer.elements.friction_backlash import FrictionBacklash
 
 SOURCE = "report/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
@@ -208,7 +211,8 @@ def _forces(evidence: Evidence) -> Claim:
                     ),
                     method="all solutions of harmonic balance, friction between cutter and guard",
                 ),
-                slip=Slip(LINE_18, bool(np.all(np.diff(listing) > 0)), Verdict.ERRATUM),
+                _at_the_merger(evidence),
+                Slip(LINE_18, bool(np.all(np.diff(listing) > 0)), Verdict.ERRATUM),
             ),
         ),
         explanation=(
@@ -220,4 +224,20 @@ def _forces(evidence: Evidence) -> Claim:
         consequence="The explanation of the 0.57 % by friction has the wrong direction.",
         impact=Impact.DOWNSTREAM,
         source="report/friction_in_place.py",
+    )
+
+
+def _at_the_merger(evidence: Evidence) -> Confirmation:
+    """Confirm the solution with the largest force by solving the equations of motion at its frequency."""
+    merger = evidence.cycles.equivalent.in_place.merger
+    model = force_response(evidence.numbers.parameters)
+    turning = 2j * math.pi * merger.frequency * np.eye(model.nstates) - model.A
+    by_force = complex((model.C @ np.linalg.solve(turning, model.B)).item())
+    omega = 2 * math.pi * merger.frequency
+    by_pin = complex(frequency_response(evidence.numbers.displacement_only, omega))
+    backlash = complex(FrictionBacklash(1.0).describing_function(merger.amplitude))
+    stiffness = 4j * merger.force_per_gap / (math.pi * merger.amplitude)
+    return Confirmation(
+        "both responses at the last solution, where the loop closes",
+        CloseNumbers(backlash * by_pin + stiffness * by_force, -1.0, 1e-6),
     )

@@ -11,6 +11,7 @@ import numpy as np
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Uncheckable, Verdict, Words
 from report.claims.appendix_a_elements import friction_listing
 from report.claims.figures_5_2_simulated import larger_gap_parts
+from report.claims.second_ways import by_waveform
 from report.claims.section_5_2_1 import LARGE_GAP, PLOT_OFFSET
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
@@ -203,7 +204,10 @@ def _distance(system: control.TransferFunction, element: Element, omega: float) 
 def _viscous(evidence: Evidence) -> Claim:
     system = evidence.numbers.displacement_only
     found = {gamma: limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0)) for gamma in GAMMAS}
-    outer = [cycle for cycles in found.values() for cycle in cycles if cycle.omega > STABLE_SIDE]
+    on_the_outer = [
+        (gamma, cycle) for gamma, cycles in found.items() for cycle in cycles if cycle.omega > STABLE_SIDE
+    ]
+    outer = [cycle for _, cycle in on_the_outer]
     repeated = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
     frequencies = [cycle.frequency for cycle in outer]
     inner = [cycle.frequency for cycles in found.values() for cycle in cycles if not cycle.stable]
@@ -220,6 +224,9 @@ def _viscous(evidence: Evidence) -> Claim:
                         "the limit cycle there is stable"
                     ),
                     method="all solutions of harmonic balance for a constant $\\gamma$",
+                ),
+                by_waveform(
+                    system, [(ViscousBacklash(1.0, gamma / each.omega), each) for gamma, each in on_the_outer]
                 ),
                 slip=Slip(LINE_6, max(repeated) < STABLE_SIDE, Verdict.ERRATUM),
             ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.second_ways import by_harmonics
 from report.claims.section_5_2_1 import LARGE_GAP, ROUNDED, SMALL_GAP
 from report.claims.section_5_2_1_driven import line_part, size_part
 from report.claims.section_5_2_1_impulse import one_impulse_part
@@ -14,6 +15,7 @@ from report.claims.section_5_2_4_simulated import candidates_part, friction_part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
+from report.relay_loop import VISCOUS
 
 ORBITS, DRIVEN = "report/exact_orbits.py", "report/reference_loop.py"
 STANDS_OUT = 0.01
@@ -237,6 +239,7 @@ def _relay_and_viscous(evidence: Evidence) -> Claim:
                 numbers.with_viscous,
                 "the block on the output, as a relay with a gain of 0.1",
                 "a periodic oscillation goes on",
+                by_harmonics(evidence.numbers.displacement_only, numbers.with_viscous.frequencies, VISCOUS),
             ),
             friction_part(numbers, "the block on the output's velocity, as friction"),
         ),

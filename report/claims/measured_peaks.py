@@ -23,7 +23,11 @@ TABLE_2 = {
     "M3": ("109.450", "229.885", "339.830", "439.780", "549.725"),
 }
 """Table 3.2, Hz: harmonics 1 to 5 of each measurement."""
-QUOTED = {"section 3.2": "109.845", "footnote 7 of section 5.2.1": "109.845"}
+QUOTED = {
+    "section 3.2": "109.845",
+    "footnote 7 of section 5.2.1": "109.845",
+    "appendix A.9": "109.845",
+}
 """Other values of the measured drive frequency that are quoted, Hz."""
 DRIVE_BIN = 11
 

@@ -76,7 +76,14 @@ def _resolution() -> Claim:
     return Claim(
         id="txt-3.1-resolution",
         parts=(
-            Part("frames in 0.1 s at 20 kHz", PrintedDigits(FRAMES, frames)),
+            Part(
+                "frames in 0.1 s at 20 kHz",
+                PrintedDigits(FRAMES, frames),
+                Confirmation(
+                    "a count of the instants before 0.1 s",
+                    CloseNumbers(len(range(0, 100_000, 50)), float(frames)),
+                ),
+            ),
             Part(
                 "resolution",
                 PrintedDigits(RESOLUTION, Fraction(SAMPLE_RATE) / int(FRAMES), "Hz"),

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import sympy
 
-from report.claim import Claim, Impact, Part, Uncheckable, Words
+from derivations.symbols import velocities
+from report.claim import Claim, Confirmation, Impact, Part, Uncheckable, Words
+from report.claims.driven_harmonics import confirm_friction
 from report.claims.driven_steady_motion import (
     METHOD,
     SOURCE,
@@ -12,7 +15,9 @@ from report.claims.driven_steady_motion import (
     has_the_drives_period,
     period_in_words,
 )
+from report.claims.figures_1_and_2_2 import MOVING_PARTS
 from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
@@ -20,7 +25,7 @@ RAW_DATA = "the recorded motions of the three measurements, which are confidenti
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
-    return (_odd_harmonics(evidence), _predicted(evidence), _no_limit_cycle(evidence))
+    return (_odd_harmonics(evidence), _play(evidence), _predicted(evidence), _no_limit_cycle(evidence))
 
 
 def _odd_harmonics(evidence: Evidence) -> Claim:
@@ -53,6 +58,7 @@ def _odd_harmonics(evidence: Evidence) -> Claim:
                     ),
                     method="exact simulation with the parameters of Listing A.1",
                 ),
+                confirm_friction(evidence),
             ),
         ),
         explanation=(
@@ -66,6 +72,43 @@ def _odd_harmonics(evidence: Evidence) -> Claim:
 
 def _list(values: list[float]) -> str:
     return ", ".join(f"{value:.0f}" for value in values)
+
+
+def _play(evidence: Evidence) -> Claim:
+    bodies = sympy.hessian(evidence.derivation.kinetic_energy, velocities).rank()
+    return Claim(
+        id="txt-3.2-play-place",
+        parts=(
+            Part(
+                "experiment 2",
+                Assertion(
+                    statement="the play lies between driving bridge and cutter",
+                    derived=bodies == len(MOVING_PARTS),
+                    evidence=(
+                        "sections 1.1, 2.1 and 3.1 have it between pin and driving bridge; bridge and cutter "
+                        f"are one of the {bodies} bodies, with one displacement, so there is no joint "
+                        "between them that could have play"
+                    ),
+                    method="rank of the mass matrix against the parts that the text names",
+                ),
+                Confirmation(
+                    "a count of the bodies",
+                    CloseNumbers(len(evidence.derivation.mechanism.bodies), bodies),
+                ),
+            ),
+        ),
+        explanation=(
+            "The text says that backlash was added between the driving bridge and the cutter. Section 1.1 "
+            "calls these two rigidly connected, section 3.1 announces play between pin and bridge, and every "
+            "model of the thesis has it there. It is taken for a slip of the pen."
+        ),
+        consequence=(
+            "If the gap of 200 µm was where this sentence has it, no model of the thesis describes the "
+            "second experiment: the bridge would need a mass of its own."
+        ),
+        impact=Impact.LOCAL,
+        source="derivations/mechanism.py",
+    )
 
 
 def expected_peak(evidence: Evidence) -> Part:

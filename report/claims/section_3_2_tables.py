@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import numpy as np
+
 from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.measured_peaks import (
     BIN,
     DIFFERENCE,
     DRIVE_BIN,
+    FRAMES_OF_TABLES,
     QUOTED,
+    SAMPLE_RATE,
     TABLE_1,
     TABLE_2,
     common_drive,
@@ -42,12 +46,12 @@ def _first_table() -> Claim:
                 CloseNumbers(fifth, float(order * DRIVE_BIN * BIN), 1e-6),
             )
             if order == 5
-            else None,
+            else _by_numpy(order * DRIVE_BIN),
         )
         for order, printed in TABLE_1.items()
     )
     differences = tuple(
-        Part(label, PrintedDigits(DIFFERENCE, 2 * DRIVE_BIN * BIN, "Hz"))
+        Part(label, PrintedDigits(DIFFERENCE, 2 * DRIVE_BIN * BIN, "Hz"), _by_numpy(2 * DRIVE_BIN))
         for label in ("$f_3 - f_1$", "$f_5 - f_3$")
     )
     return Claim(
@@ -62,6 +66,12 @@ def _first_table() -> Claim:
         impact=Impact.NOTATION,
         source=SOURCE,
     )
+
+
+def _by_numpy(number: int) -> Confirmation:
+    """Confirm the frequency of a bin."""
+    bins = np.fft.rfftfreq(FRAMES_OF_TABLES, 1 / float(SAMPLE_RATE))
+    return Confirmation("NumPy's bins", CloseNumbers(float(bins[number]), float(number * BIN)))
 
 
 def _second_table() -> Claim:
@@ -90,7 +100,7 @@ def _second_table() -> Claim:
 
 def _cell(label: str, printed: str) -> Part:
     centre = nearest_bin(printed) * BIN
-    confirmation = None
+    confirmation = _by_numpy(nearest_bin(printed))
     if not on_a_bin(printed):
         confirmation = Confirmation(
             "the same peak in measurement 1", CloseNumbers(float(TABLE_2["M1"][0]), float(centre), 1e-6)

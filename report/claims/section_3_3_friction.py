@@ -61,7 +61,7 @@ def _equations(evidence: Evidence) -> Claim:
             Part(
                 f"{NAMES[index]} line",
                 SameExpression(printed, linear + force, left=rf"\ddot q_{index + 1}"),
-                takes if wrong else None,
+                takes if wrong else _by_newton(evidence, index),
                 Slip(ALONG, linear - force, Verdict.ERRATUM) if wrong else None,
             )
         )
@@ -82,6 +82,13 @@ def _equations(evidence: Evidence) -> Claim:
         ),
         impact=Impact.LOCAL,
         source=SOURCE,
+    )
+
+
+def _by_newton(evidence: Evidence, index: int) -> Confirmation:
+    derivation = evidence.derivation
+    return Confirmation(
+        "the forces on the body", SameExpression(derivation.newton[index], derivation.accelerations[index])
     )
 
 

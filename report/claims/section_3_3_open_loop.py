@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from report.claim import Claim, Impact, Part, Uncheckable, Words
+from report.claims.driven_harmonics import confirm_play
 from report.claims.driven_steady_motion import (
     METHOD,
     SOURCE,
@@ -49,6 +50,7 @@ def _odd(evidence: Evidence) -> Claim:
                     evidence=f"third, fifth and seventh with {listing}",
                     method="exact simulation with the parameters of Listing A.1",
                 ),
+                confirm_play(evidence, GAP),
             ),
             Part(
                 "no others",

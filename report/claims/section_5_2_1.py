@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+
+import control
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.second_ways import by_floquet, by_waveform
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -38,9 +42,9 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _two_limit_cycles(cycles, second),
         _ten_gaps(cycles, second),
         _stable(evidence),
-        _second_limit_cycle(cycles, second),
-        _proportional("txt-5.2.1-proportional", cycles),
-        _proportional("txt-7-proportional", cycles),
+        _second_limit_cycle(evidence, second),
+        _proportional("txt-5.2.1-proportional", evidence),
+        _proportional("txt-7-proportional", evidence),
         _threshold("txt-5.2.1-threshold", "2e-8", cycles),
         _threshold("txt-6-threshold", "2e-8", cycles),
     )
@@ -203,6 +207,7 @@ def _stable(evidence: Evidence) -> Claim:
                     evidence=f"Loeb's criterion at {cycle.frequency:.2f} Hz",
                     method="Loeb's criterion, from analytic derivatives of both curves",
                 ),
+                by_floquet([orbit], stable=True),
             ),
             Part(
                 "in the exact loop",
@@ -231,7 +236,8 @@ def _stable(evidence: Evidence) -> Claim:
     )
 
 
-def _second_limit_cycle(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
+def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
+    cycles = evidence.cycles
     right, wrong = cycles.friction.unstable, cycles.friction_listing.unstable
     ratio, omega = second.unstable
     return Claim(
@@ -256,6 +262,7 @@ def _second_limit_cycle(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
                     evidence="Loeb's criterion",
                     method="Loeb's criterion, from analytic derivatives of both curves",
                 ),
+                by_floquet([evidence.motion.closed.orbits.friction.unstable], stable=False),
             ),
             Part(
                 "when it appears",
@@ -268,6 +275,7 @@ def _second_limit_cycle(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
                     ),
                     method="scaling of the describing function in the gap",
                 ),
+                _at_the_tiny_gap(evidence.numbers.displacement_only, right),
             ),
         ),
         explanation=(
@@ -286,7 +294,8 @@ def _second_limit_cycle(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
     )
 
 
-def _proportional(claim_id: str, cycles: LimitCycleNumbers) -> Claim:
+def _proportional(claim_id: str, evidence: Evidence) -> Claim:
+    cycles, system = evidence.cycles, evidence.numbers.displacement_only
     cycle = cycles.friction.stable
     return Claim(
         id=claim_id,
@@ -302,6 +311,7 @@ def _proportional(claim_id: str, cycles: LimitCycleNumbers) -> Claim:
                     evidence=f"$A = {cycle.amplitude:.4f}\\,b$ at {cycle.frequency:.2f} Hz for every gap $b$",
                     method="scaling of the describing function in the gap",
                 ),
+                _at_the_tiny_gap(system, cycle),
             ),
         ),
         explanation=(
@@ -340,6 +350,12 @@ def _threshold(claim_id: str, printed: str, cycles: LimitCycleNumbers) -> Claim:
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
     )
+
+
+def _at_the_tiny_gap(system: control.TransferFunction, cycle: LimitCycle) -> Confirmation:
+    """Confirm that a limit cycle, scaled down, is one of a tiny gap: by the waveform, sampled there."""
+    scaled = replace(cycle, amplitude=cycle.amplitude * TINY_GAP)
+    return by_waveform(system, [(FrictionBacklash(TINY_GAP), scaled)])
 
 
 def _at_a_tiny_gap(cycles: LimitCycleNumbers) -> CloseNumbers:

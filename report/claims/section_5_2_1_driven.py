@@ -54,7 +54,7 @@ def size_part(evidence: Evidence, label: str) -> Part:
                 f"it goes to ±{1e3 * largest:.3f} mm; the loop with the drive as reference goes to "
                 f"±{1e3 * closed.largest:.3f} mm"
             ),
-            method="exact simulation of both from rest, 1.5 mm at 100 Hz, gap 40 µm",
+            method="exact simulation, 1.5 mm at 100 Hz, gap 40 µm: open loop settled, closed loop from rest",
         ),
         Confirmation(
             "first harmonic by describing function and frequency response",
@@ -124,7 +124,8 @@ def _output(evidence: Evidence) -> Claim:
             f"harmonics of {1e6 * opened.ripple:.0f} µm that are hardly seen in it. The loop with the output "
             f"fed back has {1e3 * closed.base:.2f} mm at 100 Hz and on it the limit cycle with "
             f"{1e3 * closed.line:.2f} mm: the output that the text describes. What was simulated as open "
-            "loop is, by its numbers, the closed loop with a reference."
+            "loop is, by its numbers, the closed loop with a reference. That the printed ±1 mm correspond to "
+            "the drive's amplitude is not so either: it is 1.5 mm."
         ),
         consequence="Figures 5.11 and 5.12b then say nothing on the open loop, nor on the experiment.",
         impact=Impact.DOWNSTREAM,

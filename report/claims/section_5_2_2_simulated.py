@@ -11,9 +11,11 @@ from report.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_FREQUENCY
+from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
 from report.record import largest_peaks, line_amplitudes
-from report.timed_block import RECORD, TimedBlockNumbers
+from report.timed_block import GAP, RECORD, TimedBlockNumbers
+from trimmer import frequency_response
+from trimmer.elements.inertia_backlash import InertiaBacklash
 
 PEAK = "659"
 MOST = 40
@@ -68,6 +70,8 @@ def _open_loop(evidence: Evidence) -> Part:
     modes = [mode.frequency for mode in evidence.numbers.modes]
     nearest = min(modes, key=lambda frequency: abs(frequency - peak))
     multiple = DRIVE_FREQUENCY * round(peak / DRIVE_FREQUENCY)
+    gain = InertiaBacklash(GAP).describing_function(DRIVE_AMPLITUDE, harmonic=7)
+    response = frequency_response(evidence.numbers.displacement_only, 2 * math.pi * 7 * DRIVE_FREQUENCY)
     even = float(np.max(block.harmonics[2::2])) / float(block.harmonics[1])
     return Part(
         f"a line at {PEAK} Hz in open loop",
@@ -80,6 +84,10 @@ def _open_loop(evidence: Evidence) -> Part:
                 f"out has the natural frequencies, the nearest at {nearest:.1f} Hz"
             ),
             method="periodic input of a stable linear system; exact simulation, gap 0.4 mm",
+        ),
+        Confirmation(
+            "harmonic 7 by describing function and frequency response",
+            CloseNumbers(DRIVE_AMPLITUDE * abs(complex(gain * response)), float(block.harmonics[7]), 1e-4),
         ),
     )
 

@@ -14,6 +14,7 @@ from derivations.identity import UnprovenError
 from derivations.proven_step import ProvenStep
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import total
+from report.claims.second_ways import by_floquet, by_waveform
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
@@ -199,6 +200,7 @@ def _contours() -> Claim:
 
 def _inner(evidence: Evidence) -> Claim:
     unstable = [cycle for cycles in evidence.cycles.viscous for cycle in cycles if cycle.omega < 4000]
+    orbits = evidence.motion.closed.orbits
     return Claim(
         id="txt-5.2.3-unstable-inner",
         parts=(
@@ -213,11 +215,13 @@ def _inner(evidence: Evidence) -> Claim:
                     ),
                     method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
                 ),
+                by_floquet([orbits.friction.unstable, orbits.inertia.unstable], stable=False),
             ),
         ),
         explanation=(
-            "True by Loeb's criterion. They do not merge with the stable ones, as the text has it: a motion "
-            "that starts near one decays or grows towards the stable one."
+            "True by Loeb's criterion. The text lets them merge with the stable ones; they do not: a motion "
+            "that starts near one either decays or grows to the stable one. For $M/D$ near 0.1 ms there is "
+            "no inner one at all."
         ),
         source="trimmer/balance/stability.py",
     )
@@ -227,6 +231,7 @@ def _only_between(evidence: Evidence) -> Claim:
     cycles = evidence.cycles
     low, high = cycles.friction.stable.frequency, cycles.inertia.stable.frequency
     stable = [cycle for each in cycles.viscous for cycle in each if cycle.stable]
+    loads = [ViscousBacklash(1.0, time_constant) for time_constant in TIME_CONSTANTS]
     frequencies = [cycle.frequency for cycle in stable]
     amplitudes = [cycle.amplitude for cycle in stable]
     return Claim(
@@ -245,6 +250,7 @@ def _only_between(evidence: Evidence) -> Claim:
                     ),
                     method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
                 ),
+                by_waveform(evidence.numbers.displacement_only, list(zip(loads, stable, strict=True))),
             ),
         ),
         explanation=(

@@ -8,6 +8,7 @@ import sympy
 from derivations.friction import FORCE
 from derivations.symbols import A
 from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.second_ways import by_harmonics
 from report.claims.section_5_2_4 import FRICTION
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
@@ -71,7 +72,7 @@ def friction_part(numbers: RelayNumbers, label: str) -> Part:
     )
 
 
-def candidates_part(candidates: PeriodicCandidates, label: str, statement: str) -> Part:
+def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation) -> Part:
     """Return the part on periodic motions with all harmonics."""
     low, high = 0.5 / HALF_PERIODS[-1], 0.5 / HALF_PERIODS[0]
     frequencies = " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies)
@@ -86,6 +87,7 @@ def candidates_part(candidates: PeriodicCandidates, label: str, statement: str) 
             ),
             method="Tsypkin's condition in closed form, which is exact for two switchings a period",
         ),
+        second,
     )
 
 
@@ -100,6 +102,7 @@ def _high_frequency(evidence: Evidence) -> Claim:
                 numbers.alone,
                 "explanation by higher harmonics near the origin",
                 "with harmonics there is a periodic motion that the describing function misses",
+                by_harmonics(evidence.numbers.displacement_only, numbers.alone.frequencies),
             ),
             friction_part(numbers, "friction, which acts on velocity"),
         ),

@@ -93,8 +93,9 @@ def _prediction(evidence: Evidence) -> Claim:
             f"With the right friction term there is no limit cycle at {FORCE} N: friction between cutter and "
             f"guard ends it at {numbers.force_of_merger:.4f} N for this gap. A limit cycle near 737.5 Hz "
             "comes from line 18 of Listing A.6, whose term has the wrong sign and feeds the oscillation "
-            f"(with the pin's velocity too {both.frequency:.2f} Hz). The printed last digit comes out for "
-            "0.15 N, not for 0.6 N. Equation 5.14 itself, which the text names as what is drawn, gives "
+            f"(with the pin's velocity too {both.frequency:.2f} Hz). The printed last digit asks for a fifth "
+            "to a quarter of the stated $F_c/(\\omega b)$, as with 0.15 N; other inputs give it too, so its "
+            "origin stays open. Equation 5.14 itself, which the text names as what is drawn, gives "
             f"{numbers.as_printed.frequency:.0f} Hz."
         ),
         consequence=(
@@ -205,4 +206,5 @@ def _amplitude_by_listing(evidence: Evidence) -> Part:
             ),
             method="all solutions of harmonic balance with the listing's function",
         ),
+        _loop_closes(evidence, _listing_function(listing.amplitude, OMEGA), listing.omega),
     )

@@ -51,6 +51,7 @@ CONTENTS = (
             "Line 6 tests A < b, and line 12 overwrites the zeros that it sets: below b/2 the function "
             "returns numbers without meaning.",
             "The formula is right for b as the total gap, while equations 2.36 to 2.41 use b for half of it.",
+            "Lines 9 and 10 assign N.re and N.im, line 12 uses N_re and N_im, in the copy at hand.",
         ),
         BACKLASH,
     ),
@@ -59,7 +60,7 @@ CONTENTS = (
         "A.4",
         "Describing function of friction-controlled backlash, the same as listing_a_2.",
         (
-            "The faults of Listing A.2, whose formulas it repeats.",
+            "The faults of Listing A.2, whose formulas it repeats, but for the names in lines 9 and 10.",
             "The text before it, with an input wave and a previous output, describes Listing A.7.",
         ),
         "",
@@ -83,6 +84,7 @@ CONTENTS = (
             "angle becomes complex.",
             "Line 8 gives the solver no interval, though for wide gaps the condition has several roots; "
             "contact is the one less than half a turn after separation.",
+            "Line 21 has li for the imaginary unit 1i, in the copy at hand.",
         ),
         BACKLASH,
     ),
@@ -122,7 +124,7 @@ CONTENTS = (
         "A.10",
         "Limit cycles: all intersections of G and -1/N.",
         (
-            "Line 22 uses x0, which line 31 defines.",
+            "Line 23 uses x0, which line 31 defines.",
             "Lines 18 to 20 have coefficients rounded to four digits, which moves the intersections.",
             "Line 9 starts the curve at b/2 + 1e-6 m: for narrow gaps most of it is missing.",
             "Each start gives one solution, and nothing tells whether there are more.",

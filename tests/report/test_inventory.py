@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 
 from report.claims.all_claims import ClaimIdError, require_known_once
-from report.inventory import PATH, InventoryError, read_inventory
+from report.inventory import FURTHER, PATH, InventoryError, read_inventory
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
 
 
 def test_it_lists_every_statement_once():
-    inventory = read_inventory()
+    inventory = read_inventory(PATH)
     assert len(inventory) == 253
     assert Counter(entry.kind.value for entry in inventory.values())["equation"] == 92
 
@@ -21,6 +21,20 @@ def test_it_is_the_one_handed_over():
     if not HANDED_OVER.is_file():
         pytest.skip("the inventory that was handed over is not beside this checkout")
     assert PATH.read_text(encoding="utf-8") == HANDED_OVER.read_text(encoding="utf-8")
+
+
+def test_further_statements_follow_those_handed_over():
+    handed_over, further = read_inventory(PATH), read_inventory(FURTHER)
+    assert list(read_inventory()) == [*handed_over, *further]
+    assert all(claim_id.startswith(f"txt-{entry.section}-") for claim_id, entry in further.items())
+    assert {entry.chapter for entry in further.values()} <= {entry.chapter for entry in handed_over.values()}
+
+
+def test_a_further_statement_may_not_repeat_an_id(tmp_path):
+    path = tmp_path / "further.csv"
+    path.write_text("id,kind,section,subject\neq-2.1,equation,2.2.1,a\n", encoding="utf-8")
+    with pytest.raises(InventoryError, match=r"further\.csv, line 2: the id eq-2\.1 stands there twice"):
+        read_inventory(PATH, path)
 
 
 @pytest.mark.parametrize(

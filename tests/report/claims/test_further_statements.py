@@ -1,0 +1,77 @@
+"""Claims on statements that the inventory lacks: that they notice what would make the thesis right."""
+
+from dataclasses import replace
+
+import pytest
+
+from report.claim import ContradictionError, Verdict, judge
+from report.claims import chapter_7_play, chapter_7_resonance, section_3_1_output, section_3_3_frequency
+from report.claims.driven_harmonics import confirm_friction, confirm_play
+from report.driven_motion import GAP
+
+
+def found(claims, claim_id):
+    (claim,) = (claim for claim in claims if claim.id == claim_id)
+    return claim
+
+
+def verdicts(claim, inventory):
+    return [part.verdict for part in judge(claim, inventory[claim.id]).parts]
+
+
+def with_orbits(evidence, **changes):
+    closed = evidence.motion.closed
+    orbits = replace(closed.orbits, **changes)
+    return replace(evidence, motion=replace(evidence.motion, closed=replace(closed, orbits=orbits)))
+
+
+def test_the_turned_output_has_no_limit_cycle_because_the_gain_is_too_large_where_it_leads(evidence):
+    low, high = section_3_1_output.loop_gains_where_phases_match(evidence)
+    assert 1 < low < high
+
+
+def test_with_the_output_of_the_state_space_the_loop_would_have_its_limit_cycles(evidence, inventory):
+    """A turned plant makes the output of section 3.1 the right one; then the second way contradicts."""
+    numbers = replace(evidence.numbers, displacement_only=-evidence.numbers.displacement_only)
+    (claim,) = section_3_1_output.claims(replace(evidence, numbers=numbers))
+    with pytest.raises(ContradictionError, match=r"figure 2\.5"):
+        judge(claim, inventory[claim.id])
+
+
+def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, inventory):
+    stable = evidence.motion.closed.orbits.friction.stable.amplitude
+    changed = with_orbits(evidence, left_by=(stable, stable))
+    claim = found(chapter_7_play.claims(changed), "txt-7-play-stability")
+    assert verdicts(claim, inventory) == [Verdict.ERRATUM, Verdict.REPRODUCED]
+
+
+def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory):
+    cycles = evidence.cycles
+    twice = replace(cycles.friction, unstable=cycles.friction.stable)
+    changed = replace(evidence, cycles=replace(cycles, friction=twice))
+    claim = found(chapter_7_play.claims(changed), "txt-7-only-stable")
+    assert verdicts(claim, inventory) == [Verdict.REPRODUCED]
+
+
+def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory):
+    cycles = evidence.cycles
+    away = replace(cycles.friction, unstable=cycles.friction.stable)
+    (claim,) = chapter_7_resonance.claims(replace(evidence, cycles=replace(cycles, friction=away)))
+    assert verdicts(claim, inventory)[0] is Verdict.REPRODUCED
+
+
+def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory):
+    released = evidence.motion.released
+    same = tuple(replace(run, frequency=released.by_force[1].frequency) for run in released.by_force)
+    changed = replace(evidence, motion=replace(evidence.motion, released=replace(released, by_force=same)))
+    claim = found(section_3_3_frequency.claims(changed), "txt-3.3-friction-frequency")
+    assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.REPRODUCED]
+
+
+@pytest.mark.parametrize("confirm", [confirm_friction, lambda evidence: confirm_play(evidence, GAP)])
+def test_a_wrong_harmonic_of_a_run_would_be_noticed(confirm, evidence):
+    assert confirm(evidence).comparison.compare().agrees
+    driven = evidence.motion.driven
+    runs = tuple(replace(run, harmonics=1.001 * run.harmonics) for run in driven.runs)
+    changed = replace(evidence, motion=replace(evidence.motion, driven=replace(driven, runs=runs)))
+    assert not confirm(changed).comparison.compare().agrees
