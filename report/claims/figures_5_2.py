@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
-from report.claims.section_5_2_1 import PLOT_OFFSET
+from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
 from report.limit_cycle_numbers import inertia_by_newton

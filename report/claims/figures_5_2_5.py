@@ -14,7 +14,8 @@ from derivations.symbols import A, omega
 from derivations.waveform import simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.appendix_a_elements import REACHED, friction_expression
-from report.claims.section_5_2_1 import PLOT_OFFSET, ROUNDED
+from report.claims.section_5_2_1 import ROUNDED
+from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.claims.section_5_2_4 import coulomb_part
 from report.claims.section_5_2_5 import LINE_18, frequency_part, intersections_part
 from report.claims.section_5_2_5_simulated import peak_parts

@@ -12,7 +12,8 @@ from report.claim import Claim, Confirmation, Impact, Part, Slip, Uncheckable, V
 from report.claims.appendix_a_elements import friction_listing
 from report.claims.figures_5_2_simulated import larger_gap_parts
 from report.claims.second_ways import by_waveform
-from report.claims.section_5_2_1 import LARGE_GAP, PLOT_OFFSET
+from report.claims.section_5_2_1 import LARGE_GAP
+from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence

@@ -171,8 +171,8 @@ def _output_matrix() -> Claim:
         ),
         explanation=(
             "The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 "
-            "writes the same output with the opposite sign, $x_4 - x_2$; magnitudes and frequencies are the "
-            "same."
+            "writes the output with the opposite sign, $x_4 - x_2$. Without feedback magnitudes and "
+            "frequencies are the same; in the closed loop the sign matters (see that section)."
         ),
         source=SOURCE,
     )

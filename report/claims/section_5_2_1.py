@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
-
-import control
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
-from report.claims.second_ways import by_floquet, by_waveform
+from report.claims.second_ways import by_floquet
+from report.claims.section_5_2_1_scaling import PLOT_OFFSET, TINY_GAP, at_the_tiny_gap
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import (
-    LimitCycleNumbers,
-    friction_by_newton,
-)
+from report.limit_cycle_numbers import LimitCycleNumbers, friction_by_newton
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -24,8 +19,6 @@ SOURCE = "trimmer/balance/solve.py"
 ROUNDED = "the coefficients of Listing A.9, rounded to four digits, are used"
 TURN = 2 * math.pi
 SMALL_GAP, LARGE_GAP = 4e-6, 4e-5
-TINY_GAP = 2e-11
-PLOT_OFFSET = 1e-6
 TABLE_GAPS = ("1e-4", "2e-4", "3e-4", "4e-4", "5e-4", "6e-4", "7e-4", "8e-4", "9e-4", "1e-3")
 TABLE_AMPLITUDES = (
     *("0.00083", "0.0017", "0.0025", "0.0033", "0.0041"),
@@ -43,10 +36,6 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _ten_gaps(cycles, second),
         _stable(evidence),
         _second_limit_cycle(evidence, second),
-        _proportional("txt-5.2.1-proportional", evidence),
-        _proportional("txt-7-proportional", evidence),
-        _threshold("txt-5.2.1-threshold", "2e-8", cycles),
-        _threshold("txt-6-threshold", "2e-8", cycles),
     )
 
 
@@ -275,7 +264,7 @@ def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
                     ),
                     method="scaling of the describing function in the gap",
                 ),
-                _at_the_tiny_gap(evidence.numbers.displacement_only, right),
+                at_the_tiny_gap(evidence.numbers.displacement_only, right),
             ),
         ),
         explanation=(
@@ -292,72 +281,3 @@ def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
     )
-
-
-def _proportional(claim_id: str, evidence: Evidence) -> Claim:
-    cycles, system = evidence.cycles, evidence.numbers.displacement_only
-    cycle = cycles.friction.stable
-    return Claim(
-        id=claim_id,
-        parts=(
-            Part(
-                "",
-                Assertion(
-                    statement=(
-                        "the predicted amplitude is proportional to the gap, the frequency does not depend "
-                        "on it"
-                    ),
-                    derived=_at_a_tiny_gap(cycles).compare().agrees,
-                    evidence=f"$A = {cycle.amplitude:.4f}\\,b$ at {cycle.frequency:.2f} Hz for every gap $b$",
-                    method="scaling of the describing function in the gap",
-                ),
-                _at_the_tiny_gap(system, cycle),
-            ),
-        ),
-        explanation=(
-            "$N$ depends on $b/A$ alone, so a solution $(A, \\omega)$ for the gap $b$ gives the solution "
-            "$(kA, \\omega)$ for $kb$. The same holds for every kind of backlash. Contrast the statement "
-            "that there is a smallest gap, which this excludes."
-        ),
-        source=SOURCE,
-    )
-
-
-def _threshold(claim_id: str, printed: str, cycles: LimitCycleNumbers) -> Claim:
-    stable = cycles.friction.stable.amplitude
-    seen_from = PLOT_OFFSET / (stable - 0.5)
-    return Claim(
-        id=claim_id,
-        parts=(
-            Part(
-                "smallest gap with a limit cycle",
-                PrintedDigits(printed, 0.0, "m"),
-                Confirmation("the scaling law, at a gap of a thousandth of that", _at_a_tiny_gap(cycles)),
-            ),
-        ),
-        explanation=(
-            "There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle every gap "
-            "has one, with an amplitude in proportion: at $b = 10^{-8}$ m it is "
-            f"{1e8 * stable * 1e-8:.2f}e-8 m. A locus that is plotted from an amplitude of $b/2 + 10^{{-6}}$ "
-            f"m on, as Listing A.9 does, meets $G$ only for gaps above {seen_from:.1e} m; another start "
-            "gives another apparent threshold."
-        ),
-        consequence=(
-            "Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small "
-            "enough to exclude the predicted limit cycle; what remains is its size, 8.3 times the gap, and "
-            "whether friction and drive let it start."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source=SOURCE,
-    )
-
-
-def _at_the_tiny_gap(system: control.TransferFunction, cycle: LimitCycle) -> Confirmation:
-    """Confirm that a limit cycle, scaled down, is one of a tiny gap: by the waveform, sampled there."""
-    scaled = replace(cycle, amplitude=cycle.amplitude * TINY_GAP)
-    return by_waveform(system, [(FrictionBacklash(TINY_GAP), scaled)])
-
-
-def _at_a_tiny_gap(cycles: LimitCycleNumbers) -> CloseNumbers:
-    (cycle,) = (each for each in limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP)) if each.stable)
-    return CloseNumbers(cycle.amplitude / TINY_GAP, cycles.friction_listing.stable.amplitude)
