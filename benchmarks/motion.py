@@ -1,13 +1,13 @@
 """Motion of the thesis's trimmer in closed loop, beside SciPy's `solve_ivp` with terminal events.
 
-Run it with `python benchmarks/motion.py`. Both take turns in one process, so that a busy computer slows both;
-before that, fresh processes show what the first call costs, with and without compiled code in the cache.
+Run it with `python benchmarks/motion.py`. Both take turns in one process, and the best of some rounds counts,
+since a busy computer can only add time; before that, fresh processes show what the first call costs, with and
+without compiled code in the cache.
 """
 
 from __future__ import annotations
 
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -123,17 +123,21 @@ def print_first_calls() -> None:
 
 
 def print_line() -> None:
-    """Print the time per event of longer and longer motions, which is a line if it does not change."""
+    """Print the time of longer and longer motions, and the line through them, with equal relative weights."""
+    counts, times = [], []
     for duration in DURATIONS:
-        motion = simulate(LOOP, duration, impulse=IMPULSE)
-        each = [
+        count = len(simulate(LOOP, duration, impulse=IMPULSE).event_times)
+        rounds = [
             seconds(lambda: simulate(LOOP, duration, impulse=IMPULSE))  # noqa: B023
             for _ in range(ROUNDS)
         ]
-        mean = statistics.median(each) / len(motion.event_times)
-        print(
-            f"{duration:6.1f} s of motion {len(motion.event_times):8} events {mean * 1e6:9.2f} µs per event"
-        )
+        counts.append(count)
+        times.append(min(rounds))
+        each = times[-1] / count
+        print(f"{duration:6.1f} s of motion {count:8} events {each * 1e6:9.2f} µs per event")
+    slope, start = np.polyfit(counts, times, 1, w=1.0 / np.array(times))
+    deviation = max(abs(np.polyval([slope, start], counts) / times - 1.0))
+    print(f"line: {start * 1e3:.2f} ms + {slope * 1e6:.2f} µs per event, right to {deviation:.0%}")
 
 
 def main() -> None:
@@ -150,7 +154,7 @@ def main() -> None:
         )
         for _ in range(ROUNDS)
     ]
-    mine, theirs, states, outputs = (statistics.median(column) for column in zip(*rounds, strict=True))
+    mine, theirs, states, outputs = (min(column) for column in zip(*rounds, strict=True))
     print(f"simulate, {count} events        {mine * 1e3:9.2f} ms")
     print(f"solve_ivp                    {theirs * 1e3:9.2f} ms")
     print(f"ratio                        {theirs / mine:9.0f}      (target {TARGET_RATIO})")

@@ -67,6 +67,8 @@ if TYPE_CHECKING:
     from trimmer.modal_analysis import undamped_modes as undamped_modes
     from trimmer.motion.component import EventKind as EventKind
     from trimmer.motion.drive import Drive as Drive
+    from trimmer.motion.energy import EnergyBalance as EnergyBalance
+    from trimmer.motion.energy import energy_balance as energy_balance
     from trimmer.motion.errors import IllPosedLoopError as IllPosedLoopError
     from trimmer.motion.errors import UnsupportedMotionError as UnsupportedMotionError
     from trimmer.motion.loops import ClosedLoop as ClosedLoop
@@ -141,6 +143,7 @@ _MODULES = {
     "Drive": "motion.drive",
     "Element": "elements.element",
     "ElementAtFrequency": "elements.element_at_frequency",
+    "EnergyBalance": "motion.energy",
     "Event": "motion.motion",
     "EventKind": "motion.component",
     "Extremum": "extrema",
@@ -203,6 +206,7 @@ _MODULES = {
     "classify": "spectra.classification",
     "dips": "extrema",
     "encirclements": "nyquist",
+    "energy_balance": "motion.energy",
     "filtering_ratio": "low_pass",
     "fit_harmonics": "spectra.harmonics",
     "forced_orbit": "orbits.forced_orbit",

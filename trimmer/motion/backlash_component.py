@@ -58,8 +58,8 @@ class BacklashComponent(Component):
 
     @property
     def state_count(self) -> int:
-        """Position and velocity of a free load, and the share that is left of its first velocity."""
-        return 3 if self.slows_down else 2
+        """Position of a free load, its velocity if it has one, and the share that is left of the first."""
+        return 3 if self.slows_down else 2 if self.time_constant > 0 else 1
 
     @property
     def output_jumps(self) -> bool:
@@ -92,9 +92,9 @@ class BacklashComponent(Component):
         return rates
 
     def switching_function(self, signals: Signals) -> Reals:
-        """Return the contact force over D, or over M for the inertia-controlled limit, on the upper side."""
-        if math.isinf(self.time_constant):
-            return signals.input_curvature
+        """Return the contact force on the upper side over D, or over M where that is the greater number."""
+        if self.time_constant > 1.0:
+            return signals.input_curvature + signals.input_rate / self.time_constant
         return self.time_constant * signals.input_curvature + signals.input_rate
 
     def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
@@ -123,8 +123,8 @@ class BacklashComponent(Component):
         stop = (signals.states[0], nothing, nothing) if self.slows_down else ()
         meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, stop, (0,)) for side in (UPPER, LOWER))
         return (
-            Guard(half_gap - play, meet_upper, meet_upper),
-            Guard(half_gap + play, meet_lower, meet_lower),
+            Guard(half_gap - play, meet_upper, meet_upper, continuous=1),
+            Guard(half_gap + play, meet_lower, meet_lower, continuous=1),
         )
 
     def _rest(self, signals: Signals) -> tuple[Guard, ...]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
+from pickle import UnpicklingError
 from typing import Any
 
 import numba
@@ -44,10 +45,20 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
     """Compile a function when it is first called, and keep the result where a folder can be written.
 
     That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
-    that compile at the same time do not disturb each other, since files are written whole.
+    that compile at the same time do not disturb each other, since files are written whole. Where nothing can
+    be written, or a kept file is damaged, each process compiles for itself.
     """
+    for_itself: Callable[..., Any] = numba.njit(entry)
     try:
         machine: Callable[..., Any] = numba.njit(cache=True)(entry)
     except RuntimeError:  # There is no such folder.
-        machine = numba.njit(entry)
-    return machine
+        return for_itself
+
+    @wraps(entry)
+    def call(*arguments: Any) -> Any:
+        try:
+            return machine(*arguments)
+        except (OSError, EOFError, UnpicklingError):
+            return for_itself(*arguments)
+
+    return call

@@ -99,11 +99,14 @@ class Guard:
         reached: What follows when it falls to zero.
         jumped: What follows when it is negative at once, because the output of another component jumped, or
             because the mode that was entered cannot hold.
+        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
+            another component does.
     """
 
     row: Reals
     reached: Transition
     jumped: Transition
+    continuous: int = 0
 
 
 class Component(ABC):

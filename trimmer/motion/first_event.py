@@ -6,7 +6,7 @@ from trimmer.motion.compiled import inlined
 from trimmer.motion.first_root import NOWHERE, first_root
 from trimmer.motion.linear_combination import (
     all_positive,
-    any_negative,
+    any_below,
     combine,
     combine_moduli,
     combine_polynomials,
@@ -20,8 +20,13 @@ ROUNDING = 64 * 2.0**-53
 
 
 @inlined
-def first_event(tables: Tables, work: Work, mode: int, at_start: bool) -> tuple[int, float, bool]:
+def first_event(
+    tables: Tables, work: Work, mode: int, at_start: bool, recent: int
+) -> tuple[int, float, bool]:
     """Find which guard falls to zero first during the step that begins at ``work.state``.
+
+    Where several are negative at once, the component that has just changed its mode comes first: while it is
+    in a mode that cannot hold, such as stick beyond its limit, what the others would do means nothing.
 
     Args:
         tables: The modes.
@@ -29,37 +34,42 @@ def first_event(tables: Tables, work: Work, mode: int, at_start: bool) -> tuple[
             touches zero without crossing.
         mode: Number of the mode.
         at_start: Whether the step begins the stretch, so that guards may be zero.
+        recent: Number of the component whose transition began the stretch, -1 for none.
 
     Returns:
         Guard (-1 for none), fraction of the step at which it does, and whether it was negative at once.
     """
     count = DEGREE + 1
-    fired, fraction = -1, NOWHERE
+    fired, fraction, jumped = -1, NOWHERE, False
+    # Each use of an array in a tuple counts references, which costs as much as ten products.
+    state, bernstein, touch, known_zeros = work.state, work.bernstein, work.touch, work.known_zeros
     for guard in range(tables.guard_count[mode]):
-        work.touch[guard] = NOWHERE
-        combine_polynomials(work.state, tables.bernstein[mode, guard], work.bernstein)
-        known = work.known_zeros[guard] if at_start else 0
-        if known == 0 and all_positive(work.bernstein):
+        touch[guard] = NOWHERE
+        combine_polynomials(state, tables.bernstein[mode, guard], bernstein)
+        known = known_zeros[guard] if at_start else 0
+        if known == 0 and all_positive(bernstein):
             continue
-        combine_polynomials(work.state, tables.taylor[mode, guard], work.taylor)
-        combine_moduli(work.state, tables.sizes[mode, guard], work.sizes)
-        zeros = _leading_zeros(work.taylor, work.sizes, known)
-        if zeros == count or within(work.bernstein, ROUNDING * work.sizes[0]):
+        taylor, sizes = work.taylor, work.sizes
+        combine_polynomials(state, tables.taylor[mode, guard], taylor)
+        combine_moduli(state, tables.sizes[mode, guard], sizes)
+        rounding = ROUNDING * sizes[0]
+        zeros = _leading_zeros(taylor, sizes, known)
+        if zeros == count or within(bernstein, rounding):
             continue  # It stays at zero, as the contact force of a pin that sticks.
         zeros = min(zeros, MOST_ZEROS)
-        polynomial, taylor = work.bernstein, work.taylor[zeros:]
         if zeros > 0:
             # Without s^zeros, whose coefficients would drown the others in their rounding.
-            polynomial = work.deflated
-            combine(taylor, tables.bernstein_from_taylor[zeros], count - zeros, polynomial)
-        if polynomial[0] < 0.0:
-            return guard, 0.0, at_start and zeros == 0
-        if not any_negative(polynomial, count - zeros):
+            combine(taylor[zeros:], tables.bernstein_from_taylor[zeros], count - zeros, bernstein)
+        if bernstein[0] < 0.0:
+            if fraction > 0.0 or tables.component[mode, guard] == recent:
+                fired, fraction, jumped = guard, 0.0, at_start and zeros == 0
             continue
-        root, work.touch[guard] = first_root(polynomial, taylor, count - zeros, work.pieces)
+        if not any_below(bernstein, count - zeros, 0.0):
+            continue
+        root, touch[guard] = first_root(bernstein, taylor[zeros:], count - zeros, rounding, work.pieces)
         if root < fraction:
-            fired, fraction = guard, root
-    return fired, fraction, False
+            fired, fraction, jumped = guard, root, False
+    return fired, fraction, jumped
 
 
 @inlined

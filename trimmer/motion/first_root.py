@@ -11,14 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trimmer.motion.compiled import compiled
-from trimmer.motion.linear_combination import copy
+from trimmer.motion.linear_combination import any_below, copy
 
 Reals = NDArray[np.float64]
 
 DEEPEST = 48
-"""Halvings after which a dip that does not show a sign is taken as touching, not crossing."""
+"""Halvings after which a dip that does not show its sign is taken as touching, not crossing."""
 NARROWEST = 2.0**-DEEPEST
 """Width of an interval after as many halvings."""
+CLOSE = 2.0**-10
+"""Width of an interval from which on its polynomial counts as near its smallest value."""
 NOWHERE = 2.0
 """A fraction of the step that lies beyond it: there is no such point."""
 
@@ -80,27 +82,32 @@ def polished(bernstein: Reals, taylor: Reals, count: int, low: float, width: flo
         else:
             return point
         following = point - value / slope if slope < 0.0 else -1.0
+        if abs(following - point) <= 2.0**-52 * point:
+            return min(max(following, low), high)
         if not (low < following < high):
             following = 0.5 * (low + high)
-        if abs(following - point) <= 1e-16 * abs(point) or not (low < following < high):
-            return following
+            if not (low < following < high):
+                return following
         point = following
     return point
 
 
 @compiled
-def first_root(bernstein: Reals, taylor: Reals, count: int, pieces: Reals) -> tuple[float, float]:
+def first_root(
+    bernstein: Reals, taylor: Reals, count: int, rounding: float, pieces: Reals
+) -> tuple[float, float]:
     """Find where a polynomial that begins positive first falls through zero on [0, 1].
 
     Args:
         bernstein: Its Bernstein coefficients, ``count`` of them; the first one is positive.
         taylor: Its coefficients of s^k.
         count: Degree plus one.
+        rounding: Value below which rounding decides whether there is a zero.
         pieces: Room for DEEPEST + 3 intervals: coefficients, start and width of each.
 
     Returns:
-        The zero, and where before it the polynomial first came so near to zero that rounding decides whether
-        it touches; NOWHERE for what there is not.
+        The zero, and where before it the polynomial first dips to less than ``rounding`` without a zero;
+        NOWHERE for what there is not.
     """
     begin, wide = pieces.shape[1] - 2, pieces.shape[1] - 1
     piece = pieces[DEEPEST + 2]
@@ -112,16 +119,16 @@ def first_root(bernstein: Reals, taylor: Reals, count: int, pieces: Reals) -> tu
         copy(pieces[top], piece.size, piece)
         start, width = piece[begin], piece[wide]
         variations, begins_negative = sign_variations(piece, count)
-        if begins_negative:
-            return start, touch
-        if variations == 0:
-            continue
-        if variations == 1:
-            return polished(piece, taylor, count, start, width), touch
-        if width <= NARROWEST:
-            if piece[count - 1] < 0.0:
-                return start, touch
-            touch = min(touch, start)
+        root = NOWHERE
+        if begins_negative or (width <= NARROWEST and piece[count - 1] < 0.0):
+            root = start
+        elif variations == 1:
+            root = polished(piece, taylor, count, start, width)
+        if root < NOWHERE:
+            return root, touch if touch < root - CLOSE else NOWHERE
+        if variations == 0 or width <= NARROWEST:
+            if width <= CLOSE and any_below(piece, count, rounding):
+                touch = min(touch, start)
             continue
         halve(piece, count, pieces[top + 1], pieces[top])
         pieces[top + 1, begin], pieces[top, begin] = start, start + 0.5 * width

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.motion.errors import IllPosedLoopError
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from trimmer.motion.component import Component
@@ -68,4 +69,11 @@ class Interconnection:
 
 def acts(row: Reals, column: Reals) -> bool:
     """Tell whether a product of a row and a column is more than rounding."""
-    return bool(abs(row @ column) > NEGLIGIBLE * (abs(row) @ abs(column)))
+    return effect(row, column) != 0.0
+
+
+def effect(row: Reals, column: Reals) -> float:
+    """Return a product of a row and a column, relative to the sum of the moduli; 0 if it is rounding."""
+    terms = row * (column / abs(column).max(initial=np.finfo(float).tiny))
+    total, size = float(terms.sum()), float(abs(terms).sum())
+    return total / size if abs(total) > NEGLIGIBLE * size else 0.0

@@ -20,43 +20,44 @@ NO_EVENT, TOO_LARGE, TOO_MANY_STEPS = -1, -2, -3
 """Instead of a guard: why a stretch ended without event."""
 LONGEST_CASCADE = 40
 """Events at one instant, after which the march gives up."""
+AN_INSTANT = 2.0**-51
+"""Share of the time by which two events at the same instant may differ, by rounding."""
 LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed; the square of it is still a number."""
 MOST_STEPS = 50_000_000
-"""Steps of one march: about a minute."""
+"""Steps of one march unless told otherwise: about a minute."""
+LARGEST_COUNT = 2**62
+"""More than can ever be counted; the compiled code needs 64 bits."""
 
 
-def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int], tuple[int, int, float]]:
-    def march(
-        tables: Tables, log: Log, first: int, end: float, most_stretches: int
+def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int], tuple[int, int, float]]:
+    def entry(
+        tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int
     ) -> tuple[int, int, float]:
-        """Follow the motion from the stretch ``first`` of the log until a time, s.
-
-        Returns:
-            Reason to stop, number of the last stretch, and time reached, s. The march can go on from there,
-            once the mode is tabulated or the log has more room.
-        """
         sources  # noqa: B018
-        return _march(tables, log, first, end, most_stretches)
+        return _march(tables, log, first, end, most_stretches, most_steps)
 
-    return kept(march)
+    return kept(entry)
 
 
 @inlined
-def _march(tables: Tables, log: Log, first: int, end: float, most_stretches: int) -> tuple[int, int, float]:
+def _march(
+    tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int
+) -> tuple[int, int, float]:
     work = _work(tables)
-    stretch, cascade, steps_left = first, 0, MOST_STEPS
+    stretch, cascade, steps_left = first, 0, most_steps
     late = 0.0  # The exact time is by so much later than the rounded time in the log.
     while True:
         mode, begin = log.mode[stretch], log.start[stretch]
         if not tables.known[mode]:
             return UNKNOWN_MODE, stretch, begin
         copy(log.state[stretch], work.state.size, work.state)
-        _know_zeros(tables, log, stretch, work)
-        fired, steps, fraction, jumped = _follow(tables, work, mode, (end - begin) - late, steps_left)
+        recent = _know_zeros(tables, log, stretch, work)
+        fired, steps, fraction, jumped, log.touches[stretch] = _follow(
+            tables, work, mode, recent, (end - begin) - late, steps_left
+        )
         elapsed = late + (steps + fraction) * tables.step[mode]
         time = begin + elapsed
-        log.touches[stretch] = work.touches[0]
         if fired == NO_EVENT:
             return REACHED_END, stretch, end
         if fired < 0:
@@ -66,7 +67,7 @@ def _march(tables: Tables, log: Log, first: int, end: float, most_stretches: int
         if stretch + 1 >= log.start.size:
             return FULL, stretch, begin
         cascade = cascade + 1 if time == begin else 0
-        late = elapsed - (time - begin)
+        late = _rounding(begin, elapsed, time)
         steps_left -= steps
         stretch += 1
         combine(work.state, tables.reset[mode, fired], work.state.size, log.state[stretch])
@@ -78,38 +79,46 @@ def _march(tables: Tables, log: Log, first: int, end: float, most_stretches: int
             return CYCLING, stretch, time
 
 
+@compiled
+def _rounding(first: float, second: float, total: float) -> float:
+    """Return by how much a sum of two numbers is greater than what it was rounded to (Knuth's TwoSum)."""
+    added = total - first
+    return (first - (total - added)) + (second - added)
+
+
 @inlined
 def _follow(
-    tables: Tables, work: Work, mode: int, duration: float, most_steps: int
-) -> tuple[int, int, float, bool]:
+    tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
+) -> tuple[int, int, float, bool, int]:
     """Follow one stretch for a duration, s; ``work.state`` becomes the state at its end.
 
+    ``recent`` is the component whose transition began it.
+
     Returns:
-        Guard that ends it (or why there is none), whole steps until then, fraction of a step after them, and
-        whether the guard was negative at once.
+        Guard that ends it (or why there is none), whole steps until then, fraction of a step after them,
+        whether the guard was negative at once, and how many times a guard touched zero without crossing.
     """
-    size, step = work.state.size, tables.step[mode]
-    steps = 0
-    work.touches[0] = 0
+    state, touch, step = work.state, work.touch, tables.step[mode]
+    steps, touches = 0, 0
     while True:
-        if not within(work.state, LARGEST):
-            return TOO_LARGE, max(steps - 1, 0), 0.0, False
+        if not within(state, LARGEST):
+            return TOO_LARGE, max(steps - 1, 0), 0.0, False, touches
         left = duration / step - steps
-        fired, fraction, jumped = first_event(tables, work, mode, steps == 0)
+        fired, fraction, jumped = first_event(tables, work, mode, steps == 0, recent)
         for guard in range(tables.guard_count[mode]):
-            work.touches[0] += work.touch[guard] < min(fraction, left)
+            touches += touch[guard] < min(fraction, left)
         if fired >= 0 and fraction <= left:
             if fraction > 0.0:
                 terms = tables.terms[mode, min(-math.frexp(fraction)[1] // 2, LEVELS - 1)]
-                combine(work.state, tables.series[mode], terms * size, work.terms)
-                evaluate_terms(work.terms, terms, fraction, work.state)
-            return fired, steps, fraction, jumped
+                combine(state, tables.series[mode], terms * state.size, work.terms)
+                evaluate_terms(work.terms, terms, fraction, state)
+            return fired, steps, fraction, jumped, touches
         if left <= 1.0:
-            return NO_EVENT, steps, left, False
+            return NO_EVENT, steps, left, False, touches
         if steps >= most_steps:
-            return TOO_MANY_STEPS, steps, 0.0, False
-        combine(work.state, tables.whole[mode], size, work.following)
-        copy(work.following, size, work.state)
+            return TOO_MANY_STEPS, steps, 0.0, False, touches
+        combine(state, tables.whole[mode], state.size, work.following)
+        copy(work.following, state.size, state)
         steps += 1
 
 
@@ -124,27 +133,55 @@ def _work(tables: Tables) -> Work:
         np.empty(count),
         np.empty(count),
         np.empty(count),
-        np.empty(count),
         np.empty((DEEPEST + 3, count + 2)),
         np.zeros(guards, dtype=np.int64),
         np.empty(guards),
-        np.zeros(1, dtype=np.int64),
     )
 
 
 @inlined
-def _know_zeros(tables: Tables, log: Log, stretch: int, work: Work) -> None:
-    """Write how many derivatives of each guard are known to vanish at the start of a stretch."""
-    guard = log.guard[stretch]
-    for each in range(work.known_zeros.size):
-        work.known_zeros[each] = 0
-    if guard < 0:
-        return
-    mode, before = log.mode[stretch], log.mode[stretch - 1]
-    flavour = 1 if log.jumped[stretch] else 0
-    for each in range(tables.guard_count[mode]):
-        if tables.component[mode, each] == tables.component[before, guard]:
-            work.known_zeros[each] = tables.zeros[before, guard, flavour, tables.number[mode, each]]
+def _know_zeros(tables: Tables, log: Log, stretch: int, work: Work) -> int:
+    """Write how many derivatives of each guard are known to vanish at the start of a stretch.
+
+    What the last transition of a component makes zero is so until time goes on, as far as it does not jump
+    with the outputs of others that have their transitions at the same instant. Returns the component of the
+    last transition, -1 for none.
+    """
+    unknown, recent = -1, -1
+    mode, event, known = log.mode[stretch], stretch, work.known_zeros
+    owners, numbers, continuous = tables.component[mode], tables.number[mode], tables.continuous[mode]
+    for each in range(known.size):
+        known[each] = unknown
+    while log.guard[event] >= 0 and stretch - event < LONGEST_CASCADE:
+        before, guard = log.mode[event - 1], log.guard[event]
+        zeros = tables.zeros[before, guard, 1 if log.jumped[event] else 0]
+        owner = tables.component[before, guard]
+        if event == stretch:
+            recent = owner
+        for each in range(tables.guard_count[mode]):
+            if owners[each] == owner and known[each] == unknown:
+                found = zeros[numbers[each]]
+                known[each] = found if event == stretch else min(found, continuous[each])
+        if log.start[event] - log.start[event - 1] > AN_INSTANT * log.start[event]:
+            break
+        event -= 1
+    for each in range(known.size):
+        known[each] = max(known[each], 0)
+    return recent
 
 
-march = _entry(sources())
+_compiled_march = _entry(sources())
+
+
+def march(
+    tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int = MOST_STEPS
+) -> tuple[int, int, float]:
+    """Follow the motion from the stretch ``first`` of the log until a time, s.
+
+    Returns:
+        Reason to stop, number of the last stretch, and time reached, s. The march can go on from there,
+        once the mode is tabulated or the log has more room.
+    """
+    # Of one type each, since the march is compiled for every combination of types.
+    most = (min(int(most_stretches), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
+    return _compiled_march(tables, log, int(first), float(end), *most)

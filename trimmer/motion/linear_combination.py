@@ -59,13 +59,13 @@ def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> 
 
 @compiled
 def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> None:
-    """Evaluate a polynomial of degree DEGREE at all points (Horner)."""
+    """Evaluate a polynomial of degree DEGREE at all points (Horner), side by side."""
     for i in range(points.size):
-        point = points[i]
-        value = coefficients[DEGREE]
-        for k in range(DEGREE - 1, -1, -1):
-            value = value * point + coefficients[k]
-        values[i] = value
+        values[i] = coefficients[DEGREE]
+    for k in range(DEGREE - 1, -1, -1):
+        coefficient = coefficients[k]
+        for i in range(points.size):
+            values[i] = values[i] * points[i] + coefficient
 
 
 @compiled
@@ -97,9 +97,9 @@ def all_positive(values: Reals) -> bool:
 
 
 @compiled
-def any_negative(values: Reals, count: int) -> bool:
-    """Tell whether one of the first values is less than zero."""
+def any_below(values: Reals, count: int, bound: float) -> bool:
+    """Tell whether one of the first values is less than a bound."""
     found = False
     for i in range(count):
-        found |= values[i] < 0.0
+        found |= values[i] < bound
     return found

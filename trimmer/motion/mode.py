@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.motion.component import Constrained, Explicit, Guard, RateProportional, Signals
 from trimmer.motion.errors import IllPosedLoopError
-from trimmer.motion.interconnection import acts
+from trimmer.motion.interconnection import acts, effect
 from trimmer.motion.layout import Layout
 
 if TYPE_CHECKING:
@@ -177,11 +177,11 @@ def _implicit_outputs(
             left.append(row @ opened.push)
             right.append(-row @ opened.flow)
     names = ", ".join(system.labels[k] for k in opened.implicit)
-    return _least(np.array(left), np.array(right), names)
+    return least_outputs(np.array(left), np.array(right), names)
 
 
-def _least(left: Reals, right: Reals, names: str) -> Reals:
-    """Solve for the outputs; where conditions repeat each other, take the smallest outputs that meet them.
+def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
+    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
     motion is determined, and how they share the force is not.
@@ -191,12 +191,14 @@ def _least(left: Reals, right: Reals, names: str) -> Reals:
     """
     rows = abs(left).max(axis=1, keepdims=True)
     columns = (abs(left) / rows).max(axis=0)
-    scaled = left / rows / columns
-    solution: Reals = np.linalg.pinv(scaled, rcond=DEPENDENT) @ (right / rows)
-    missed = abs(scaled @ solution - right / rows).max(axis=1)
-    if (missed > DEPENDENT * abs(right / rows).max(axis=1)).any():
+    scaled, wanted = left / rows / columns, right / rows
+    inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
+    solution = inverse @ wanted
+    solution = solution + inverse @ (wanted - scaled @ solution)  # Where sizes differ widely, that counts.
+    missed = abs(scaled @ solution - wanted).max(axis=1)
+    if (missed > DEPENDENT * (abs(scaled) @ abs(solution) + abs(wanted)).max(axis=1)).any():
         raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion")
-    outputs: Reals = solution / columns[:, None]
+    outputs: Reals = np.asarray(solution / columns[:, None])
     return outputs
 
 
@@ -206,7 +208,7 @@ def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals
         if acts(row, opened.push[:, column]):
             return row
         row = row @ opened.flow
-    raise IllPosedLoopError(f"{label}: its output does not act on its input at all")
+    raise IllPosedLoopError(f"{label}: its input stays at zero, and its output is not determined")
 
 
 def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int, count: int) -> Signals:
@@ -219,5 +221,4 @@ def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int,
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
     """Tell whether the output of a component works against the rate of its own switching function."""
     row = system.components[k].switching_function(signals)[: system.order]
-    column = system.B[:, k]
-    return acts(row, column) and bool(row @ column < 0)
+    return effect(row, system.B[:, k]) < 0.0

@@ -100,6 +100,7 @@ class ModeTables:
             target=np.zeros((modes, guards, 2), dtype=np.int64),
             reset=np.zeros((modes, guards, size, size)),
             zeros=np.zeros((modes, guards, 2, GUARDS_OF_COMPONENT), dtype=np.int64),
+            continuous=np.zeros((modes, guards), dtype=np.int64),
             number=np.zeros((modes, guards), dtype=np.int64),
             bernstein_from_taylor=bernstein_from_taylor(),
         )
@@ -126,6 +127,7 @@ class ModeTables:
         tables = self.tables
         tables.component[number, place] = entry.component
         tables.number[number, place] = entry.number
+        tables.continuous[number, place] = entry.guard.continuous
         reset = np.eye(self.layout.size)
         first = self.layout.first_states[entry.component]
         for each, row in enumerate(entry.guard.reached.resets):

@@ -25,7 +25,12 @@ if TYPE_CHECKING:
 
 
 class Outcome(Enum):
-    """How a simulation ended."""
+    """How a simulation ended.
+
+    CHATTERING has one of two reasons. Either the events truly accumulate (Zeno), as under a relay and
+    friction that bring a body to rest by ever shorter swings, or double precision cannot tell them apart, as
+    where a gap is smaller than about 1e-13 of the motion. For no play at all leave the element out.
+    """
 
     COMPLETED = "reached the end"
     CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
@@ -91,7 +96,7 @@ class Motion:
 
     @property
     def touches(self) -> int:
-        """How many times a guard came to zero without a change of mode, to rounding (grazing contact)."""
+        """How many times a guard dipped to zero, to rounding, without falling below it (grazing contact)."""
         return int(self.log.touches.sum())
 
     def state(self, times: ArrayLike) -> Reals:
@@ -160,7 +165,7 @@ class Motion:
         sample(self.loop.modes.tables, self.log, place, functionals, instants_in_order, values)
         if order is not None:
             values[:, order] = values.copy()
-        shaped: Reals = values.reshape(-1, *instants.shape)
+        shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
     def _element_output(self, mode: Mode) -> Reals:

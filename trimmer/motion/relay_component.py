@@ -92,13 +92,15 @@ class RelayComponent(Component):
         side, other = (1.0, MINUS) if mode == PLUS else (-1.0, PLUS)
         reverse, jump = (Transition(EventKind.SWITCH, other, (), (zeros,)) for zeros in (1, 0))
         stick = Transition(EventKind.STICK, HELD, (), (0, 0))
-        return (Guard(side * self.switching_function(signals), stick if attracting else reverse, jump),)
+        switching = side * self.switching_function(signals)
+        return (Guard(switching, stick if attracting else reverse, jump, continuous=1),)
 
     def _limits(self, signals: Signals) -> tuple[Guard, Guard]:
         """Return the distances of the holding output from its limits; at a located slip s' is zero too."""
         level = self.level * signals.one
         forwards, backwards = (
-            [Transition(EventKind.SLIP, target, (), (zeros,)) for zeros in (2, 1)] for target in (PLUS, MINUS)
+            (Transition(EventKind.SLIP, target, (), (2,)), Transition(EventKind.SLIP, target, (), (1,)))
+            for target in (PLUS, MINUS)
         )
         return Guard(level - signals.output, *forwards), Guard(level + signals.output, *backwards)
 

@@ -13,6 +13,7 @@ from trimmer.motion.kernel import (
     DIVERGED,
     EVENT_LIMIT,
     FULL,
+    MOST_STEPS,
     REACHED_END,
     STEP_LIMIT,
     UNKNOWN_MODE,
@@ -45,11 +46,17 @@ def simulate(
     impulse: float = 0.0,
     element_output: float = 0.0,
     event_limit: int = 1_000_000,
+    step_limit: int = MOST_STEPS,
 ) -> Motion:
     """Follow the motion of a loop from t = 0.
 
     Between events the state is known in closed form (a matrix exponential, with the drive among the states);
     events are found on it as zeros of polynomials whose truncation is below rounding.
+
+    Friction that sticks for ever, or that is too large for anything to move, and a drive below half the gap
+    give a motion that reaches its end without further events. A contact that only grazes is an impact and a
+    separation, or counts in ``touches`` where it is less than rounding. Without play or friction, leave them
+    out: a gap or a force of zero is an error.
 
     Args:
         loop: What moves.
@@ -61,6 +68,7 @@ def simulate(
         element_output: Position of a load behind a backlash at t = 0, m, at rest; where the pin would lie
             outside the gap, the load starts in contact instead.
         event_limit: Greatest number of events.
+        step_limit: Greatest number of steps between events, each as long as the fastest mode allows.
 
     Returns:
         The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit, if
@@ -73,16 +81,16 @@ def simulate(
     """
     if not (math.isfinite(duration) and duration > 0):
         raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
-    if event_limit < 1:
-        raise ValueError(f"event_limit must be at least 1, not {event_limit!r}")
+    for name, limit in (("event_limit", event_limit), ("step_limit", step_limit)):
+        if not (limit >= 1 and limit % 1 == 0):
+            raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
     mode, state = initial_stretch(loop, modes, initial_state, impulse, element_output)
     log = _log(FIRST_ROWS, state.size)
     log.mode[0], log.state[0], log.guard[0] = mode, state, -1
     stretch = 0
     while True:
-        # Of one type each, since the march is compiled for every combination of types.
-        reason, stretch, reached = march(modes.tables, log, stretch, float(duration), int(event_limit) + 1)
+        reason, stretch, reached = march(modes.tables, log, stretch, duration, event_limit + 1, step_limit)
         if reason == UNKNOWN_MODE:
             modes.tabulate(int(log.mode[stretch]))
         elif reason == FULL:

@@ -29,7 +29,8 @@ class Tables(NamedTuple):
         component: Component that owns the guard.
         number: Number of the guard among those of its owner.
         target: Mode after reaching zero, and after being negative at once: (modes, guards, 2).
-        zeros: Known zeros of the owner's guards in these target modes: (modes, guards, 2, 2).
+        zeros: Known zeros of the owner's guards in these target modes: (modes, guards, 2, 3).
+        continuous: How many of these no jump of another component's output takes away: (modes, guards).
         reset: The state afterwards, transposed, in either case: (modes, guards, n, n).
         bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
     """
@@ -48,6 +49,7 @@ class Tables(NamedTuple):
     number: Integers
     target: Integers
     zeros: Integers
+    continuous: Integers
     reset: Reals
     bernstein_from_taylor: Reals
 
@@ -82,11 +84,9 @@ class Work(NamedTuple):
         bernstein: Bernstein coefficients of one guard over the step.
         taylor: Its coefficients of s^k.
         sizes: Sums of the moduli of the terms of these.
-        deflated: Its Bernstein coefficients without its known zeros.
         pieces: Coefficients of parts of the step, for the search of a zero.
         known_zeros: For each guard, how many derivatives vanish at the start of the stretch.
         touch: For each guard, the fraction of the step at which it touches zero without crossing.
-        touches: One number: how many of these lie in the stretch so far.
     """
 
     state: Reals
@@ -95,8 +95,6 @@ class Work(NamedTuple):
     bernstein: Reals
     taylor: Reals
     sizes: Reals
-    deflated: Reals
     pieces: Reals
     known_zeros: Integers
     touch: Reals
-    touches: Integers

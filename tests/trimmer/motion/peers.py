@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 Reals = NDArray[np.float64]
 Signal = Callable[[float, Reals], float]
 
-TOLERANCES = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-14, "max_step": 0.02}
+TOLERANCES = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-13, "max_step": 0.05}
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,100 @@
+"""Energy over one second of motion: what the pin gives is stored, or lost in dampers and friction."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import control
+import pytest
+
+from trimmer import (
+    Body,
+    BodyFriction,
+    ClosedLoop,
+    CoulombFriction,
+    Displacement,
+    Drive,
+    FrictionBacklash,
+    InertiaBacklash,
+    InputChannels,
+    TrimmerLoop,
+    TrimmerParameters,
+    UnsupportedMotionError,
+    ViscousBacklash,
+    ViscousFriction,
+    energy_balance,
+    simulate,
+)
+
+THESIS = TrimmerParameters.thesis()
+SOFT = replace(THESIS, k1=4e4, k5=3e5, m2=0.004, c2=0.2)
+DRIVE = Drive(1.5e-3, 2 * math.pi * 110, phase=0.3)
+BLADES = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(2.0))
+GUARD = BodyFriction(Displacement(Body.GUARD), CoulombFriction(0.3) + ViscousFriction(0.2))
+ONE_CHANNEL = InputChannels.DISPLACEMENT_ONLY
+
+LOOPS = {
+    "closed, friction-controlled": TrimmerLoop(THESIS, FrictionBacklash(4e-5), channels=ONE_CHANNEL),
+    "closed, viscous, both channels": TrimmerLoop(THESIS, ViscousBacklash(4e-5, 3e-4)),
+    "closed, inertia-controlled, softer": TrimmerLoop(SOFT, InertiaBacklash(4e-5)),
+    "closed, friction": TrimmerLoop(THESIS, FrictionBacklash(4e-5), frictions=(BLADES,)),
+    "driven, no play": TrimmerLoop(THESIS, None, DRIVE),
+    "driven, play": TrimmerLoop(SOFT, ViscousBacklash(2e-4, 1e-3), DRIVE),
+    "driven, play, two frictions": TrimmerLoop(
+        THESIS, FrictionBacklash(2e-4), DRIVE, frictions=(BLADES, GUARD)
+    ),
+    "driven, friction, one channel": TrimmerLoop(
+        SOFT, None, DRIVE, frictions=(BLADES, GUARD), channels=ONE_CHANNEL
+    ),
+}
+
+
+@pytest.mark.parametrize("name", sorted(LOOPS))
+def test_energy_balance_closes_over_a_second(name: str) -> None:
+    loop = LOOPS[name]
+    motion = simulate(loop, 1.0, impulse=1e-6)
+    balance = energy_balance(motion)
+    assert motion.duration == 1.0
+    assert balance.residual < 1e-10
+    # A sum of parts would close as well if all were zero, or if one were hidden in another.
+    assert balance.damping_loss > 1e-6
+    assert (balance.friction_loss > 1e-6) == bool(loop.frictions)
+    assert abs(balance.pin_work) > 1e-6
+
+
+def test_energies_are_those_of_springs_and_masses() -> None:
+    q, velocities = [1e-4, -2e-4, 3e-5, 5e-5], [0.1, 0.2, -0.3, 0.05]
+    rigid = TrimmerLoop(THESIS, None, Drive(0.0, 1.0), channels=ONE_CHANNEL)
+    balance = energy_balance(simulate(rigid, 1e-3, initial_state=[*q, *velocities]))
+    p = THESIS
+    springs = [(p.k1, q[0]), (p.k2, q[0] - q[1]), (p.k5, q[1] - q[2]), (p.k3, q[2]), (p.k4, q[2] - q[3])]
+    masses = zip((p.m1, p.m2, p.m3, p.m4), velocities, strict=True)
+    assert balance.potential_at_start == pytest.approx(sum(0.5 * k * x**2 for k, x in springs), rel=1e-13)
+    assert balance.kinetic_at_start == pytest.approx(sum(0.5 * m * v**2 for m, v in masses), rel=1e-13)
+    assert balance.pin_work == 0.0
+    assert balance.residual < 1e-12
+
+
+def test_residual_shows_what_is_missing() -> None:
+    balance = energy_balance(simulate(LOOPS["driven, play"], 0.1))
+    missing = replace(balance, damping_loss=balance.damping_loss + 1e-6 * balance.pin_work)
+    assert missing.residual == pytest.approx(1e-6, rel=1e-3)
+
+
+def test_at_rest_nothing_is_missing() -> None:
+    assert energy_balance(simulate(LOOPS["closed, friction"], 0.1)).residual == 0.0
+
+
+def test_stick_loses_no_energy() -> None:
+    friction = replace(BLADES, law=CoulombFriction(1e4))
+    stuck = TrimmerLoop(THESIS, None, DRIVE, frictions=(friction,), channels=ONE_CHANNEL)
+    balance = energy_balance(simulate(stuck, 0.1))
+    assert balance.residual < 1e-10
+    assert abs(balance.friction_loss) < 1e-12 * balance.damping_loss
+
+
+def test_any_other_loop_is_refused() -> None:
+    motion = simulate(ClosedLoop(control.tf([1], [1, 1]), FrictionBacklash(1.0)), 1.0)
+    with pytest.raises(UnsupportedMotionError, match="TrimmerLoop"):
+        energy_balance(motion)
