@@ -24,7 +24,9 @@ from report.document import (
     ParameterRow,
     Program,
 )
+from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
+from report.sections import read_sections
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -92,6 +94,8 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,
         corrected=parts.corrected,
+        sections=read_sections(),
+        further_statements=len(read_inventory(FURTHER)),
         alterations=parts.alterations,
     )
 

@@ -51,17 +51,17 @@ def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
     started = time.perf_counter()
     progress = Progress()
     write_whole(directory / LOG, "a build is under way, or was interrupted\n")  # fails now, not at the end
-    document = select(_content(directory, progress), request.chapters)
-    (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request))
+    store = StageStore(directory / CACHE)
+    document = select(_content(store, progress), request.chapters)
+    (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
     write_files(document.programs, directory / OCTAVE)
     log = directory / LOG
     write_whole(log, progress.log())
     return Built(document, files, log, time.perf_counter() - started)
 
 
-def _content(directory: Path, progress: Progress) -> Document:
+def _content(store: StageStore, progress: Progress) -> Document:
     key = content_key()
-    store = StageStore(directory / CACHE)
     kept: Document | None = store.load(CONTENT, key)
     if kept is not None:
         (current,) = progress.run("kept", [kept], lambda content: replace(content, provenance=provenance()))

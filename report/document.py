@@ -140,7 +140,8 @@ class Program:
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
-    ``alterations`` counts the printed sides of the whole report that were changed on purpose.
+    ``further_statements`` is how many of the statements were found by a second reading; ``alterations`` counts
+    the printed sides of the whole report that were changed on purpose.
     """
 
     title: str
@@ -158,6 +159,7 @@ class Document:
     corrected: tuple[CorrectedResult, ...] = ()
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
+    further_statements: int = 0
     alterations: Alterations = field(default_factory=Alterations)
 
     @property

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 from report.claim import Finding, JudgedPart, Kind, Shown, Verdict, Words
 from report.document import Document
+from report.rendering.escaping import plain
 from report.rendering.outline import grouped
 from report.rendering.summary import short_reference
+
+_STATEMENT = re.compile(r"(?:\$[^$]*\$|(?!; |\. [A-Z])[^$])*")
+"""Words up to the first semicolon or the end of the first sentence, outside of mathematics."""
+_LONG = 45
+"""Corrections longer than this are not said twice."""
+_VERY_LONG = 120
+"""Answers longer than this give their first statement only; the card has the rest."""
 
 
 @dataclass(frozen=True)
@@ -24,12 +34,26 @@ class Erratum:
 def errata(document: Document) -> tuple[Erratum, ...]:
     """Return one erratum for each wrong part of each claim, in thesis order."""
     return tuple(
-        erratum
-        for chapter in document.chapters
-        for group in grouped(chapter, document.sections)
-        for finding in group.findings
-        for erratum in _errata_of(finding)
+        _said_once(
+            erratum
+            for chapter in document.chapters
+            for group in grouped(chapter, document.sections)
+            for finding in group.findings
+            for erratum in _errata_of(finding)
+        )
     )
+
+
+def _said_once(errata: Iterable[Erratum]) -> Iterator[Erratum]:
+    """Refer to the first of several errata with the same long correction."""
+    said: dict[str, Erratum] = {}
+    for erratum in errata:
+        correction = str(erratum.should_be)
+        first = said.setdefault(correction, erratum)
+        if len(correction) <= _LONG or first is erratum:
+            yield erratum
+        else:
+            yield replace(erratum, should_be=Words(f"as at [{plain(first.place)}](#{first.claim})"))
 
 
 def _errata_of(finding: Finding) -> tuple[Erratum, ...]:
@@ -47,14 +71,19 @@ def _errata_of(finding: Finding) -> tuple[Erratum, ...]:
 
 
 def _part(finding: Finding, part: JudgedPart, index: int) -> str:
-    """Name the part; a statement has no number in the thesis, so its first part gets its title as well."""
-    if finding.kind is not Kind.STATEMENT or index:
+    """Name the part; a statement has no number in the thesis, so its first part gets its title as well.
+
+    What is printed in words says itself which statement it is.
+    """
+    if finding.kind is not Kind.STATEMENT or index or isinstance(part.printed, Words):
         return part.label
     return f"{finding.title}: {part.label}" if part.label else finding.title
 
 
 def _correction(derived: Shown) -> Shown:
-    """Leave out the "No" of an answer: on the sheet, all answers are."""
-    if isinstance(derived, Words):
-        return Words(derived.text.removeprefix("No: "))
-    return derived
+    """Leave out the "No" of an answer, which on the sheet all are, and what follows a very long statement."""
+    if not isinstance(derived, Words):
+        return derived
+    answer = derived.text.removeprefix("No: ")
+    statement = _STATEMENT.match(answer)
+    return Words(statement[0] if statement and len(answer) > _VERY_LONG else answer)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import functools
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -13,9 +12,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.document import Document
 from report.octave.archive import archive
-from report.rendering.markdown import ARCHIVE, TEMPLATES
-from report.rendering.mathml import repaired
-from report.rendering.pandoc import write
+from report.rendering.markdown import ARCHIVE
+from report.rendering.pieces import TEMPLATES
 from report.rendering.summary import SYMBOLS
 from report.rendering.verdict_picture import NAME, verdict_picture
 
@@ -34,14 +32,13 @@ class Entry:
     inner: tuple[Entry, ...]
 
 
-def to_html(document: Document, content: Sequence[bytes]) -> str:
+def to_html(document: Document, body: str) -> str:
     """Return the report as one HTML page with its style, script, font, figures and programs inside.
 
     Args:
         document: the report.
-        content: its text, as ``pandoc.read`` returns it.
+        body: its text, as ``pieces.html`` returns it.
     """
-    body = repaired(write(content, "html5", ["--mathml", f"--lua-filter={TEMPLATES / 'html.lua'}"]))
     drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
     return (
         _environment()

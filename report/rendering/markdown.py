@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import re
-from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -15,21 +14,23 @@ from report.rendering import errata, escaping, outline, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
+from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
 
-TEMPLATES = Path(__file__).parent.parent / "templates"
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""
 HALF_LINE = 15.0
 """Width of a formula in a table that holds printed and derived side by side, in em."""
+HALF_LINE_OF_WORDS = 110
+"""Most characters of words in such a table; longer ones are easier to read over the full width."""
 ERRATA_LINE = 22.0
 """Width of a line of a formula on the errata sheet, in em."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
 
 
-def to_markdown(document: Document) -> tuple[str, ...]:
-    """Return the whole report as pandoc Markdown, in parts that each stand alone and follow each other.
+def to_markdown(document: Document) -> dict[str, str]:
+    """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
 
     Raises:
         BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
@@ -46,13 +47,14 @@ def to_markdown(document: Document) -> tuple[str, ...]:
         "errata": errata.errata(document),
     }
     template = _environment().get_template
-    parts = (
-        template("front.md.j2").render(content),
-        *(template("chapter.md.j2").render(content, chapter=chapter) for chapter in document.chapters),
-        template("back.md.j2").render(content),
-    )
-    linked = tuple(without_links_to(part, document.omitted) for part in parts)
-    check_links("\n".join(linked))
+    chapter_template = template("chapter.md.j2")
+    pieces = {
+        "front": template("front.md.j2").render(content),
+        **{chapter.id: chapter_template.render(content, chapter=chapter) for chapter in document.chapters},
+        "back": template("back.md.j2").render(content),
+    }
+    linked = {name: without_links_to(piece, document.omitted) for name, piece in pieces.items()}
+    check_links("\n".join(linked.values()))
     return linked
 
 
@@ -101,9 +103,18 @@ def code_block(text: str) -> str:
 
 
 def side_by_side(finding: Finding) -> bool:
-    """Say whether every printed and derived side is narrow enough for half a line."""
-    sides = [side for part in finding.parts for side in (part.printed, part.derived)]
-    return all(width(side.latex) <= HALF_LINE for side in sides if isinstance(side, Mathematics))
+    """Say whether every printed and derived side is narrow or short enough for half a line."""
+    return all(_fits_half_a_line(side) for part in finding.parts for side in (part.printed, part.derived))
+
+
+def _fits_half_a_line(side: Shown) -> bool:
+    match side:
+        case Mathematics(latex):
+            return width(latex) <= HALF_LINE
+        case Words(text):
+            return len(text) <= HALF_LINE_OF_WORDS
+        case Number():
+            return True
 
 
 @functools.cache
@@ -131,6 +142,7 @@ def _environment() -> Environment:
         slips=summary.slips,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
+        share_noticed=summary.share_noticed,
         kinds_in_words=summary.kinds_in_words,
         groups=outline.grouped,
         picture_description=verdict_picture.description,

@@ -1,17 +1,19 @@
-"""The report as PDF, through pandoc and Typst."""
+"""The report as PDF, set by Typst."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import hashlib
 from datetime import UTC, datetime
+from functools import partial
+from importlib.metadata import version
 from typing import Any
 
 from report.document import Document
 from report.octave.archive import files
-from report.rendering.markdown import TEMPLATES
-from report.rendering.pandoc import write
+from report.rendering.pieces import TEMPLATES
 from report.rendering.request import Paper
 from report.rendering.verdict_picture import NAME, verdict_picture
+from report.stage_store import StageStore
 
 _PAPERS = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 
@@ -20,25 +22,40 @@ class TypesettingError(RuntimeError):
     """Typst refused the report, for instance because a formula runs off the page."""
 
 
-def to_typst(document: Document, content: Sequence[bytes], paper: Paper = Paper.A4) -> str:
-    """Return the report as Typst source; figures and programs are named as files in it.
+def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageStore | None = None) -> bytes:
+    """Return the report as PDF; the same document gives the same bytes on every machine.
 
     Args:
         document: the report.
-        content: its text, as ``pandoc.read`` returns it.
+        body: its text, as ``pieces.typst`` returns it.
         paper: size of the pages.
+        store: where the PDF is kept, and taken from if nothing has changed.
+
+    Raises:
+        TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
+        FileWriteError: if the PDF cannot be kept.
     """
-    source = document.provenance
+    source = {
+        "main": _source(document, body, paper).encode(),
+        f"figures/{NAME}.svg": verdict_picture(document).encode(),
+        **{f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.figures},
+        **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
+    }
+    timestamp = _timestamp(document.provenance.date)
+    make = partial(_set, source, timestamp)
+    if store is None:
+        return make()
+    depends = repr((version("typst"), timestamp, source))
+    return store.made(f"pdf-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
+
+
+def _source(document: Document, body: str, paper: Paper) -> str:
+    provenance = document.provenance
     settings = {
         "title": document.title,
-        "version": f"trimmer {source.version}, commit {source.commit}, {source.date[:10]}",
+        "version": f"trimmer {provenance.version}, commit {provenance.commit}, {provenance.date[:10]}",
         "paper": _PAPERS[paper],
     }
-    body = write(
-        content,
-        "typst-smart",
-        ["--shift-heading-level-by=-1", f"--lua-filter={TEMPLATES / 'typst.lua'}"],
-    )
     defined = "".join(f"#let {name} = {_string(value)}\n" for name, value in settings.items())
     return f"{defined}{(TEMPLATES / 'report.typ').read_text(encoding='utf-8')}\n{body}"
 
@@ -48,27 +65,13 @@ def _string(text: str) -> str:
     return f'"{escaped}"'
 
 
-def to_pdf(document: Document, content: Sequence[bytes], paper: Paper = Paper.A4) -> bytes:
-    """Return the report as PDF; the same document gives the same bytes on every machine.
-
-    Raises:
-        TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
-    """
+def _set(source: dict[str, bytes], timestamp: int) -> bytes:
     import typst  # here: the module holds a whole typesetter
 
-    figures = {f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.figures}
-    programs = {f"octave/{name}": text.encode() for name, text in files(document.programs).items()}
     # Typst's annotations leave out that its input may be a dictionary of files, with the main one first.
-    source: Any = {
-        "main": to_typst(document, content, paper).encode(),
-        f"figures/{NAME}.svg": verdict_picture(document).encode(),
-        **figures,
-        **programs,
-    }
+    files_of_source: Any = source
     try:
-        return typst.compile(
-            source, format="pdf", ignore_system_fonts=True, timestamp=_timestamp(document.provenance.date)
-        )
+        return typst.compile(files_of_source, format="pdf", ignore_system_fonts=True, timestamp=timestamp)
     except typst.TypstError as error:
         raise TypesettingError(f"the PDF could not be set: {error}") from error
 

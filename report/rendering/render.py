@@ -7,33 +7,44 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from report.document import Document
-from report.rendering import pandoc
+from report.rendering import pieces
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
 from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.stage_store import StageStore
 from trimmer.files import write_whole
 
 NAMES = {Format.HTML: "report.html", Format.PDF: "report.pdf", Format.JSON: "claims.json"}
 """Name of the file of each form."""
 
 
-def render(document: Document, directory: Path, request: Request = WHOLE_REPORT) -> Mapping[Format, Path]:
+def render(
+    document: Document, directory: Path, request: Request = WHOLE_REPORT, store: StageStore | None = None
+) -> Mapping[Format, Path]:
     """Write the report in the forms that are wanted; return the path of each.
 
     All of them are made before the first is written, so that a failure leaves the files of the last build.
+
+    Args:
+        document: the report, or the part of it that is wanted.
+        directory: folder of the files.
+        request: which forms, on which paper.
+        store: where converted pieces are kept for the next rendering; without it all are converted.
 
     Raises:
         BrokenLinkError: if a link inside the report leads nowhere or two places share an identifier.
         PandocError: if pandoc cannot read the text or its mathematics.
         TypesettingError: if the PDF cannot be set, for instance because a formula does not fit the page.
-        FileWriteError: if a file cannot be written.
+        FileWriteError: if a file cannot be written, or a piece cannot be kept.
     """
-    text = pandoc.read(to_markdown(document)) if request.formats - {Format.JSON} else ()
+    text = pieces.parsed(to_markdown(document), store) if request.formats - {Format.JSON} else {}
+    # The PDF takes longest: its source comes first, so that Typst works while pandoc writes the HTML.
+    source = pieces.typst(text, store) if Format.PDF in request.formats else ""
     makers: dict[Format, Callable[[], str | bytes]] = {
-        Format.PDF: lambda: to_pdf(document, text, request.paper),
-        Format.HTML: lambda: to_html(document, text),
+        Format.PDF: lambda: to_pdf(document, source, request.paper, store),
+        Format.HTML: lambda: to_html(document, pieces.html(text, store)),
         Format.JSON: lambda: to_json(document),
     }
     with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock

@@ -23,9 +23,13 @@
     }
   };
 
+  // A place is being read from when its heading is as high as a link brings it; at the end, it is the last place.
   const follow = () => {
-    const line = innerHeight / 4;
-    const begun = entries.filter(({ target }) => target.offsetParent && target.getBoundingClientRect().top <= line);
+    const root = document.documentElement;
+    const line = parseFloat(getComputedStyle(root).scrollPaddingTop) + 32;
+    const atEnd = scrollY + innerHeight >= root.scrollHeight - 2 && scrollY > 0;
+    const seen = entries.filter(({ target }) => target.offsetParent);
+    const begun = seen.filter(({ target }) => atEnd || target.getBoundingClientRect().top <= line);
     mark(begun.at(-1) ?? entries[0]);
   };
 

@@ -26,13 +26,8 @@ end
 
 -- A formula alone has no name that a screen reader could say for the whole row.
 local function has_words(cell)
-  local found = false
-  cell:walk({
-    Str = function()
-      found = true
-    end,
-  })
-  return found
+  local inlines = cell.content[1] and cell.content[1].content
+  return not (#cell.content == 1 and #inlines == 1 and (inlines[1].t == "Math" or inlines[1].t == "Para"))
 end
 
 local function table_row(row, alignments, is_head, header_column)
@@ -76,20 +71,17 @@ local function report_table(div)
   return result
 end
 
--- One disclosure with the LaTeX of each formula in the blocks.
-local function latex_sources(blocks)
-  local sources = {}
-  pandoc.Blocks(blocks):walk({
-    Div = function(div)
-      if div.classes:includes("formula") then
-        div:walk({
-          Math = function(math)
-            table.insert(sources, { name = div.attributes.name, latex = math.text })
-          end,
-        })
-      end
-    end,
-  })
+-- Formulas that were met since the last disclosure: Divs are met from the inside to the outside.
+local sources = {}
+
+local function formula(div)
+  table.insert(sources, { name = div.attributes.name, latex = div.content[1].content[1].text })
+  div.attributes.name = nil
+  return div
+end
+
+-- One disclosure with the LaTeX of these formulas.
+local function latex_sources()
   if #sources == 0 then
     return {}
   end
@@ -99,6 +91,7 @@ local function latex_sources(blocks)
     table.insert(html, entry:format(escaped(source.name), escaped(source.latex)))
   end
   table.insert(html, "</details>")
+  sources = {}
   return { raw(table.concat(html)) }
 end
 
@@ -109,7 +102,7 @@ local function equation(div)
     result:insert(raw('<span class="thesis-number">(' .. escaped(div.attributes.thesis) .. ")</span>"))
   end
   result:insert(raw("</div>"))
-  result:extend(latex_sources(div.content))
+  result:extend(latex_sources())
   return result
 end
 
@@ -118,7 +111,7 @@ local function claim(div)
   local attributes = div.attributes
   local blocks = div.content:map(function(block)
     if block.t == "Div" and block.classes:includes("latex-sources") then
-      return pandoc.Div(latex_sources(div.content))
+      return pandoc.Div(latex_sources())
     end
     return block
   end)
@@ -174,6 +167,7 @@ local function nothing()
 end
 
 local converters = {
+  formula = formula,
   table = report_table,
   equation = equation,
   claim = claim,

@@ -40,11 +40,16 @@
     sheet.querySelector("h2").after(print);
   }
 
-  // What scrolls sideways can be reached by keyboard, what does not is no stop on the way.
+  // What scrolls sideways can be reached by keyboard, what does not is no stop on the way. The content is watched
+  // too: it grows when the font of formulas is there.
+  const boxes = ".formula, .table-box, .picture";
   const scrollers = new ResizeObserver((changes) => {
-    for (const { target } of changes) {
-      if (target.scrollWidth > target.clientWidth + 1) target.tabIndex = 0; else target.removeAttribute("tabindex");
+    for (const box of new Set(changes.map(({ target }) => target.closest(boxes)))) {
+      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else box.removeAttribute("tabindex");
     }
   });
-  for (const box of document.querySelectorAll(".formula, .table-box, .picture")) scrollers.observe(box);
+  for (const box of document.querySelectorAll(boxes)) {
+    scrollers.observe(box);
+    scrollers.observe(box.firstElementChild);
+  }
 }

@@ -95,6 +95,12 @@ local function nothing()
   return {}
 end
 
+local function is_text(side)
+  return side.content:find_if(function(block)
+    return block.t == "Div" and block.classes:includes("formula")
+  end) == nil
+end
+
 local headings = {
   printed = "As printed",
   derived = "As derived",
@@ -128,7 +134,8 @@ local converters = {
     local result = pandoc.List({ raw("#comparison(") })
     for _, side in ipairs(div.content) do
       local heading = headings[side.classes[#side.classes]]
-      result:extend(wrapped("(" .. quoted(heading) .. ", [", side.content, "]),"))
+      local opening = "(heading: " .. quoted(heading) .. ", wraps: " .. tostring(is_text(side)) .. ", body: ["
+      result:extend(wrapped(opening, side.content, "]),"))
     end
     result:insert(raw(")"))
     return result
@@ -168,6 +175,11 @@ end
 function Span(span)
   if span.classes:includes("badge") then
     local result = pandoc.List({ pandoc.RawInline("typst", "#badge(" .. quoted(span.classes[2]) .. ")[") })
+    result:extend(span.content)
+    result:insert(pandoc.RawInline("typst", "]"))
+    return result
+  elseif span.classes:includes("remark") then
+    local result = pandoc.List({ pandoc.RawInline("typst", "#remark[") })
     result:extend(span.content)
     result:insert(pandoc.RawInline("typst", "]"))
     return result

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser
 
 from report.document import Document
 from report.rendering.render import render
 from report.rendering.request import Format
-from tests.report.rendering.chromium import Connection, running
+from tests.report.rendering.page_checks import Visit, chromium_browser, visited
 from tests.report.rendering.sample import sample
-
-collect_ignore = [
-    *("test_browser.py", "test_escaping.py", "test_latex.py", "test_markdown.py", "test_mathml.py"),
-]
-"""Written for the pages before they went by chapter; to be adapted to the new ones."""
 
 
 @pytest.fixture(scope="session")
@@ -30,6 +27,22 @@ def rendered(document: Document, tmp_path_factory: pytest.TempPathFactory) -> Ma
 
 
 @pytest.fixture(scope="session")
-def browser(chromium: str) -> Iterator[Connection]:
-    with running(chromium) as connection:
-        yield connection
+def address(rendered: Mapping[Format, Path]) -> str:
+    return rendered[Format.HTML].as_uri()
+
+
+@pytest.fixture(scope="session")
+def browser(chromium: str) -> Iterator[Browser]:
+    with chromium_browser(chromium) as browser:
+        yield browser
+
+
+@pytest.fixture
+def visit(browser: Browser, address: str) -> Iterator[Callable[..., Visit]]:
+    """Open the sample report: ``visit(end, width=…, scheme=…, scripts=…)``; ``end`` follows its address."""
+    with ExitStack() as stack:
+
+        def open_page(end: str = "", **options: object) -> Visit:
+            return stack.enter_context(visited(browser, address + end, **options))
+
+        yield open_page

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-import functools
-
 import sympy
 
+from report.alterations import Alterations
 from report.document import (
+    Answer,
     Chapter,
+    CorrectedResult,
     DerivationStep,
     Document,
     Equation,
-    Figure,
     Highlight,
     NomenclatureRow,
     ParameterRow,
+    Program,
     Provenance,
+    Section,
 )
-from report.figures.block_diagrams import feedback_system, linear_system
-from report.figures.svg import to_svg
-from tests.report.rendering.sample_findings import chapter_five, chapter_two
+from tests.report.rendering.sample_figures import figures
+from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two
 from tests.report.rendering.sample_formulas import (
     CASES,
     DOTS,
@@ -30,29 +31,6 @@ from tests.report.rendering.sample_formulas import (
     long_coefficient,
     state_matrix,
 )
-
-
-@functools.cache
-def figures() -> tuple[Figure, ...]:
-    """Return the two block diagrams as figures of the report."""
-    linear = "A block G of s; u of t enters from the left and y of t leaves to the right."
-    feedback = "A summing junction takes u and subtracts what N of s feeds back from the output of G of s."
-    return (
-        Figure(
-            "fig-2.3",
-            "Linear system",
-            r"The block $G(s)$ maps $u(t)$ to $y(t)$.",
-            linear,
-            to_svg(linear_system(), "fig-2.3", "Linear system", linear),
-        ),
-        Figure(
-            "eq-2.37",
-            "Feedback system",
-            r"The loop has $M = \frac{G}{1 + G N}$ from $U$ to $Y$.",
-            feedback,
-            to_svg(feedback_system(), "eq-2.37", "Feedback system", feedback),
-        ),
-    )
 
 
 def derivation() -> tuple[DerivationStep, ...]:
@@ -84,6 +62,53 @@ def derivation() -> tuple[DerivationStep, ...]:
     )
 
 
+def describing_functions() -> tuple[DerivationStep, ...]:
+    """Return the one step of the derivation of a describing function."""
+    return (
+        DerivationStep("relay", "Relay", "A relay switches.", (Equation(r"N = \frac{4 M}{\pi A}", "2.37"),)),
+    )
+
+
+def answers() -> tuple[Answer, ...]:
+    """Return answers to two research questions, one of which rests on claims."""
+    return (
+        Answer(
+            "How does the play $b$ influence the vibration?",
+            "The amplitude grows with it.",
+            r"It is proportional to the play; see [figure 5.1](#fig-5.1). The factor is $\frac{A}{b} = 8.3$.",
+            ("fig-5.1", "txt-5.1.2-roll-off"),
+        ),
+        Answer("Does damping matter?", "It raises the peaks.", "It lowers them."),
+    )
+
+
+def corrected() -> tuple[CorrectedResult, ...]:
+    """Return predictions with numbers, with words and with nothing in their place."""
+    return (
+        CorrectedResult(
+            "txt-5.1.2-roll-off",
+            "amplitude, stable, $b$ = 4e-6 m",
+            "3.3138e-5",
+            "3.3261e-05",
+            "3.3158e-05",
+            "m",
+            "the same for every gap, with a remark that is long enough to need more than one line",
+        ),
+        CorrectedResult("tab-5.1", "frequency", "814.9", "750.63", "750.62", "Hz"),
+        CorrectedResult("txt-5.2.1-impulse-1e-8", "smallest gap", "2e-8", "none", "", "m"),
+    )
+
+
+def programs() -> tuple[Program, ...]:
+    """Return a program that corrects a listing and one that does not."""
+    text = "% Sums & products: A_1 < 2\nfunction y = total(x)\n  y = sum(x .^ 2); # not `this`\nend\n"
+    wide = "wide = [" + ", ".join(f"{number}.0" for number in range(60)) + "];\n"
+    return (
+        Program("listing_a_1.m", "lst-A.1", "Matrices & more", ("Line 58 keeps G_1 < 0.", "A sign."), text),
+        Program("main_numbers.m", "", "All numbers", (), wide * 50),
+    )
+
+
 def sample() -> Document:
     """Return the report."""
     return Document(
@@ -99,6 +124,7 @@ def sample() -> Document:
         chapters=(
             Chapter("chapter-2", "2", "Modelling & method", chapter_two()),
             Chapter("chapter-5", "5", "Results", chapter_five()),
+            Chapter("chapter-A", "A", "Listings", appendix_a()),
         ),
         statements_in_thesis=253,
         derivation=derivation(),
@@ -114,5 +140,17 @@ def sample() -> Document:
         ),
         provenance=Provenance(
             "0.1.0", "0123abc", "2026-05-04T10:11:12+02:00", (("sympy", "1.14.0"), ("typst", "0.15.0"))
+        ),
+        alterations=Alterations(tried=1234, noticed=1233),
+        programs=programs(),
+        describing_functions=describing_functions(),
+        answers=answers(),
+        corrected=corrected(),
+        sections=(
+            Section("2.2.1", "Mechanism & masses"),
+            Section("2.2.2", "Linear system", ("fig-2.3",)),
+            Section("2.3.4", "Describing functions"),
+            Section("5.1.1", "Transfer function", ("fig-5.1",)),
+            Section("5.1.2", "Low-pass filter", ("fig-5.2",)),
         ),
     )

@@ -122,7 +122,7 @@ def chapter_two() -> tuple[Finding, ...]:
         finding(
             "fig-2.3",
             Kind.FIGURE,
-            "2.2.2",
+            "2",
             "linear system",
             [
                 part(
@@ -202,5 +202,40 @@ def chapter_five() -> tuple[Finding, ...]:
             "roll-off of −60 dB per decade",
             [part(Verdict.ERRATUM, Number("-60", "dB/decade"), Number("-40", "dB/decade"))],
             "The numerator has degree 5, the denominator 7.",
+        ),
+        finding(
+            "fig-5.1",
+            Kind.FIGURE,
+            "5",
+            "locus of the open loop",
+            [part(Verdict.REPRODUCED, Words("a locus"), Words("a locus"), "locus", method="compared by eye")],
+            "The figure follows from the text.",
+        ),
+        finding(
+            "fig-5.2",
+            Kind.FIGURE,
+            "5",
+            "spectrum of the output",
+            [part(Verdict.ERRATUM, Number("545", "Hz"), Number("550", "Hz"), "peak")],
+            "The peak is the fifth harmonic of the drive, not a mode.",
+        ),
+    )
+
+
+def appendix_a() -> tuple[Finding, ...]:
+    """Return the finding on a listing, which belongs to no section of the appendix."""
+    return (
+        finding(
+            "lst-A.1",
+            Kind.LISTING,
+            "A",
+            "matrices of the trimmer",
+            [
+                part(Verdict.ERRATUM, Words("`G = G1`"), Words("`G = G1 + s*G2`"), "line 58"),
+                part(Verdict.REPRODUCED, Words("`k5 = 7;`"), Words("`k5 = 7;`"), "line 12"),
+            ],
+            "The listing keeps one of two responses: `sys(1, 1)`.",
+            "The loop of section 5.2 lacks the velocity of the pin.",
+            Impact.DOWNSTREAM,
         ),
     )

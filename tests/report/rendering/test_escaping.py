@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from report.rendering import escaping
-from report.rendering.pandoc import convert
+from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import SPECIAL
 
 PRINTABLE = st.text(st.characters(min_codepoint=32, max_codepoint=126), min_size=1, max_size=60)
@@ -16,7 +16,7 @@ PRINTABLE = st.text(st.characters(min_codepoint=32, max_codepoint=126), min_size
 
 def text_of(markdown: str) -> str:
     """Return the text that pandoc shows for Markdown in a paragraph."""
-    page = convert(f"start {markdown} end", "html5", ["--wrap=none", "--mathml"])
+    page = converted(f"start {markdown} end", "html5", "--mathml")
     paragraph = re.fullmatch(r"<p>start (.*) end</p>\n", page, re.DOTALL)
     assert paragraph is not None, page
     return html.unescape(paragraph[1])
@@ -64,7 +64,7 @@ def test_escaped_braces_and_dollars_are_allowed() -> None:
 
 
 def test_an_attribute_keeps_quotes_and_backslashes() -> None:
-    page = convert(f"[x]{{label={escaping.attribute(SPECIAL)}}}", "html5", ["--wrap=none"])
+    page = converted(f"[x]{{label={escaping.attribute(SPECIAL)}}}", "html5")
     value = re.search(r'data-label="([^"]*)"', page)
     assert value is not None
     assert html.unescape(value[1]) == SPECIAL

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from report.rendering.latex import Role, atoms, width
 from report.rendering.line_breaking import fit
-from report.rendering.pandoc import convert
+from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import (
     CASES,
     DOTS,
@@ -50,7 +50,7 @@ def polynomials(draw: st.DrawFn) -> sympy.Expr:
 def test_estimated_widths_are_close_to_those_typst_measures() -> None:
     source = '#show math.equation: set text(font: "New Computer Modern Math")\n#set text(10pt)\n'
     for formula in FORMULAS:
-        equation = convert(f"$${formula}$$", "typst", []).strip()
+        equation = converted(f"$${formula}$$", "typst").strip()
         source += f"#context [#metadata(measure([{equation}]).width.pt() / 10) <width>]\n"
     measured = json.loads(typst.query({"main": source.encode()}, "<width>", field="value"))
     assert [width(formula) for formula in FORMULAS] == pytest.approx(measured, rel=0.15)

@@ -4,11 +4,14 @@ import dataclasses
 
 import pytest
 
+from report.alterations import Alterations
 from report.claim import Mathematics, Number, Words
 from report.document import DerivationStep, Document, Equation
-from report.rendering.markdown import FULL_LINE, BrokenLinkError, shown, to_markdown
+from report.rendering.links import BrokenLinkError
+from report.rendering.markdown import FULL_LINE, shown, to_markdown
 from report.rendering.pandoc import PandocError
-from report.rendering.pdf import to_typst
+from report.rendering.pieces import parsed, typst
+from report.rendering.selection import select
 from tests.report.rendering.sample_formulas import long_coefficient
 
 
@@ -18,25 +21,78 @@ def with_step(document: Document, **fields: object) -> Document:
     return dataclasses.replace(document, derivation=(*document.derivation, changed))
 
 
+def text_of(document: Document) -> str:
+    return "\n".join(to_markdown(document).values())
+
+
+SECTIONS = (
+    *(
+        "summary",
+        "highlights",
+        "answers",
+        "corrected",
+        "chapter-2",
+        "section-2.2.1",
+        "chapter-5",
+        "chapter-A",
+    ),
+    *("programs", "derivation", "describing-functions", "nomenclature", "parameters", "provenance", "errata"),
+)
+
+
 def test_sections_come_in_their_order(document: Document) -> None:
-    text = to_markdown(document)
-    sections = ("summary", "derivation", "figures", "claims", "nomenclature", "parameters", "provenance")
-    places = [text.index(f"{{#{section}}}") for section in sections]
+    text = text_of(document)
+    places = [text.index(f"{{#{section}}}") for section in SECTIONS]
     assert places == sorted(places)
 
 
+def test_the_pieces_are_the_front_the_chapters_and_the_back(document: Document) -> None:
+    names = [chapter.id for chapter in document.chapters]
+    assert list(to_markdown(document)) == ["front", *names, "back"]
+
+
 def test_the_summary_says_how_many_statements_are_judged(document: Document) -> None:
-    assert f"{len(document.findings)} of 253 statements" in to_markdown(document)
+    assert f"{len(document.findings)} of 253 statements" in to_markdown(document)["front"]
+
+
+def test_the_summary_says_how_many_misprints_were_noticed_and_rounds_down(document: Document) -> None:
+    front = to_markdown(document)["front"]
+    assert "1233 of 1234 changes,\n99.9 %, were noticed" in front
+    without = dataclasses.replace(document, alterations=Alterations())
+    assert "were noticed" not in to_markdown(without)["front"]
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:
-    text = to_markdown(dataclasses.replace(document, derivation=(), figures=(), highlights=()))
-    assert not any(f"{{#{section}}}" in text for section in ("derivation", "figures", "highlights"))
+    without = {"derivation": (), "highlights": (), "answers": (), "corrected": (), "programs": ()}
+    text = text_of(dataclasses.replace(document, **without))
+    assert not any(f"{{#{section}}}" in text for section in without)
+
+
+def test_a_figure_stands_with_its_claim_in_the_section_that_the_thesis_has_it_in(document: Document) -> None:
+    text = to_markdown(document)["chapter-2"]
+    places = ("{#section-2.2.2}", "#fig-2.3 ", "(figures/fig-2.3.svg)", "{#section-2.3.4}")
+    assert [text.index(place) for place in places] == sorted(text.index(place) for place in places)
+
+
+def test_a_part_of_the_report_has_its_chapter_and_what_rests_on_it(document: Document) -> None:
+    text = text_of(select(document, ["ch5"]))
+    assert "**This is a part of the report.**" in text
+    assert all(f"{{#{section}}}" in text for section in ("summary", "highlights", "chapter-5", "errata"))
+    assert not any(f"{{#{section}}}" in text for section in ("answers", "chapter-2", "derivation"))
+    assert not any(f"#{finding.id}" in text for finding in document.chapters[0].findings)
+
+
+def test_an_erratum_names_its_place_and_both_forms(document: Document) -> None:
+    sheet = to_markdown(document)["back"].partition("{#errata}")[2]
+    assert "[Eq\\. 2\\.9](#eq-2.9), first mass" in sheet
+    assert "$-60$\\ dB\\/decade" in sheet
+    assert "$-40$\\ dB\\/decade" in sheet
+    assert "second mass" not in sheet
 
 
 def test_describing_functions_have_a_chapter_of_their_own(document: Document) -> None:
     step = DerivationStep("relay", "Relay", "Text.", (Equation("N = 1"),), ("eq-2.8",))
-    text = to_markdown(dataclasses.replace(document, describing_functions=(step,)))
+    text = text_of(dataclasses.replace(document, describing_functions=(step,)))
     assert text.index("{#derivation}") < text.index("{#describing-functions}") < text.index("{#step-relay}")
     unknown = dataclasses.replace(step, claims=("eq-9.9",))
     with pytest.raises(BrokenLinkError, match="step relay"):
@@ -57,14 +113,15 @@ def test_a_highlight_of_a_claim_that_is_not_there_is_an_error(document: Document
 def test_two_claims_with_one_id_are_an_error(document: Document) -> None:
     chapter = document.chapters[1]
     doubled = dataclasses.replace(chapter, findings=(*chapter.findings, document.findings[0]))
+    first, _, *others = document.chapters
     with pytest.raises(BrokenLinkError, match=r"twice.*eq-2\.8"):
-        to_markdown(dataclasses.replace(document, chapters=(document.chapters[0], doubled)))
+        to_markdown(dataclasses.replace(document, chapters=(first, doubled, *others)))
 
 
 def test_mathematics_that_pandoc_cannot_read_is_an_error(document: Document) -> None:
     changed = with_step(document, equations=(Equation(r"\nosuchmacro x"),))
     with pytest.raises(PandocError, match="nosuchmacro"):
-        to_typst(changed, to_markdown(changed))
+        typst(parsed({"back": to_markdown(changed)["back"]}))
 
 
 def test_formulas_numbers_and_words_are_shown_each_in_their_way() -> None:

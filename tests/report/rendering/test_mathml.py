@@ -5,11 +5,11 @@ import re
 import pytest
 
 from report.rendering.mathml import repaired
-from report.rendering.pandoc import convert
+from tests.report.rendering.conversion import converted
 
 
 def mathml(latex: str) -> str:
-    return repaired(convert(f"$${latex}$$", "html5", ["--mathml", "--wrap=none"]))
+    return repaired(converted(f"$${latex}$$", "html5", "--mathml"))
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,8 @@ def test_a_name_of_digits_comes_before_a_number(file) -> None:
     [
         (
             {},
-            ": there are 4 columns: 1 'time [s]', 2 'pin [m]', 3 'pin', 4 'q2-q4 [m]'; choose one by name or number",
+            ": there are 4 columns: 1 'time [s]', 2 'pin [m]', 3 'pin', 4 'q2-q4 [m]'; "
+            "choose one by name or number",
         ),
         ({"column": "q2-q3"}, ": no column is named 'q2-q3'; did you mean 'q2-q4'?"),
         ({"column": "velocity"}, ": no column is named 'velocity'; there are 4 columns: 1 'time [s]'"),

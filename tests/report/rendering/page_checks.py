@@ -1,0 +1,173 @@
+"""What has to hold for every page of the report, the sample's and a real one's.
+
+    python -m tests.report.rendering.page_checks build/report/report.html
+
+judges a report that has been built: it prints what it finds wrong and fails if that is anything.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tests.conftest import find_chromium
+
+WIDTHS = (360, 768, 1440)
+HEIGHT = 900
+PATIENCE = 10_000
+"""How long to wait for something to happen in a page, in ms."""
+LARGEST = 8_000_000
+"""Largest size of the file, in bytes."""
+A4_WIDTH = 658
+"""Width of the text of a printed A4 page, in CSS pixels: 210 mm less twice the margin of page.css."""
+Scheme = Literal["light", "dark"]
+SCHEMES: tuple[Scheme, ...] = ("light", "dark")
+
+_UNFOLD = "for (const details of document.querySelectorAll('details')) details.open = true"
+_LAY_OUT = "* { content-visibility: visible !important; }"
+_SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
+_OVERFLOWING = """
+  () => {
+    const scrolls = (e) => !['visible', 'clip'].includes(getComputedStyle(e).overflowX);
+    const frames = document.querySelectorAll('article, td, th, figure, main, header, nav, search, body');
+    const rights = new Map([...frames].map((frame) => [frame, frame.getBoundingClientRect().right]));
+    const found = [];
+    for (const e of document.querySelectorAll('body *')) {
+      if (e.closest('svg, .skip') || e.parentElement.closest('math') || !e.checkVisibility()) continue;
+      const { right, width } = e.getBoundingClientRect();
+      for (let frame = e.parentElement; frame && width > 1 && !scrolls(frame); frame = frame.parentElement) {
+        if (right > (rights.get(frame) ?? Infinity) + 1) {
+          const text = e.textContent.trim().slice(0, 60).replace(/\\s+/g, ' ');
+          found.push(`${e.localName}.${e.className} (${right}) out of ${frame.localName}: ${text}`);
+          break;
+        }
+      }
+    }
+    const width = document.documentElement.scrollWidth;
+    return width > innerWidth ? [`the page is ${width} wide`, ...found] : found;
+  }
+"""
+# Most elements are inside of formulas, where axe has no rules: the box of a formula takes its place.
+_EMPTY_FORMULAS = """
+  for (const formula of document.querySelectorAll('math')) {
+    const { width, height } = formula.getBoundingClientRect();
+    formula.style.cssText = `display: inline-block; width: ${width}px; height: ${height}px`;
+  }
+  for (const formula of document.querySelectorAll('math')) formula.replaceChildren();
+"""
+
+
+@dataclass(frozen=True)
+class Visit:
+    """An open page, what it asked for, and what its console and its scripts complained about."""
+
+    page: Page
+    requests: list[str] = field(default_factory=list)
+    complaints: list[str] = field(default_factory=list)
+
+
+@contextmanager
+def chromium_browser(path: str) -> Iterator[Browser]:
+    """Start a Chromium of the system and end it afterwards."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+@contextmanager
+def visited(
+    browser: Browser, address: str, width: int = 1440, scheme: Scheme = "light", scripts: bool = True
+) -> Iterator[Visit]:
+    """Open a page, with nothing remembered from another visit."""
+    context = browser.new_context(
+        viewport={"width": width, "height": HEIGHT}, color_scheme=scheme, java_script_enabled=scripts
+    )
+    context.set_default_timeout(PATIENCE)
+    visit = Visit(context.new_page())
+    visit.page.on("request", lambda request: visit.requests.append(request.url))
+    visit.page.on("console", lambda message: visit.complaints.append(message.text))
+    visit.page.on("pageerror", lambda error: visit.complaints.append(str(error)))
+    visit.page.goto(address)
+    try:
+        yield visit
+    finally:
+        context.close()
+
+
+def unfold(page: Page) -> None:
+    """Open and lay out everything, what is off the screen too, and wait until the page has taken notice."""
+    page.add_style_tag(content=_LAY_OUT)
+    page.evaluate(_UNFOLD)
+    page.evaluate(_SETTLED)
+
+
+def loaded_from_elsewhere(visit: Visit, address: str) -> list[str]:
+    """Return the addresses that the page asked for besides its own."""
+    asked = {url for url in visit.requests if not url.startswith(("data:", "blob:", "about:"))}
+    return sorted(asked - {address})
+
+
+def overflowing(page: Page) -> list[str]:
+    """Return what ends outside of its claim, cell, figure or window, and cannot be scrolled to."""
+    return list(page.evaluate(_OVERFLOWING))
+
+
+def overflowing_in_print(page: Page) -> list[str]:
+    """Return what ends outside of the printed page, where nothing scrolls."""
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": A4_WIDTH, "height": HEIGHT})
+    return overflowing(page)
+
+
+def violations(page: Page) -> list[str]:
+    """Return what axe-core finds in light and in dark, each with the elements that it concerns."""
+    page.evaluate(_EMPTY_FORMULAS)
+    page.emulate_media(color_scheme="light")
+    found = Axe().run(page).response["violations"]
+    page.emulate_media(color_scheme="dark")  # on which nothing but the contrast depends
+    found += Axe().run(page, options={"runOnly": ["color-contrast"]}).response["violations"]
+    return [f"{rule['id']}: {node['html'][:200]}" for rule in found for node in rule["nodes"]]
+
+
+def faults(browser: Browser, address: str) -> Iterator[str]:
+    """Yield everything that is wrong with a page, with the width and the colours at which it shows."""
+    for width in WIDTHS:
+        with visited(browser, address, width) as visit:
+            unfold(visit.page)
+            yield from (f"{width} px: {fault}" for fault in overflowing(visit.page))
+            yield from (f"complaint: {complaint}" for complaint in visit.complaints)
+            yield from (f"asked for {url}" for url in loaded_from_elsewhere(visit, address))
+    with visited(browser, address) as visit:
+        yield from (f"print: {fault}" for fault in overflowing_in_print(visit.page))
+    for width in (WIDTHS[0], WIDTHS[-1]):
+        with visited(browser, address, width) as visit:
+            unfold(visit.page)
+            yield from (f"{width} px: {fault}" for fault in violations(visit.page))
+
+
+def main(arguments: list[str]) -> int:
+    """Judge the page that is named; return 1 if something is wrong with it."""
+    (name,) = arguments
+    page, chromium = Path(name).resolve(), find_chromium()
+    if chromium is None:
+        print("Chromium is not installed (package chromium)", file=sys.stderr)
+        return 2
+    found = [f"the file has {page.stat().st_size} bytes"] if page.stat().st_size > LARGEST else []
+    with chromium_browser(chromium) as browser:
+        found += faults(browser, page.as_uri())
+    print("\n".join(found) or "nothing is wrong")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

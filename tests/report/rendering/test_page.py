@@ -1,0 +1,194 @@
+"""The HTML report as a whole in a real browser: silent, offline, legible, printable."""
+
+from __future__ import annotations
+
+import re
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+
+from report.document import Document
+from report.rendering.request import Format
+from tests.report.rendering import page_checks
+from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit
+
+pytestmark = pytest.mark.browser
+
+CLAIMS_SHOWN = "[...document.querySelectorAll('article.claim')].filter(c => c.checkVisibility()).length"
+GROUND = "getComputedStyle(document.body).backgroundColor"
+WHITE = "rgb(255, 255, 255)"
+
+
+def test_the_page_is_silent_and_loads_nothing_else(visit: Callable[..., Visit], address: str) -> None:
+    visited = visit()
+    visited.page.evaluate("document.fonts.ready.then(() => true)")
+    assert visited.complaints == []
+    assert address in visited.requests
+    assert page_checks.loaded_from_elsewhere(visited, address) == []
+
+
+def test_the_mathematics_font_is_loaded(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.evaluate("document.fonts.ready.then(() => true)")
+    assert page.evaluate("[...document.fonts].map(font => font.status)") == ["loaded"]
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_nothing_overflows(visit: Callable[..., Visit], width: int) -> None:
+    page = visit(width=width).page
+    page_checks.unfold(page)
+    assert page_checks.overflowing(page) == []
+
+
+def test_what_overflows_is_noticed(visit: Callable[..., Visit]) -> None:
+    page = visit(width=360).page
+    page.evaluate(
+        "document.querySelector('.claim p').append('x'.repeat(9), Object.assign("
+        "document.createElement('b'), { style: 'display: inline-block; width: 400px' }))"
+    )
+    page_checks.unfold(page)
+    assert any("out of article" in fault for fault in page_checks.overflowing(page))
+
+
+@pytest.mark.parametrize("width", (WIDTHS[0], WIDTHS[-1]))
+def test_axe_finds_no_violation_in_light_and_dark(visit: Callable[..., Visit], width: int) -> None:
+    page = visit(width=width).page
+    page_checks.unfold(page)
+    assert page_checks.violations(page) == []
+
+
+def test_axe_finds_no_violation_in_the_results_of_a_search(visit: Callable[..., Visit]) -> None:
+    page = visit("?query=statement").page
+    assert page.locator(".results a").count() > 1
+    assert page_checks.violations(page) == []
+
+
+def test_axe_would_notice_low_contrast_in_the_dark(visit: Callable[..., Visit]) -> None:
+    page = visit("?query=roll-off").page
+    page.add_style_tag(content="@media (prefers-color-scheme: dark) { .claim p { color: #16181b; } }")
+    assert any("color-contrast" in found for found in page_checks.violations(page))
+
+
+def test_all_is_shown_without_script(visit: Callable[..., Visit], document: Document) -> None:
+    page = visit(scripts=False).page
+    claims = page.locator("article.claim")
+    assert claims.count() == len(document.findings)
+    assert all(claim.is_visible() for claim in claims.all())
+    assert page.locator("button:visible, input:visible, select:visible").count() == 0
+    assert page.locator("nav a").first.is_visible()
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_the_colours_are_those_of_the_system_until_others_are_chosen(
+    visit: Callable[..., Visit], scheme: Scheme
+) -> None:
+    page = visit(scheme=scheme).page
+    ground = page.evaluate(GROUND)
+    assert (ground == WHITE) is (scheme == "light")
+    other = "dark" if scheme == "light" else "light"
+    page.get_by_label("Colours").select_option(other)
+    assert (page.evaluate(GROUND) == WHITE) is (other == "light")
+    page.reload()
+    assert (page.evaluate(GROUND) == WHITE) is (other == "light")
+    page.get_by_label("Colours").select_option("")
+    assert page.evaluate(GROUND) == ground
+
+
+def test_figures_lie_on_light_ground_in_the_dark(visit: Callable[..., Visit]) -> None:
+    page = visit(scheme="dark").page
+    grounds = "[...document.querySelectorAll('.paper')].map(p => getComputedStyle(p).backgroundColor)"
+    assert set(page.evaluate(grounds)) == {WHITE}
+
+
+def test_formulas_have_their_root_signs_and_dots(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page_checks.unfold(page)
+    heights = page.evaluate(
+        "[...document.querySelectorAll('msqrt')].map(e => e.getBoundingClientRect().height)"
+    )
+    assert heights and min(heights) > 10
+    dots = page.evaluate("[...document.querySelectorAll('mover > mo')].map(e => e.textContent)")
+    assert {"\u02d9", "\u00a8"} <= set(dots)
+    assert "\u0307" not in dots
+
+
+def test_latex_can_be_copied(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.evaluate("() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; }")
+    page_checks.unfold(page)
+    page.locator(".source button").first.click()
+    source = page.locator(".source code").first.text_content()
+    assert source == page.evaluate("window.copied") != ""
+
+
+def test_without_a_clipboard_the_latex_is_selected(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.evaluate("() => { navigator.clipboard.writeText = async () => { throw new Error('no'); }; }")
+    page_checks.unfold(page)
+    page.locator(".source button").first.click()
+    page.get_by_role("button", name="Selected").wait_for()
+    source = page.locator(".source code").first.text_content()
+    assert page.evaluate("getSelection().toString()").strip() == (source or "").strip() != ""
+
+
+def test_the_printed_page_holds_all_claims_and_no_tools(
+    visit: Callable[..., Visit], document: Document
+) -> None:
+    page = visit(scheme="dark").page
+    assert page_checks.overflowing_in_print(page) == []
+    assert page.evaluate(CLAIMS_SHOWN) == len(document.findings)
+    assert page.evaluate(GROUND) == WHITE
+    hidden = page.locator("nav, search, .figure-tools, .theme, .print-sheet, details.latex")
+    assert hidden.count() > 5
+    assert not any(element.is_visible() for element in hidden.all())
+
+
+def test_the_errata_sheet_can_be_printed_alone(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.evaluate("() => { print = () => { window.printed = document.documentElement.dataset.print; }; }")
+    page.get_by_role("button", name="Print this sheet alone").click()
+    assert page.evaluate("window.printed") == "errata"
+    page.emulate_media(media="print")
+    assert page.locator(".errata-sheet").is_visible()
+    assert page.evaluate(CLAIMS_SHOWN) == 0
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert page.evaluate(CLAIMS_SHOWN) > 0
+
+
+@pytest.fixture
+def half_a_page(rendered: Mapping[Format, Path]) -> Iterator[str]:
+    """Address at which the page comes up to its first figure, and no further while the test runs."""
+    before_figures = rendered[Format.HTML].read_bytes().partition(b'<figure class="drawing"')[0]
+    finished = threading.Event()
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.end_headers()
+            self.wfile.write(before_figures)
+            finished.wait()
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    server.daemon_threads = True
+    threading.Thread(target=server.serve_forever).start()
+    yield f"http://127.0.0.1:{server.server_address[1]}/"
+    finished.set()
+    server.shutdown()
+    server.server_close()
+
+
+def test_the_first_paint_does_not_wait_for_figures(browser: Browser, half_a_page: str) -> None:
+    page = browser.new_page()
+    page.goto(half_a_page, wait_until="commit")
+    page.wait_for_function("performance.getEntriesByName('first-contentful-paint').length === 1")
+    assert page.evaluate("document.readyState") == "loading"
+    assert re.match("The linear trimmer", page.locator("h1").inner_text())
+    page.close()
