@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from report.document import Answer
 from report.evidence import Evidence
-from report.exact_orbits import solve_orbits
+from report.numbers.exact_orbits import solve_orbits
 
 
 def answers(evidence: Evidence) -> tuple[Answer, ...]:

@@ -12,7 +12,7 @@ from trimmer.command_line.command import Command
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
-    from report.build import Built
+    from report.building.build import Built
 
 DIRECTORY = Path("build") / "report"
 
@@ -54,7 +54,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     request = _request(arguments)
-    from report.build import build
+    from report.building.build import build
 
     built = build(arguments.directory, request)
     print(_summary(built))

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from report.document import CorrectedResult
 from report.evidence import Evidence
-from report.exact_orbits import ExactOrbits, OrbitPair, solve_orbits
-from report.limit_cycle_numbers import Pair
+from report.numbers.exact_orbits import ExactOrbits, OrbitPair, solve_orbits
+from report.numbers.limit_cycle_numbers import Pair
 
 GAP, LARGER_GAP = 4e-6, 4e-5
 """Gaps of section 5.2.1, m."""

@@ -140,7 +140,7 @@ class Program:
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
-    ``further_statements`` is how many of the statements were found by a second reading; ``alterations`` counts
+    ``further_statements`` is how many statements were found by a second reading; ``alterations`` counts
     the printed sides of the whole report that were changed on purpose.
     """
 

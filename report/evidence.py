@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from derivations.laplace import GeneralSystem, TransformedSystem, general_system, transform
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
-from report.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
-from report.linear_numbers import LinearNumbers, solve_linear
-from report.motion_numbers import MotionNumbers, solve_motion
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
+from report.numbers.linear_numbers import LinearNumbers, solve_linear
+from report.numbers.motion_numbers import MotionNumbers, solve_motion
 from trimmer import TrimmerParameters
 
 

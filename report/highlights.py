@@ -8,8 +8,8 @@ from report.claims.section_5_1_2 import CUTTER, GUARD
 from report.claims.section_5_1_2_low_pass import HARMONICS, LIMIT_CYCLE_OMEGA, highest_unfiltered
 from report.document import Highlight
 from report.evidence import Evidence
-from report.limit_cycle_numbers import LimitCycleNumbers
-from report.linear_numbers import DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers
+from report.numbers.linear_numbers import DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY
 from trimmer import asymptotic_roll_off, filtering_ratio
 
 EXPERIMENT_GAP = 2e-4

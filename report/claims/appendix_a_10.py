@@ -8,10 +8,10 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import friction_by_newton
+from report.numbers.limit_cycle_numbers import friction_by_newton
 from trimmer.balance.limit_cycle import LimitCycle
 
-SOURCE = "report/limit_cycle_numbers.py"
+SOURCE = "report/numbers/limit_cycle_numbers.py"
 NUMERATOR = ("1e07", "1.233e10", "5.939e14", "1.65e17", "4.065e21", "3.667e23", "5.714e27")
 DENOMINATOR = (
     *("1", "1378", "7.076e07", "3.878e10", "1.069e15"),

@@ -14,7 +14,7 @@ from report.claims.second_ways import by_waveform
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_FREQUENCY
+from report.numbers.linear_numbers import DRIVE_FREQUENCY
 from trimmer import frequency_response, linear_model
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -98,7 +98,7 @@ def _two_systems(evidence: Evidence) -> Claim:
         ),
         consequence="Every predicted amplitude of section 5.2.1 carries this difference.",
         impact=Impact.DOWNSTREAM,
-        source="report/limit_cycle_numbers.py",
+        source="report/numbers/limit_cycle_numbers.py",
     )
 
 

@@ -8,10 +8,10 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.driven_steady_motion import METHOD, has_the_drives_period
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.drive_amplitudes import GAP, AmplitudeRun
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_FREQUENCY
-from report.released_motion import ReleasedRun
+from report.numbers.drive_amplitudes import GAP, AmplitudeRun
+from report.numbers.linear_numbers import DRIVE_FREQUENCY
+from report.numbers.released_motion import ReleasedRun
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -57,7 +57,7 @@ def _gaps(evidence: Evidence) -> Claim:
             "is no further evidence: gap and displacements times one factor give the same motion. The "
             "reference of the text to the table is broken (??)."
         ),
-        source="report/released_motion.py",
+        source="report/numbers/released_motion.py",
     )
 
 
@@ -141,5 +141,5 @@ def _amplitudes(evidence: Evidence) -> Claim:
             "harmonics."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/drive_amplitudes.py",
+        source="report/numbers/drive_amplitudes.py",
     )

@@ -8,10 +8,10 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.driven_steady_motion import METHOD, SOURCE, has_the_drives_period, period_in_words
 from report.claims.section_3_3_closed_loop import BIN, PEAK, PREDICTED
 from report.comparisons.assertion import Assertion
-from report.driven_motion import GAP
 from report.evidence import Evidence
-from report.friction_in_place import FrictionBranch
-from report.released_motion import ReleasedRun
+from report.numbers.driven_motion import GAP
+from report.numbers.friction_in_place import FrictionBranch
+from report.numbers.released_motion import ReleasedRun
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
 
@@ -40,7 +40,7 @@ def _friction(evidence: Evidence) -> Claim:
             f"{1e3 * numbers.by_force[-1].amplitude:.0f} mm at 0.6 N. The rest position stays stable, as the "
             "text has it; the more friction, the larger a disturbance it survives, and beyond that force any."
         ),
-        source="report/friction_in_place.py",
+        source="report/numbers/friction_in_place.py",
     )
 
 

@@ -25,7 +25,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash

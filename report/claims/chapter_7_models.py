@@ -62,7 +62,7 @@ def _models(evidence: Evidence) -> Claim:
         ),
         consequence="A designer may use the simplest model: but for a few percent it is on the safe side.",
         impact=Impact.LOCAL,
-        source="report/limit_cycle_numbers.py",
+        source="report/numbers/limit_cycle_numbers.py",
     )
 
 

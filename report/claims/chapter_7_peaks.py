@@ -7,10 +7,10 @@ from report.claims.chapter_7_input import harmonic_of_output
 from report.claims.section_5_2_1_driven import line_part, open_loop
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
-from report.drive_amplitudes import SAMPLES
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.record import line_amplitudes
+from report.numbers.drive_amplitudes import SAMPLES
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.record import line_amplitudes
 
 REPEATS = 1e-6
 """Share of the output by which two periods may differ."""
@@ -53,7 +53,7 @@ def _subharmonics(evidence: Evidence) -> Claim:
             "harmonic is a free vibration that has not died out."
         ),
         impact=Impact.LOCAL,
-        source="report/drive_amplitudes.py",
+        source="report/numbers/drive_amplitudes.py",
     )
 
 

@@ -10,7 +10,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 
-SOURCE = "report/exact_orbits.py"
+SOURCE = "report/numbers/exact_orbits.py"
 CLOSE = 1e-3
 """Share by which the amplitude of a motion may differ from that of the limit cycle it ends on."""
 

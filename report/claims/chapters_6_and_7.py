@@ -9,8 +9,8 @@ from report.claims.exact_response import gain
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.light_damping import lightly_damped
-from report.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.light_damping import lightly_damped
+from report.numbers.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
 from trimmer import InputChannels, asymptotic_roll_off, resonance_peaks, transfer_function
 
 HIGH_OMEGA = 1e8

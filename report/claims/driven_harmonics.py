@@ -12,10 +12,10 @@ import control
 
 from report.claim import Confirmation
 from report.comparisons.digits import CloseNumbers
-from report.driven_motion import FORCES
 from report.evidence import Evidence
-from report.friction_in_place import force_response
-from report.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from report.numbers.driven_motion import FORCES
+from report.numbers.friction_in_place import force_response
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 

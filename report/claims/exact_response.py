@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import mpmath
 
-from report.linear_numbers import LinearNumbers
+from report.numbers.linear_numbers import LinearNumbers
 
 DIGITS = 40
 

@@ -14,7 +14,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.textbook_loops import (
+from report.numbers.textbook_loops import (
     Loop,
     backlash_history,
     backlash_loop,
@@ -25,7 +25,7 @@ from report.textbook_loops import (
 )
 from trimmer import frequency_response
 
-SOURCE = "report/textbook_loops.py"
+SOURCE = "report/numbers/textbook_loops.py"
 LOOP = "$7/(s + 1)^3$ with friction-controlled backlash"
 STEP = 1.02
 """Factor between the amplitude of a limit cycle and those of the operating points beside it."""

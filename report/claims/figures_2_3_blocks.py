@@ -20,7 +20,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.textbook_loops import relay_loop
+from report.numbers.textbook_loops import relay_loop
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.relay import Relay

@@ -11,10 +11,10 @@ from report.claims.measured_peaks import TABLE_2
 from report.claims.section_3_2 import RAW_DATA
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.driven_motion import FORCES, GAP, SAMPLE_RATE, DrivenRun
 from report.evidence import Evidence
+from report.numbers.driven_motion import FORCES, GAP, SAMPLE_RATE, DrivenRun
 
-SOURCE = "report/driven_motion.py"
+SOURCE = "report/numbers/driven_motion.py"
 METHOD = (
     "exact simulation with the parameters of Listing A.1, 109.945 Hz and 1.5 mm, three forces of friction"
 )

@@ -8,13 +8,13 @@ from report.claim import Claim, Confirmation, Impact, Part, Uncheckable, Words
 from report.claims.driven_harmonics import confirm_play
 from report.claims.driven_steady_motion import METHOD, has_odd_harmonics_only
 from report.comparisons.assertion import Assertion
-from report.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE
-from report.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
 from trimmer.elements.friction_backlash import FrictionBacklash
 
-OPEN_LOOP, CLOSED_LOOP = "report/driven_motion.py", "report/released_motion.py"
+OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
 SIMULATION = "exact simulation with the parameters of Listing A.1"
 

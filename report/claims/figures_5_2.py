@@ -6,7 +6,7 @@ from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import inertia_by_newton
+from report.numbers.limit_cycle_numbers import inertia_by_newton
 from trimmer import real_axis_crossings
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles

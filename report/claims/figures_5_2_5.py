@@ -22,14 +22,14 @@ from report.claims.section_5_2_5_simulated import peak_parts
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
-from report.equivalent_nonlinearity import FORCE, FORCES, GAP, OTHER_FORCE, OTHER_GAP
 from report.evidence import Evidence
-from report.friction_in_place import force_response
-from report.limit_cycle_numbers import friction_by_newton
+from report.numbers.equivalent_nonlinearity import FORCE, FORCES, GAP, OTHER_FORCE, OTHER_GAP
+from report.numbers.friction_in_place import force_response
+from report.numbers.limit_cycle_numbers import friction_by_newton
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 
-SOURCE = "report/equivalent_nonlinearity.py"
+SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 """What Listing A.6 computes."""
 TURN = 2 * math.pi
@@ -224,7 +224,7 @@ def _forces(evidence: Evidence) -> Claim:
         ),
         consequence="The explanation of the 0.57 % by friction has the wrong direction.",
         impact=Impact.DOWNSTREAM,
-        source="report/friction_in_place.py",
+        source="report/numbers/friction_in_place.py",
     )
 
 

@@ -17,7 +17,7 @@ from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.viscous_listing import intersections, listing_contour
+from report.numbers.viscous_listing import intersections, listing_contour
 from trimmer import frequency_response
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.balance.solve import limit_cycles
@@ -246,7 +246,7 @@ def _viscous(evidence: Evidence) -> Claim:
             "of its own."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/viscous_listing.py",
+        source="report/numbers/viscous_listing.py",
     )
 
 

@@ -15,9 +15,9 @@ from report.claims.section_5_2_4_simulated import candidates_part, friction_part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.relay_loop import VISCOUS
+from report.numbers.relay_loop import VISCOUS
 
-ORBITS, DRIVEN = "report/exact_orbits.py", "report/reference_loop.py"
+ORBITS, DRIVEN = "report/numbers/exact_orbits.py", "report/numbers/reference_loop.py"
 STANDS_OUT = 0.01
 """Share of the largest line below which another does not show beside it."""
 UNIT = 1e-8
@@ -87,7 +87,7 @@ def _three_gaps(evidence: Evidence) -> Claim:
         ),
         consequence="The threshold of 2e-8 m has no support in simulation.",
         impact=Impact.DOWNSTREAM,
-        source="report/impulse_response.py",
+        source="report/numbers/impulse_response.py",
     )
 
 
@@ -194,7 +194,7 @@ def _inertia(evidence: Evidence) -> Claim:
         ),
         consequence="See the peak at 659 Hz in section 5.2.2.",
         impact=Impact.DOWNSTREAM,
-        source="report/timed_block.py",
+        source="report/numbers/timed_block.py",
     )
 
 
@@ -210,7 +210,7 @@ def _relay(evidence: Evidence) -> Claim:
         ),
         consequence="See the high frequency in section 5.2.4.",
         impact=Impact.DOWNSTREAM,
-        source="report/relay_loop.py",
+        source="report/numbers/relay_loop.py",
     )
 
 
@@ -250,5 +250,5 @@ def _relay_and_viscous(evidence: Evidence) -> Claim:
         ),
         consequence="The second simulation does not confirm the first.",
         impact=Impact.DOWNSTREAM,
-        source="report/relay_loop.py",
+        source="report/numbers/relay_loop.py",
     )

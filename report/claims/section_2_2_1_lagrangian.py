@@ -13,7 +13,7 @@ from report.claims import trimmer_printed
 from report.claims.printed import product, total
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
 from trimmer import frequency_response
 
 NEWTON = "Newton's second law for each body"

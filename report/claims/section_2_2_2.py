@@ -16,7 +16,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
 from trimmer import InputChannels, frequency_response, linear_model, pin_model, time_response
 
 SOURCE = "derivations/laplace.py"

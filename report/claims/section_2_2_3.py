@@ -21,7 +21,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.linear_numbers import exact_values
+from report.numbers.linear_numbers import exact_values
 from trimmer import encirclements
 
 SOURCE = "derivations/stability.py"

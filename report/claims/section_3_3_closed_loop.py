@@ -10,11 +10,11 @@ from report.claim import Claim, Confirmation, Impact, Number, Part, Uncheckable,
 from report.claims.section_3_3_open_loop import OPEN_LOOP_PEAK
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.driven_motion import GAP, LARGEST_GAP
 from report.evidence import Evidence
-from report.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
+from report.numbers.driven_motion import GAP, LARGEST_GAP
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 
-SOURCE = "report/released_motion.py"
+SOURCE = "report/numbers/released_motion.py"
 PEAK, PREDICTED = "350", "488"
 """Peak of figure 3.9 for every gap, and the limit cycle predicted for the same trimmer in section 3.2, Hz."""
 PEAK_DIGITS = "3.5e2"

@@ -8,10 +8,10 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.driven_steady_motion import METHOD, has_the_drives_period
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
-from report.driven_motion import GAP
 from report.evidence import Evidence
+from report.numbers.driven_motion import GAP
 
-SOURCE = "report/released_motion.py"
+SOURCE = "report/numbers/released_motion.py"
 UNMOVED = 0.005
 """Share by which a frequency may change and still be called unaffected."""
 

@@ -13,10 +13,10 @@ from report.claims.driven_steady_motion import (
 )
 from report.claims.measured_peaks import TABLE_2
 from report.comparisons.assertion import Assertion
-from report.driven_motion import FORCES, GAP, LARGER_GAP
 from report.evidence import Evidence
-from report.linear_numbers import MEASURED_DRIVE_FREQUENCY
-from report.transient_spectrum import transient_peaks
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP
+from report.numbers.linear_numbers import MEASURED_DRIVE_FREQUENCY
+from report.numbers.transient_spectrum import transient_peaks
 
 OPEN_LOOP_PEAK, FIFTH = "365.999", "549.999"
 """Peaks of figure 3.8, Hz."""

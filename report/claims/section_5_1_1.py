@@ -8,7 +8,7 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
 from trimmer import steady_state
 
 SOURCE = "trimmer/time_domain.py"

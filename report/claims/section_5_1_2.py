@@ -13,7 +13,7 @@ from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.linear_numbers import LinearNumbers
+from report.numbers.linear_numbers import LinearNumbers
 from trimmer import encirclements, linear_model
 
 PRINTED_NUMERATOR = ("1e7", "1.233e10", "5.939e14", "1.655e17", "4.079e21", "3.71e23", "5.79e27")

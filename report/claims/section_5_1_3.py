@@ -14,8 +14,8 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameMatrix
 from report.evidence import Evidence
-from report.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
-from report.linear_numbers import DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
+from report.numbers.linear_numbers import DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY, LinearNumbers
 from trimmer import (
     InputChannels,
     filtering_ratio,

@@ -13,7 +13,7 @@ from report.claims.section_5_1_3 import READING_ACCURACY
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from report.light_damping import lightly_damped, sum_of_displacements
+from report.numbers.light_damping import lightly_damped, sum_of_displacements
 from trimmer import InputChannels, TrimmerParameters, linear_model, transfer_function
 
 Reals = NDArray[np.float64]
@@ -56,7 +56,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
             ),
             consequence="None: no later number uses an antiresonance.",
             impact=Impact.LOCAL,
-            source="report/light_damping.py",
+            source="report/numbers/light_damping.py",
         ),
     )
 

@@ -14,8 +14,8 @@ from report.claim import Claim, Impact, Part
 from report.claims.appendix_a_time_domain import DRIVE_AMPLITUDE, DRIVE_OMEGA, PERIOD, inertia_block
 from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
-from report.friction_in_place import force_response
-from report.limit_cycle_numbers import TIME_CONSTANTS
+from report.numbers.friction_in_place import force_response
+from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from trimmer import frequency_response
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.elements.friction_backlash import FrictionBacklash

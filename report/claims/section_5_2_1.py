@@ -10,7 +10,7 @@ from report.claims.section_5_2_1_scaling import PLOT_OFFSET, TINY_GAP, at_the_ti
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import LimitCycleNumbers, friction_by_newton
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_by_newton
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash

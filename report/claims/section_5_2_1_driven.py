@@ -9,14 +9,14 @@ import numpy as np
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
-from report.drive_amplitudes import AmplitudeRun
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.reference_loop import GAP, ReferenceNumbers
+from report.numbers.drive_amplitudes import AmplitudeRun
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.reference_loop import GAP, ReferenceNumbers
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 
-SOURCE = "report/reference_loop.py"
+SOURCE = "report/numbers/reference_loop.py"
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
 PRINTED_SIZE = 0.001
 """Printed size of the output, m."""

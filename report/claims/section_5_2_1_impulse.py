@@ -10,8 +10,8 @@ from report.claims.section_5_2_1_simulated import SECOND_WAY, SOURCE, amplitude_
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.exact_orbits import ExactOrbits
-from report.impulse_response import ABOVE, CHECKED
+from report.numbers.exact_orbits import ExactOrbits
+from report.numbers.impulse_response import ABOVE, CHECKED
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -80,7 +80,7 @@ def _impulse(evidence: Evidence) -> Claim:
             "matters is how hard the loop is struck."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/impulse_response.py",
+        source="report/numbers/impulse_response.py",
     )
 
 

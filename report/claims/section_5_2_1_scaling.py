@@ -11,7 +11,7 @@ from report.claims.second_ways import by_waveform
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import LimitCycleNumbers
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash

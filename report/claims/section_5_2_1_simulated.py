@@ -9,10 +9,10 @@ from report.claims.section_5_2_1 import ROUNDED, SMALL_GAP
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.exact_orbits import ExactOrbits
-from report.record import Record
+from report.numbers.exact_orbits import ExactOrbits
+from report.numbers.record import Record
 
-SOURCE = "report/exact_orbits.py"
+SOURCE = "report/numbers/exact_orbits.py"
 STATED = Record(0.1, 1_000_231)
 """The record of section 5.2.1."""
 ONE_SECOND = Record(1.0, 1_000_231)
@@ -212,5 +212,5 @@ def _record(orbits: ExactOrbits) -> Claim:
         ),
         consequence="The width of the peak is a tenth of what the text says.",
         impact=Impact.LOCAL,
-        source="report/record.py",
+        source="report/numbers/record.py",
     )

@@ -14,7 +14,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.limit_cycle_numbers import inertia_by_newton
+from report.numbers.limit_cycle_numbers import inertia_by_newton
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE = "trimmer/elements/inertia_backlash.py"
@@ -87,7 +87,7 @@ def _band(evidence: Evidence) -> Claim:
             "Higher harmonics do not explain a peak 100 Hz away; see the error of 23.47 % in this section."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/exact_orbits.py",
+        source="report/numbers/exact_orbits.py",
     )
 
 

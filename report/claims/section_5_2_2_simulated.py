@@ -11,9 +11,9 @@ from report.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.record import largest_peaks, line_amplitudes
-from report.timed_block import GAP, RECORD, TimedBlockNumbers
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.record import largest_peaks, line_amplitudes
+from report.numbers.timed_block import GAP, RECORD, TimedBlockNumbers
 from trimmer import frequency_response
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
@@ -113,7 +113,7 @@ def _peak(evidence: Evidence) -> Claim:
             "artefact of the block."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/timed_block.py",
+        source="report/numbers/timed_block.py",
     )
 
 

@@ -19,7 +19,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.limit_cycle_numbers import TIME_CONSTANTS, inertia_by_newton
+from report.numbers.limit_cycle_numbers import TIME_CONSTANTS, inertia_by_newton
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash

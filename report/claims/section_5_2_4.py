@@ -17,7 +17,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.linear_numbers import LinearNumbers
+from report.numbers.linear_numbers import LinearNumbers
 from trimmer import frequency_response, real_axis_crossings
 
 SOURCE = "derivations/friction.py"

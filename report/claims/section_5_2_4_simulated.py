@@ -14,13 +14,13 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
+from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
 from trimmer.elements.relay import Relay
 from trimmer.linear import InputChannels, pin_model
 from trimmer.motion.loops import ClosedLoop
 from trimmer.motion.simulation import simulate
 
-SOURCE = "report/relay_loop.py"
+SOURCE = "report/numbers/relay_loop.py"
 FIGURE_FORCE = 0.015
 """Relay of figure 5.19."""
 STEADY = 1.0

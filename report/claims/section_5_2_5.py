@@ -9,14 +9,21 @@ import mpmath
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, Point, printed_function
 from report.evidence import Evidence
-from report.limit_cycle_numbers import DIGITS, LISTING_DENOMINATOR, LISTING_NUMERATOR
-from report.linear_numbers import DRIVE_AMPLITUDE
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    GAP,
+    OMEGA,
+    EquivalentNumbers,
+    Point,
+    printed_function,
+)
+from report.numbers.limit_cycle_numbers import DIGITS, LISTING_DENOMINATOR, LISTING_NUMERATOR
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE
 from trimmer import frequency_response
 from trimmer.balance.limit_cycle import LimitCycle
 
-SOURCE = "report/equivalent_nonlinearity.py"
+SOURCE = "report/numbers/equivalent_nonlinearity.py"
 PRINTED = "737.514"
 LINE_18 = "line 18 of Listing A.6 is used for the friction term"
 NEWTON = "Newton's method in 30 digits"
@@ -166,7 +173,7 @@ def _amplitude(evidence: Evidence) -> Claim:
             "suppresses the limit cycle; the right one supports it."
         ),
         impact=Impact.DOWNSTREAM,
-        source="report/friction_in_place.py",
+        source="report/numbers/friction_in_place.py",
     )
 
 

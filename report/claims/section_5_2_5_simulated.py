@@ -5,11 +5,11 @@ from __future__ import annotations
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.equivalent_nonlinearity import FORCE, GAP
 from report.evidence import Evidence
-from report.released_bodies import RECORD, ReleasedBodies
+from report.numbers.equivalent_nonlinearity import FORCE, GAP
+from report.numbers.released_bodies import RECORD, ReleasedBodies
 
-SOURCE = "report/released_bodies.py"
+SOURCE = "report/numbers/released_bodies.py"
 PEAKS = ("221.989", "369.996", "736.993")
 """Hz."""
 SWAPPED = "the last two digits are exchanged"

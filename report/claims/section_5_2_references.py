@@ -156,5 +156,5 @@ def _quoted(evidence: Evidence) -> Claim:
             "The difference is 0.5692 % from the rounded number; it compares with a wrong term in any case."
         ),
         impact=Impact.LOCAL,
-        source="report/limit_cycle_numbers.py",
+        source="report/numbers/limit_cycle_numbers.py",
     )

@@ -11,7 +11,7 @@ from report.claim import Claim, Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
 
 LARGEST_FORCE = 1.0
 """Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""

@@ -16,7 +16,7 @@ from report.claims.quadrature import coefficient, confirm
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.limit_cycle_numbers import LimitCycleNumbers
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from trimmer import frequency_response, real_axis_crossings
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.balance.limit_cycle import NEAR_TANGENCY

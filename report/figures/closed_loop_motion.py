@@ -10,9 +10,9 @@ from report.claims.section_5_2_1 import LARGE_GAP, SMALL_GAP
 from report.claims.section_5_2_5_simulated import PEAKS
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, LineStyle, new_figure, style
-from report.impulse_response import GAPS, SHOWN
-from report.record import Record, line_amplitudes
-from report.released_bodies import RECORD
+from report.numbers.impulse_response import GAPS, SHOWN
+from report.numbers.record import Record, line_amplitudes
+from report.numbers.released_bodies import RECORD
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

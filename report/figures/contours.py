@@ -13,7 +13,7 @@ from report.evidence import Evidence
 from report.figures.closed_loop_motion import larger_gap_over_time
 from report.figures.plane import curve, element_curve, frame, inverse, locus, mark
 from report.figures.style import BLACK, LINES, new_figure, style
-from report.viscous_listing import listing_contour
+from report.numbers.viscous_listing import listing_contour
 from trimmer import frequency_response
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash

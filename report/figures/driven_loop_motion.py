@@ -11,10 +11,10 @@ from report.claims.section_5_2_1_driven import open_loop
 from report.claims.section_5_2_2_simulated import largest_other_line
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, new_figure, style
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.record import line_amplitudes
-from report.reference_loop import GAP, RECORD, SAMPLE_RATE, SETTLING
-from report.timed_block import RECORD as SHORT
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.record import line_amplitudes
+from report.numbers.reference_loop import GAP, RECORD, SAMPLE_RATE, SETTLING
+from report.numbers.timed_block import RECORD as SHORT
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window

@@ -6,7 +6,11 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.equivalent_nonlinearity import (
+from report.evidence import Evidence
+from report.figures.closed_loop_motion import released_spectrum
+from report.figures.plane import curve, element_curve, frame, locus, mark
+from report.figures.style import LINES, new_figure, style
+from report.numbers.equivalent_nonlinearity import (
     FORCE,
     FORCES,
     GAP,
@@ -17,11 +21,7 @@ from report.equivalent_nonlinearity import (
     printed_function,
     right_element,
 )
-from report.evidence import Evidence
-from report.figures.closed_loop_motion import released_spectrum
-from report.figures.plane import curve, element_curve, frame, locus, mark
-from report.figures.style import LINES, new_figure, style
-from report.friction_in_place import FrictionBranch
+from report.numbers.friction_in_place import FrictionBranch
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 if TYPE_CHECKING:

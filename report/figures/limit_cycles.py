@@ -9,7 +9,7 @@ import numpy as np
 from report.evidence import Evidence
 from report.figures.read_out import Along, plot_along
 from report.figures.style import LINES, new_figure, style
-from report.limit_cycle_numbers import Pair
+from report.numbers.limit_cycle_numbers import Pair
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash

@@ -10,8 +10,8 @@ import numpy as np
 
 from report.figures.read_out import Along, plot_along
 from report.figures.style import LINES, new_figure, style
-from report.light_damping import lightly_damped, sum_of_displacements
-from report.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
+from report.numbers.light_damping import lightly_damped, sum_of_displacements
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
 from trimmer import (
     Extremum,
     InputChannels,

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drive_amplitudes import GAP, AmplitudeRun
 from report.evidence import Evidence
 from report.figures.style import LINES, new_figure, style
+from report.numbers.drive_amplitudes import GAP, AmplitudeRun
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

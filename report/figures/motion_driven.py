@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from report.claims.measured_peaks import FRAMES_OF_TABLES, TABLE_2
-from report.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, new_figure, style
-from report.linear_numbers import MEASURED_DRIVE_FREQUENCY
-from report.transient_spectrum import transient_spectrum
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
+from report.numbers.linear_numbers import MEASURED_DRIVE_FREQUENCY
+from report.numbers.transient_spectrum import transient_spectrum
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from report.driven_motion import GAP, LARGEST_GAP, SAMPLE_RATE
 from report.evidence import Evidence
 from report.figures.style import LINES, new_figure, style
-from report.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
+from report.numbers.driven_motion import GAP, LARGEST_GAP, SAMPLE_RATE
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, new_figure, style
-from report.relay_loop import HALF_PERIODS, IMPULSES, STEP, VISCOUS, friction_motion, output_at_jump
+from report.numbers.relay_loop import HALF_PERIODS, IMPULSES, STEP, VISCOUS, friction_motion, output_at_jump
 from trimmer.linear import InputChannels, pin_model
 
 if TYPE_CHECKING:

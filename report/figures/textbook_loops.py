@@ -12,7 +12,7 @@ import numpy as np
 from report.figures.read_out import Along, plot_along
 from report.figures.style import BLACK, LINES, new_figure, style
 from report.figures.ticks import few_ticks
-from report.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
+from report.numbers.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
 from trimmer import frequency_response
 
 if TYPE_CHECKING:

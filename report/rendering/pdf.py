@@ -8,12 +8,12 @@ from functools import partial
 from importlib.metadata import version
 from typing import Any
 
+from report.building.stage_store import StageStore
 from report.document import Document
 from report.octave.archive import files
 from report.rendering.pieces import TEMPLATES
 from report.rendering.request import Paper
 from report.rendering.verdict_picture import NAME, verdict_picture
-from report.stage_store import StageStore
 
 _PAPERS = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 

@@ -15,10 +15,10 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TypeVar
 
+from report.building.source_closure import digest
+from report.building.stage_store import StageStore
 from report.rendering.mathml import repaired
 from report.rendering.pandoc import read, write
-from report.source_closure import digest
-from report.stage_store import StageStore
 
 Piece = TypeVar("Piece", str, bytes)
 Form = TypeVar("Form", str, bytes)

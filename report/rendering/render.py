@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from report.building.stage_store import StageStore
 from report.document import Document
 from report.rendering import pieces
 from report.rendering.html import to_html
@@ -13,7 +14,6 @@ from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
 from report.rendering.request import WHOLE_REPORT, Format, Request
-from report.stage_store import StageStore
 from trimmer.files import write_whole
 
 NAMES = {Format.HTML: "report.html", Format.PDF: "report.pdf", Format.JSON: "claims.json"}

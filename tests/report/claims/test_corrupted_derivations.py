@@ -21,8 +21,8 @@ from report.claims import (
     section_5_2_2,
 )
 from report.evidence import Evidence
-from report.limit_cycle_numbers import Pair
-from report.linear_numbers import solve_linear
+from report.numbers.limit_cycle_numbers import Pair
+from report.numbers.linear_numbers import solve_linear
 
 
 @dataclass(frozen=True)

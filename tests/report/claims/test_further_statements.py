@@ -7,7 +7,7 @@ import pytest
 from report.claim import ContradictionError, Verdict, judge
 from report.claims import chapter_7_play, chapter_7_resonance, section_3_1_output, section_3_3_frequency
 from report.claims.driven_harmonics import confirm_friction, confirm_play
-from report.driven_motion import GAP
+from report.numbers.driven_motion import GAP
 
 
 def found(claims, claim_id):

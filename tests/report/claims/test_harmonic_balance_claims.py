@@ -12,8 +12,8 @@ from report.claims import (
     section_5_2,
     section_5_2_5,
 )
-from report.equivalent_nonlinearity import listing_element
-from report.friction_in_place import Balances
+from report.numbers.equivalent_nonlinearity import listing_element
+from report.numbers.friction_in_place import Balances
 
 LETTERS = {
     Verdict.REPRODUCED: "r",

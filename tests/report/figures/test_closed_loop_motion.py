@@ -5,8 +5,8 @@ import pytest
 
 from report.figures import all_figures, closed_loop_motion, section_5_2_simulated
 from report.figures.style import WIDTH
-from report.impulse_response import GAPS
-from report.relay_loop import IMPULSES
+from report.numbers.impulse_response import GAPS
+from report.numbers.relay_loop import IMPULSES
 
 DRAWINGS = (
     section_5_2_simulated.THREE_GAPS,

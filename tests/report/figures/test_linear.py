@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from report.figures import linear
-from report.linear_numbers import DRIVE_AMPLITUDE
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE
 
 FIGURES = (
     linear.linear_time_response,

@@ -5,10 +5,10 @@ import re
 import numpy as np
 import pytest
 
-from report.driven_motion import LARGEST_GAP
 from report.figures import appendix_e, chapters_3_and_4
 from report.figures.style import WIDTH
-from report.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from report.numbers.driven_motion import LARGEST_GAP
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
 
 DRAWINGS = (*chapters_3_and_4.DRAWINGS, *appendix_e.DRAWINGS)
 SMALLEST_TEXT = 7.5

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from report.figures import textbook_loops
-from report.textbook_loops import backlash_loop, relay_loop
+from report.numbers.textbook_loops import backlash_loop, relay_loop
 
 
 def curve(axes, label):

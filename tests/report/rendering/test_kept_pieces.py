@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from report.building.stage_store import StageStore
 from report.document import Document
 from report.rendering import pandoc
 from report.rendering.render import render
 from report.rendering.request import Format, Request
 from report.rendering.selection import select
-from report.stage_store import StageStore
 
 HTML = Request(formats=frozenset({Format.HTML}))
 

@@ -1,0 +1,74 @@
+"""Building the report: its content, taken from the last build if nothing has changed, and its files."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from importlib import import_module
+from pathlib import Path
+
+from report.building.content_key import content_key
+from report.building.progress import Progress
+from report.building.provenance import provenance
+from report.building.stage_store import StageStore
+from report.document import Document
+from report.octave.archive import write_files
+from report.rendering.render import render
+from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.rendering.selection import select
+from trimmer.files import write_whole
+
+LOG = "build.log"
+CACHE = ".cache"
+"""Folder of what is kept for the next build, in the report's."""
+CONTENT = "content"
+OCTAVE = "octave"
+"""Folder of the corrected listings, in the report's."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """Result of a build: its document, the files, the log of the stages' times, and the time it took, s."""
+
+    document: Document
+    files: Mapping[Format, Path]
+    log: Path
+    seconds: float
+
+
+def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
+    """Make the report, or the part of it that is wanted, and write it into a folder.
+
+    Nothing is written before everything has been made, so a failure leaves the previous report whole.
+
+    Raises:
+        ClaimIdError: if a claim is not in the inventory or stands twice.
+        ContradictionError: if two independent derivations disagree.
+        FileWriteError: if a file cannot be written.
+        UnknownChapterError: if a chapter is wanted that has no claims.
+    """
+    started = time.perf_counter()
+    progress = Progress()
+    write_whole(directory / LOG, "a build is under way, or was interrupted\n")  # fails now, not at the end
+    store = StageStore(directory / CACHE)
+    document = select(_content(store, progress), request.chapters)
+    (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
+    write_files(document.programs, directory / OCTAVE)
+    log = directory / LOG
+    write_whole(log, progress.log())
+    return Built(document, files, log, time.perf_counter() - started)
+
+
+def _content(store: StageStore, progress: Progress) -> Document:
+    key = content_key()
+    kept: Document | None = store.load(CONTENT, key)
+    if kept is not None:
+        (current,) = progress.run("kept", [kept], lambda content: replace(content, provenance=provenance()))
+        return current
+    (stages,) = progress.run(
+        "load", ["report.building.stages"], import_module
+    )  # SymPy, SciPy, Matplotlib: seconds
+    document: Document = stages.make_document(progress, store)
+    store.keep(CONTENT, key, document)
+    return document

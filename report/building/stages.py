@@ -1,0 +1,151 @@
+"""The stages that make the report's content: derive, solve, judge, draw and assemble."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache, partial
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from derivations.element_narrative import element_narrative
+from derivations.narrative import narrative
+from report.alterations import Alterations, alter
+from report.answers import answers
+from report.assemble import Parts, assemble
+from report.building.progress import Progress
+from report.building.provenance import libraries
+from report.building.source_closure import digest
+from report.building.stage_store import StageStore
+from report.building.tasks import Task, done
+from report.claim import Entry, Finding, judge
+from report.claims.all_claims import SECTIONS, require_known_once
+from report.corrected_results import corrected_results
+from report.document import Document
+from report.evidence import Evidence, derive, solve
+from report.figures.all_figures import DRAWINGS
+from report.highlights import highlights
+from report.inventory import read_inventory
+from report.octave.listings import corrected_programs
+
+OCTAVE_TEMPLATES = Path(__file__).parents[1] / "templates" / "octave"
+
+
+def make_document(progress: Progress, store: StageStore) -> Document:
+    """Derive, solve, judge and draw everything that the report shows.
+
+    What was kept from the last build is taken where nothing that it depends on has changed: for the findings
+    of a section and for a figure these are the sources that its module imports, directly or not.
+
+    Raises:
+        ClaimIdError: if a claim is not in the inventory or stands twice.
+        ContradictionError: if two independent derivations disagree.
+        UnprovenError: if an equation of the describing functions is not proven.
+        FileWriteError: if a result cannot be kept.
+    """
+    inventory = read_inventory()
+    evidence = _evidence(progress, store)
+    results = done(_tasks(evidence, inventory), store, progress)
+    judged = [results[_name(section)] for section in SECTIONS]
+    parts = Parts(
+        findings=_in_order([findings for findings, _ in judged], inventory),
+        alterations=sum((alterations for _, alterations in judged), Alterations()),
+        figures=tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS),
+        trimmer_steps=results["trimmer-steps"],
+        element_steps=results["element-steps"],
+        programs=results["programs"],
+        highlights=results["highlights"],
+        answers=results["answers"],
+        corrected=results["corrected-results"],
+    )
+    return assemble(parts, evidence.numbers.parameters, inventory)
+
+
+def _evidence(progress: Progress, store: StageStore) -> Evidence:
+    key = _key(["report.evidence"])
+    kept: Evidence | None = store.load("evidence", key)
+    if kept is not None:
+        return kept
+    (derived,) = progress.run("derive", [derive], lambda work: work())
+    (evidence,) = progress.run("solve", [derived], solve)
+    store.keep("evidence", key, evidence)
+    return evidence
+
+
+def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
+    """List what is made from the evidence; long tasks first, so that the processes end together.
+
+    Proofs, then the figures of motion and the last sections take longest.
+    """
+    templates = [(path.name, path.read_text(encoding="utf-8")) for path in sorted(OCTAVE_TEMPLATES.iterdir())]
+    print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
+    return [
+        Task("element-steps", "prove", _key(["derivations.element_narrative"]), element_narrative),
+        Task(
+            "trimmer-steps",
+            "prove",
+            _key(["derivations.narrative", "report.evidence"]),
+            partial(narrative, evidence.derivation),
+        ),
+        Task(
+            "programs",
+            "print",
+            _key(["report.octave.listings", "report.evidence"], templates),
+            print_programs,
+        ),
+        *(
+            Task(name, "sum up", _key([work.__module__]), partial(work, evidence))
+            for name, work in (
+                ("highlights", highlights),
+                ("answers", answers),
+                ("corrected-results", corrected_results),
+            )
+        ),
+        *(
+            Task(
+                f"figure-{drawing.id}",
+                "draw",
+                _key([*drawing.modules, "report.figures.drawing", "report.evidence"], drawing.words),
+                partial(drawing.finished, evidence),
+            )
+            for drawing in reversed(DRAWINGS)
+        ),
+        *(
+            Task(
+                _name(section),
+                "judge",
+                _key([section.__name__, "report.evidence", "report.alterations"], inventory),
+                partial(_judged, section, evidence, inventory),
+            )
+            for section in reversed(SECTIONS)
+        ),
+    ]
+
+
+def _key(modules: list[str], *others: Any) -> str:
+    return digest(modules, _versions(), *others)
+
+
+@cache
+def _versions() -> tuple[tuple[str, str], ...]:
+    return (*libraries(), ("trimmer", version("trimmer")))
+
+
+def _name(section: ModuleType) -> str:
+    return f"section-{section.__name__.rpartition('.')[2]}"
+
+
+def _judged(
+    section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]
+) -> tuple[tuple[Finding, ...], Alterations]:
+    claims = section.claims(evidence)
+    require_known_once((claim.id for claim in claims), inventory)
+    return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
+
+
+def _in_order(by_section: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
+    findings = [finding for section in by_section for finding in section]
+    require_known_once((finding.id for finding in findings), inventory)
+    place = {claim_id: index for index, claim_id in enumerate(inventory)}
+    return tuple(sorted(findings, key=lambda finding: place[finding.id]))

@@ -1,0 +1,198 @@
+"""The trimmer driven by its pin, with play and friction: exact motions for the claims of chapter 3.
+
+The parameters are those of Listing A.1; the experiment's are not published. The pin acts by its displacement
+and its velocity, as in equation 3.2; friction is between cutter and guard unless stated otherwise.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.motion.drive import Drive
+from trimmer.motion.motion import Motion
+from trimmer.motion.simulation import simulate
+from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
+from trimmer.parameters import TrimmerParameters
+
+Reals = NDArray[np.float64]
+
+SAMPLE_RATE = 20_000.0
+"""That of the experiment's camera, Hz."""
+DURATION = 0.6
+"""Length of a run from rest, s: fifteen time constants of the slowest mode."""
+FORCES = (0.25, 0.5, 0.75)
+"""Friction of figures 3.6 to 3.8, N."""
+GAP = 200e-6
+"""Gap of the experiment with play, m."""
+LARGER_GAP, LARGEST_GAP = 200e-5, 200e-4
+"""The two other gaps that were simulated, m."""
+PERIOD = 1 / MEASURED_DRIVE_FREQUENCY
+PERIODS_LATER = int(DURATION / 2 / PERIOD)
+HARMONICS = 20
+STARTED_ASIDE = 1e-3
+"""Displacement of the cutter at the start of the second of two motions with the same pin, m."""
+_PHASES = 4096
+
+
+@dataclass(frozen=True, eq=False)
+class DrivenRun:
+    """One run from rest.
+
+    Attributes:
+        gap: Total clearance, m; 0 without play.
+        force: Friction, N.
+        times: Instants at ``SAMPLE_RATE``, s.
+        pin: Displacement of the pin relative to the motor, m.
+        cutter: q2, m.
+        guard: q4, m.
+        transient: q2 - q4 in the first half of the run less its value a whole number of periods later, m.
+        harmonics: Amplitude of q2 - q4 at 0, 1, 2 ... times the drive's frequency in the last period, m.
+        repeat: Largest |y(t + T) - y(t)| over the largest |y|, between the last two periods.
+        mirror: Largest |y(t + T/2) + y(t)| over the largest |y|, in the last period.
+    """
+
+    gap: float
+    force: float
+    times: Reals
+    pin: Reals
+    cutter: Reals
+    guard: Reals
+    transient: Reals
+    harmonics: Reals
+    repeat: float
+    mirror: float
+
+    @property
+    def output(self) -> Reals:
+        """q2 - q4, m."""
+        return self.cutter - self.guard
+
+    def last(self, samples: int) -> slice:
+        """Return the place of the last samples of the run."""
+        return slice(self.times.size - samples, self.times.size)
+
+
+@dataclass(frozen=True, eq=False)
+class DrivenNumbers:
+    """All runs with a drive of ``MEASURED_DRIVE_FREQUENCY`` and 1.5 mm.
+
+    Attributes:
+        runs: Without play, and with the three gaps of section 3.3.
+        times: Instants, s, of the two following rows.
+        apart: Energy of the difference of two motions with the same pin, over its value at the start: the
+            gap of the experiment, the largest friction of ``FORCES``.
+    """
+
+    runs: tuple[DrivenRun, ...]
+    times: Reals
+    apart: Reals
+
+    def run(self, gap: float, force: float) -> DrivenRun:
+        """Return the run with a gap (m) and a friction (N).
+
+        Raises:
+            StopIteration: if there is none.
+        """
+        return next(each for each in self.runs if (each.gap, each.force) == (gap, force))
+
+    def with_gap(self, gap: float) -> tuple[DrivenRun, ...]:
+        """Return the runs with a gap (m), by rising friction."""
+        return tuple(each for each in self.runs if each.gap == gap)
+
+
+def solve_driven(parameters: TrimmerParameters) -> DrivenNumbers:
+    """Simulate all runs."""
+    settings = [
+        *((0.0, force) for force in FORCES),
+        *((gap, force) for gap in (GAP, LARGER_GAP) for force in (0.0, *FORCES)),
+        *((LARGEST_GAP, force) for force in FORCES),
+    ]
+    times, apart = _two_motions(parameters)
+    return DrivenNumbers(tuple(_run(parameters, gap, force) for gap, force in settings), times, apart)
+
+
+def driven_loop(parameters: TrimmerParameters, gap: float, force: float) -> TrimmerLoop:
+    """Return the driven trimmer with play, or without if the gap is 0, and with friction, or without."""
+    return TrimmerLoop(
+        parameters,
+        FrictionBacklash(gap) if gap else None,
+        Drive(DRIVE_AMPLITUDE, 2 * math.pi * MEASURED_DRIVE_FREQUENCY),
+        frictions=rubbing(force),
+    )
+
+
+def rubbing(force: float) -> tuple[BodyFriction, ...]:
+    """Return friction between cutter and guard; none if the force (N) is 0."""
+    return (BodyFriction(CUTTER_RELATIVE_TO_GUARD, CoulombFriction(force)),) if force else ()
+
+
+def _run(parameters: TrimmerParameters, gap: float, force: float) -> DrivenRun:
+    loop = driven_loop(parameters, gap, force)
+    motion = simulate(loop, DURATION)
+    times = np.arange(int(DURATION * SAMPLE_RATE) + 1) / SAMPLE_RATE
+    state = motion.state(np.minimum(times, DURATION))
+    harmonics, repeat, mirror = _settled(motion)
+    early = times[times < DURATION / 2]
+    return DrivenRun(
+        gap=gap,
+        force=force,
+        times=times,
+        pin=DRIVE_AMPLITUDE * np.sin(2 * math.pi * MEASURED_DRIVE_FREQUENCY * times),
+        cutter=state[Body.CUTTER.index],
+        guard=state[Body.GUARD.index],
+        transient=motion.output(early) - motion.output(early + PERIODS_LATER * PERIOD),
+        harmonics=harmonics,
+        repeat=repeat,
+        mirror=mirror,
+    )
+
+
+def _settled(motion: Motion) -> tuple[Reals, float, float]:
+    """Return harmonics of the last period, and its distance from the one before and its mirror image."""
+    start = motion.duration - 2 * PERIOD
+    first, second = motion.output(start + np.arange(2 * _PHASES) * PERIOD / _PHASES).reshape(2, _PHASES)
+    size = float(np.abs(second).max())
+    if size == 0:
+        return np.zeros(HARMONICS), 0.0, 0.0
+    halves = second.reshape(2, -1)
+    amplitudes = 2 * np.abs(np.fft.rfft(second))[:HARMONICS] / _PHASES
+    amplitudes[0] /= 2
+    return (
+        amplitudes,
+        float(np.abs(second - first).max()) / size,
+        float(np.abs(halves.sum(axis=0)).max()) / size,
+    )
+
+
+def _two_motions(parameters: TrimmerParameters) -> tuple[Reals, Reals]:
+    """Return instants and the energy of the difference of a motion from rest and one from aside."""
+    loop = driven_loop(parameters, GAP, FORCES[-1])
+    aside = np.zeros(2 * len(Body))
+    aside[Body.CUTTER.index] = STARTED_ASIDE
+    times = np.linspace(0, DURATION, 2001)
+    rest, other = (simulate(loop, DURATION, initial_state=start).state(times) for start in (None, aside))
+    energy = difference_energy(parameters, other - rest)
+    return times, energy / energy[0]
+
+
+def difference_energy(parameters: TrimmerParameters, state: Reals) -> Reals:
+    """Return kinetic and potential energy of states (8, n) with the pin held still, J, shape (n,).
+
+    The transformed velocities of ``pin_model`` differ from the velocities by a multiple of the pin's
+    displacement, which two motions with the same pin share.
+    """
+    q1, q2, q3, q4 = state[: len(Body)]
+    values = parameters
+    masses = np.array([values.m1, values.m2, values.m3, values.m4])
+    kinetic = masses @ state[len(Body) :] ** 2
+    potential = values.k1 * q1**2 + values.k2 * (q2 - q1) ** 2 + values.k3 * q3**2
+    potential = potential + values.k4 * (q4 - q3) ** 2 + values.k5 * (q2 - q3) ** 2
+    return np.asarray((kinetic + potential) / 2)

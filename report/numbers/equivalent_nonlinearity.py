@@ -1,0 +1,157 @@
+"""Predictions of section 5.2.5, with each form that the equivalent nonlinearity has in the thesis.
+
+Listing A.6 adds -(j/w) 4 F_c/(π A) to friction-controlled backlash, with w frozen at the drive's frequency;
+equation 5.14 prints something else; with the right operator the term is +j 4 F_c/(π A), and has to be divided
+by a stiffness, such as k2, before it is added to a number. The gap is that of the listing: the total one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import control
+import mpmath
+
+from report.numbers.friction_in_place import FrictionBranch, friction_branch
+from report.numbers.linear_numbers import LinearNumbers
+from trimmer import InputChannels, frequency_response
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+
+GAP, FORCE = 4e-6, 0.6
+"""Gap (m) and friction force (N) of figure 5.23."""
+OMEGA = 200 * math.pi
+"""Angular frequency of the drive, at which the thesis freezes its describing function, rad/s."""
+OTHER_FORCE, OTHER_GAP = 0.15, 200e-5
+"""Friction force (N) and gap (m) of figure 5.21."""
+FORCES = (0.0006, 0.006, 0.06, 0.6)
+START_OF_EQUATION = (0.06, 23e3)
+"""A (m) and ω (rad/s) near the one solution of equation 5.14 that a search over both has found."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """A solution found by Newton's method: amplitude in m, angular frequency in rad/s."""
+
+    amplitude: float
+    omega: float
+
+    @property
+    def frequency(self) -> float:
+        """Frequency, Hz."""
+        return self.omega / (2 * math.pi)
+
+
+@dataclass(frozen=True)
+class EquivalentNumbers:
+    """Predictions, in the thesis's loop where nothing else is said.
+
+    ``rounded`` has Listing A.6 with the coefficients of Listing A.9, ``rounded_less_force`` besides the force
+    of figure 5.21, ``other_gap`` its force and gap. ``listing`` has exact coefficients, ``by_force`` one
+    stable limit cycle for each of ``FORCES``. ``own_frequency`` takes the loop's frequency in place of the
+    drive's, ``as_printed`` is equation 5.14, ``sign_turned`` the listing with the other sign of its term,
+    ``over_stiffness`` the right term over k2, ``in_place`` friction between cutter and guard;
+    ``..._both_channels`` is the loop with the pin's velocity too.
+    """
+
+    rounded: tuple[LimitCycle, ...]
+    rounded_less_force: tuple[LimitCycle, ...]
+    listing: tuple[LimitCycle, ...]
+    listing_both_channels: tuple[LimitCycle, ...]
+    other_gap: tuple[LimitCycle, ...]
+    by_force: tuple[LimitCycle, ...]
+    own_frequency: Point
+    as_printed: Point
+    sign_turned: tuple[LimitCycle, ...]
+    over_stiffness: tuple[LimitCycle, ...]
+    over_stiffness_both_channels: tuple[LimitCycle, ...]
+    in_place: FrictionBranch
+    in_place_both_channels: FrictionBranch
+
+    @property
+    def force_of_merger(self) -> float:
+        """Largest force between cutter and guard with a limit cycle, for the gap of figure 5.23, N."""
+        return GAP * self.in_place.merger.force_per_gap
+
+
+def listing_element(force: float, gap: float = GAP, omega: float = OMEGA) -> Element:
+    """Return what Listing A.6 computes, above the edge of its dead band."""
+    return FrictionBacklash(gap) - CoulombFriction(force / omega)
+
+
+def right_element(force: float, stiffness: float, gap: float = GAP) -> Element:
+    """Return backlash with friction as a stiffness, over a stiffness in N/m."""
+    return FrictionBacklash(gap) + CoulombFriction(force / stiffness)
+
+
+def printed_function(amplitude: float, force: float, gap: float = GAP, omega: float = OMEGA) -> complex:
+    """Evaluate equation 5.14 as it is printed, with the gap put in for its b."""
+    c = 2 * gap / amplitude - 1
+    real = math.pi / 2 - math.asin(c) - c * math.sqrt(1 - c**2)
+    imaginary = 4 * gap / math.pi * (gap / amplitude - 1) - 4 * force / (omega * amplitude * math.pi)
+    return complex(real, imaginary) / amplitude
+
+
+def solve_equivalent(
+    numbers: LinearNumbers,
+    rounded: control.TransferFunction,
+    ends: tuple[LimitCycle, LimitCycle],
+    ends_both: tuple[LimitCycle, LimitCycle],
+) -> EquivalentNumbers:
+    """Solve each variant; ``ends`` are the unstable and stable limit cycle without friction, per gap."""
+    system, both, k2 = numbers.displacement_only, numbers.both_channels, numbers.parameters.k2
+    listing = tuple(limit_cycles(system, listing_element(FORCE)))
+    by_force = (limit_cycles(system, listing_element(force)) for force in FORCES)
+    channels = InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_AND_VELOCITY
+    in_place, in_place_both = (
+        friction_branch(numbers.parameters, channel, *pair)
+        for channel, pair in zip(channels, (ends, ends_both), strict=True)
+    )
+    return EquivalentNumbers(
+        rounded=tuple(limit_cycles(rounded, listing_element(FORCE))),
+        rounded_less_force=tuple(limit_cycles(rounded, listing_element(OTHER_FORCE))),
+        listing=listing,
+        listing_both_channels=tuple(limit_cycles(both, listing_element(FORCE))),
+        other_gap=tuple(limit_cycles(system, listing_element(OTHER_FORCE, OTHER_GAP))),
+        by_force=tuple(cycle for cycles in by_force for cycle in cycles if cycle.stable),
+        own_frequency=_own_frequency(system, listing[0]),
+        as_printed=_newton(system, lambda a, _: printed_function(a, FORCE), *START_OF_EQUATION),
+        sign_turned=tuple(limit_cycles(system, right_element(FORCE, OMEGA))),
+        over_stiffness=tuple(limit_cycles(system, right_element(FORCE, k2))),
+        over_stiffness_both_channels=tuple(limit_cycles(both, right_element(FORCE, k2))),
+        in_place=in_place,
+        in_place_both_channels=in_place_both,
+    )
+
+
+def _own_frequency(system: control.TransferFunction, frozen: LimitCycle) -> Point:
+    """Solve with the term at the frequency of the loop, from the solution at the frozen one."""
+    start = frozen.amplitude * OMEGA / frozen.omega
+    return _newton(
+        system,
+        lambda amplitude, omega: complex(listing_element(FORCE, GAP, omega).describing_function(amplitude)),
+        start,
+        frozen.omega,
+    )
+
+
+def _newton(
+    system: control.TransferFunction,
+    element: Callable[[float, float], complex],
+    amplitude: float,
+    omega: float,
+) -> Point:
+    """Solve 1 + N(A, ω) G(jω) = 0 near a point, by the secant form of Newton's method in ln A and ln ω."""
+
+    def residual(log_amplitude: float, log_omega: float) -> tuple[float, float]:
+        a, w = amplitude * math.exp(log_amplitude), omega * math.exp(log_omega)
+        loop = 1 + element(a, w) * complex(frequency_response(system, w))
+        return loop.real, loop.imag
+
+    log_amplitude, log_omega = mpmath.findroot(residual, (0, 0))
+    return Point(amplitude * math.exp(log_amplitude), omega * math.exp(log_omega))

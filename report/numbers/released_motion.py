@@ -1,0 +1,161 @@
+"""The closed loop with play and friction, released without drive: exact motions for chapter 3 and appendix E.
+
+The parameters are those of Listing A.1. With friction (section 3.3) the pin acts by its displacement and its
+velocity, as in equation 3.2; without it (appendix E) by its displacement alone, as in section 5.2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from report.numbers.driven_motion import GAP, LARGEST_GAP, SAMPLE_RATE, rubbing
+from trimmer.displacement import Body
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.linear import InputChannels
+from trimmer.motion.motion import Motion
+from trimmer.motion.simulation import simulate
+from trimmer.motion.trimmer_loop import TrimmerLoop
+from trimmer.parameters import TrimmerParameters
+
+Reals = NDArray[np.float64]
+
+DURATION = 0.3
+"""Length of a run, s."""
+LAST = 0.02
+"""Length at the end of a run over which amplitude and frequency are taken, s: 14 periods."""
+FORCES_OF_FIGURE = (0.0025, 0.02, 0.25)
+"""Friction of figure 3.9, N."""
+RISING_FORCES = (0.0, 0.25, 0.5, 0.75, 1.0, 1.2, 1.3)
+"""Friction with the gap of the experiment, N."""
+INSIDE, OUTSIDE = 0.4, 4.0
+"""Displacements of the cutter at the start, in gaps: less than half a gap, and near the limit cycle."""
+SCALE = 10
+"""Factor on gap, friction and start between two motions that are to be alike."""
+APPENDIX_GAPS = (3e-4, 4e-4, 5e-4, 6e-4)
+"""Gaps of figure E.1, m."""
+PADDED = 2**17
+"""Samples of the record with zeros added: a finer grid of frequencies, not a finer resolution."""
+NEAR_SECOND_MODE = (320.0, 420.0)
+"""Range in which the peak near 350 Hz is sought, Hz."""
+_POINTS = 8_001
+
+
+@dataclass(frozen=True, eq=False)
+class ReleasedRun:
+    """One run from a displaced cutter.
+
+    Attributes:
+        gap: Total clearance, m.
+        force: Friction between cutter and guard, N.
+        start: Displacement of the cutter at the start, in gaps.
+        times: Instants at ``SAMPLE_RATE``, s.
+        output: q2 - q4, m.
+        amplitude: Half of peak to peak at the end, m.
+        frequency: Rising zero crossings per second at the end, Hz; 0 where there are fewer than two.
+    """
+
+    gap: float
+    force: float
+    start: float
+    times: Reals
+    output: Reals
+    amplitude: float
+    frequency: float
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether it still crosses the gap at the end."""
+        return self.amplitude > self.gap / 2
+
+
+@dataclass(frozen=True, eq=False)
+class ReleasedNumbers:
+    """All runs of the closed loop.
+
+    Attributes:
+        figure: Two gaps, three frictions, started inside of the gap and outside.
+        by_force: The gap of the experiment, with friction from zero up, started outside.
+        scaled: The second of ``by_force`` with gap, friction and start times ``SCALE``.
+        appendix: The four gaps of figure E.1, without friction.
+    """
+
+    figure: tuple[ReleasedRun, ...]
+    by_force: tuple[ReleasedRun, ...]
+    scaled: ReleasedRun
+    appendix: tuple[ReleasedRun, ...]
+
+    def released(self, gap: float, force: float, start: float) -> ReleasedRun:
+        """Return the run of the figure with a gap (m), a friction (N) and a start (gaps).
+
+        Raises:
+            StopIteration: if there is none.
+        """
+        return next(run for run in self.figure if (run.gap, run.force, run.start) == (gap, force, start))
+
+
+def released_spectrum(run: ReleasedRun) -> tuple[Reals, Reals]:
+    """Return frequencies (Hz) and amplitudes (m) of a run's spectrum, padded to a finer grid."""
+    return (
+        np.asarray(np.fft.rfftfreq(PADDED, 1 / SAMPLE_RATE), dtype=np.float64),
+        2 * np.abs(np.fft.rfft(run.output, PADDED)) / run.output.size,
+    )
+
+
+def released_peak(run: ReleasedRun) -> float:
+    """Return the frequency of the largest line near the second natural mode, Hz."""
+    frequency, amplitude = _near_second_mode(run)
+    return float(frequency[np.argmax(amplitude)])
+
+
+def line_near_second_mode(run: ReleasedRun) -> float:
+    """Return the amplitude of the largest line near the second natural mode, m."""
+    return float(_near_second_mode(run)[1].max())
+
+
+def _near_second_mode(run: ReleasedRun) -> tuple[Reals, Reals]:
+    frequency, amplitude = released_spectrum(run)
+    near = (frequency > NEAR_SECOND_MODE[0]) & (frequency < NEAR_SECOND_MODE[1])
+    return frequency[near], amplitude[near]
+
+
+def solve_released(parameters: TrimmerParameters) -> ReleasedNumbers:
+    """Simulate all runs."""
+    both, displacement_only = InputChannels.DISPLACEMENT_AND_VELOCITY, InputChannels.DISPLACEMENT_ONLY
+    return ReleasedNumbers(
+        figure=tuple(
+            _run(parameters, both, gap, force, start)
+            for gap in (GAP, LARGEST_GAP)
+            for force in FORCES_OF_FIGURE
+            for start in (INSIDE, OUTSIDE)
+        ),
+        by_force=tuple(_run(parameters, both, GAP, force, OUTSIDE) for force in RISING_FORCES),
+        scaled=_run(parameters, both, SCALE * GAP, SCALE * RISING_FORCES[1], OUTSIDE),
+        appendix=tuple(_run(parameters, displacement_only, gap, 0.0, 2 * OUTSIDE) for gap in APPENDIX_GAPS),
+    )
+
+
+def _run(
+    parameters: TrimmerParameters, channels: InputChannels, gap: float, force: float, start: float
+) -> ReleasedRun:
+    loop = TrimmerLoop(parameters, FrictionBacklash(gap), channels=channels, frictions=rubbing(force))
+    aside = np.zeros(2 * len(Body))
+    aside[Body.CUTTER.index] = start * gap
+    motion = simulate(loop, DURATION, initial_state=aside)
+    times = np.arange(int(DURATION * SAMPLE_RATE) + 1) / SAMPLE_RATE
+    return ReleasedRun(gap, force, start, times, motion.output(np.minimum(times, DURATION)), *_end(motion))
+
+
+def _end(motion: Motion) -> tuple[float, float]:
+    """Return half of peak to peak and the frequency at the end of a motion."""
+    times = np.linspace(motion.duration - LAST, motion.duration, _POINTS)
+    output = motion.output(times)
+    rising = np.flatnonzero((output[:-1] <= 0) & (output[1:] > 0))
+    amplitude = float(np.ptp(output)) / 2
+    if rising.size < 2:
+        return amplitude, 0.0
+    before, after = output[rising], output[rising + 1]
+    crossings = times[rising] - before / (after - before) * (times[1] - times[0])
+    return amplitude, float((rising.size - 1) / (crossings[-1] - crossings[0]))

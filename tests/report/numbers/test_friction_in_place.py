@@ -1,0 +1,127 @@
+"""Backlash at the pin with friction between cutter and guard: responses, solutions, and completeness."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import fsolve
+
+from report.numbers.friction_in_place import force_response, friction_branch
+from trimmer import InputChannels, TrimmerParameters, frequency_response, pin_model
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.friction_backlash import FrictionBacklash
+
+OMEGA = 2 * math.pi * np.array([37.0, 222.0, 355.0, 551.0, 734.0, 2000.0])
+
+
+@pytest.fixture(scope="module", params=list(InputChannels), ids=lambda channels: channels.value)
+def loop(request):
+    parameters = TrimmerParameters.thesis()
+    system = pin_model(parameters, channels=request.param)
+    ends = limit_cycles(system, FrictionBacklash(1.0))
+    return parameters, system, ends, friction_branch(parameters, request.param, *ends)
+
+
+def by_newtons_laws(parameters, omega):
+    """Response of q2 - q4 to opposite unit forces on bodies 2 and 4, from force balances written by hand."""
+    p, s = parameters, 1j * omega
+    k12, k34 = p.k2 + p.c2 * s, p.k4 + p.c4 * s
+    stiffness = np.array(
+        [
+            [p.m1 * s**2 + p.k1 + p.c1 * s + k12, -k12, 0, 0],
+            [-k12, p.m2 * s**2 + k12 + p.k5, -p.k5, 0],
+            [0, -p.k5, p.m3 * s**2 + p.k3 + p.c3 * s + p.k5 + k34, -k34],
+            [0, 0, -k34, p.m4 * s**2 + k34],
+        ]
+    )
+    moved = np.linalg.solve(stiffness, [0, 1, 0, -1])
+    return moved[1] - moved[3]
+
+
+def closed(parameters, system, amplitude, omega, force):
+    """1 + N_r G + N_f H for a gap of one metre, with the force response by hand."""
+    backlash = complex(FrictionBacklash(1.0).describing_function(amplitude))
+    friction = 4j * force / (math.pi * amplitude)
+    pin = complex(frequency_response(system, omega))
+    return 1 + backlash * pin + friction * by_newtons_laws(parameters, omega)
+
+
+def test_the_force_moves_cutter_and_guard_as_newtons_laws_say():
+    parameters = TrimmerParameters.thesis()
+    ours = frequency_response(force_response(parameters), OMEGA)
+    np.testing.assert_allclose(ours, [by_newtons_laws(parameters, omega) for omega in OMEGA], rtol=1e-10)
+
+
+def test_friction_between_cutter_and_guard_can_only_take_energy():
+    response = frequency_response(force_response(TrimmerParameters.thesis()), np.geomspace(10, 1e5, 4000))
+    assert (response.imag < 0).all()
+
+
+def test_every_point_closes_the_loop(loop):
+    parameters, system, _, branch = loop
+    for side in (branch.stable, branch.unstable):
+        rows = zip(side.amplitude, side.omega, side.force_per_gap, strict=True)
+        assert max(abs(closed(parameters, system, *row)) for row in rows) < 1e-7
+
+
+def test_the_branch_joins_the_limit_cycles_without_friction(loop):
+    _, _, (unstable, stable), branch = loop
+    for side, cycle in ((branch.unstable, unstable), (branch.stable, stable)):
+        assert side.amplitude[0] == pytest.approx(cycle.amplitude, rel=1e-12)
+        assert side.frequency[0] == pytest.approx(cycle.frequency, rel=1e-9)
+        assert side.force_per_gap[0] == pytest.approx(0, abs=1e-6)
+        assert side.amplitude[-1] == pytest.approx(branch.merger.amplitude)
+        assert side.force_per_gap[-1] == pytest.approx(branch.merger.force_per_gap, rel=1e-9)
+
+
+def test_the_force_rises_to_the_merger_on_both_sides(loop):
+    *_, branch = loop
+    for side in (branch.stable, branch.unstable):
+        assert (np.diff(side.force_per_gap) > 0).all()
+        assert (side.force_per_gap <= branch.merger.force_per_gap * (1 + 1e-12)).all()
+
+
+def solutions(parameters, system, force, starts):
+    """All solutions that a search from many starts finds, as sorted (amplitude, frequency)."""
+
+    def residual(logarithms):
+        beyond_dead_band, omega = np.exp(np.clip(logarithms, (-15, 5), (10, 11)))
+        loop = closed(parameters, system, 0.5 + beyond_dead_band, omega, force)
+        return loop.real, loop.imag
+
+    found = []
+    for amplitude in starts:
+        for frequency in (360, 560, 640, 700, 735):
+            start = (math.log(amplitude - 0.5), math.log(2 * math.pi * frequency))
+            point, information, status, _ = fsolve(residual, start, full_output=True, xtol=1e-12)
+            if status == 1 and np.abs(information["fvec"]).max() < 1e-8:
+                found.append((0.5 + math.exp(point[0]), math.exp(point[1]) / (2 * math.pi)))
+    distinct = []
+    for point in sorted(found):
+        if not distinct or abs(point[0] / distinct[-1][0] - 1) > 1e-6:
+            distinct.append(point)
+    return distinct
+
+
+@pytest.mark.parametrize(("share", "count"), [(0.6, 2), (0.98, 2), (1.02, 0), (10.0, 0)])
+def test_a_search_from_many_starts_finds_what_the_branch_counts(loop, share, count):
+    parameters, system, _, branch = loop
+    force = share * branch.merger.force_per_gap
+    assert branch.limit_cycles(force) == count
+    assert len(solutions(parameters, system, force, (0.52, 0.7, 1.4, 2.5, 6.0))) == count
+
+
+def test_no_other_force_closes_the_loop(loop):
+    """Over all amplitudes of the domain and all frequencies the closing force is real on the branch alone."""
+    parameters, system, (unstable, stable), branch = loop
+    omegas = 2 * math.pi * np.linspace(20, 4000, 8000)
+    pin = frequency_response(system, omegas)
+    friction = frequency_response(force_response(parameters), omegas)
+    for ratio in np.linspace(0.002, 1.998, 160):
+        backlash = complex(FrictionBacklash(1.0).describing_function(1 / ratio))
+        force = -(1 + backlash * pin) / (4j / math.pi * ratio * friction)
+        changes = np.sign(force.imag[1:]) != np.sign(force.imag[:-1])
+        positive = changes & (force.real[1:] > 0) & (np.abs(force.imag[1:] - force.imag[:-1]) < 1e4)
+        inside = 1 / stable.amplitude < ratio < 1 / unstable.amplitude
+        assert positive.sum() == inside, ratio
+        assert force.real[1:][positive].max(initial=0) <= branch.merger.force_per_gap * 1.001
