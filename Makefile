@@ -16,7 +16,7 @@ report: python ## derive, solve, judge; writes build/report/report.html, report.
 	@$(BOOTSTRAP) requirements.lock -- trimmer report
 
 test: python ## run the tests; ARGS="-k claim" passes options to pytest
-	@$(BOOTSTRAP) requirements-dev.lock -- python -m pytest -n auto --maxprocesses 4 --dist loadgroup $(ARGS)
+	@$(BOOTSTRAP) requirements-dev.lock -- python -m pytest -n auto --maxprocesses 4 $(ARGS)
 
 lint: python ## ruff (rules and format), mypy, import-linter; changes nothing
 	@$(BOOTSTRAP) requirements-dev.lock -- ruff check .

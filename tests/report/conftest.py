@@ -20,10 +20,3 @@ def evidence():
 @pytest.fixture(scope="session")
 def claims(evidence, inventory):
     return {claim.id: claim for claim in all_claims(evidence, inventory)}
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Keep the tests of claims in one process: to make all claims takes a tenth of the whole run."""
-    for item in items:
-        if "claims" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group("claims"))
