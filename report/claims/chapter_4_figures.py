@@ -83,7 +83,7 @@ def _two_blocks() -> Claim:
                 Assertion(
                     statement="the two outputs are the same",
                     derived=distance <= ROUNDING,
-                    evidence=f"over two periods from rest they differ by {distance:.0e} m at most",
+                    evidence=f"over two periods from rest they differ by {distance:.1g} m at most",
                     method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
                 ),
                 Confirmation(
