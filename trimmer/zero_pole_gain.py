@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Self
 
 import control
 import numpy as np
-from scipy.linalg import matrix_balance
+from scipy.linalg.lapack import dgebal
 
 from trimmer.frequency_domain import UnsupportedSystemError, require_siso
 
@@ -144,7 +144,7 @@ def _balanced(matrix: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray
     """Scale the states so that rows and columns are of like size; give the matrix and the scales."""
     if matrix.size == 0:
         return matrix, np.ones(0)
-    balanced, (scales, _) = matrix_balance(matrix, permute=False, separate=True)
+    balanced, _, _, scales, _ = dgebal(matrix, scale=1, permute=0)
     return balanced, scales
 
 

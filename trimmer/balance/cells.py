@@ -51,8 +51,12 @@ class Cells:
     @classmethod
     def joined(cls, groups: Sequence[Cells]) -> Cells:
         """Put the boxes of some groups one after the other."""
-        sides = ("u_lower", "u_upper", "x_lower", "x_upper")
-        return Cells(*(np.concatenate([getattr(group, side) for group in groups]) for side in sides))
+        return Cells(
+            np.concatenate([group.u_lower for group in groups]),
+            np.concatenate([group.u_upper for group in groups]),
+            np.concatenate([group.x_lower for group in groups]),
+            np.concatenate([group.x_upper for group in groups]),
+        )
 
     def __len__(self) -> int:
         return self.u_lower.size
@@ -96,12 +100,13 @@ class Cells:
 
     def inflated(self, factor: float, limits: Cells) -> Cells:
         """Widen about the middle, but not beyond a single enclosing box."""
-        u, x = factor * self.u_half, factor * self.x_half
+        excess = 0.5 * (factor - 1.0)
+        u, x = excess * (self.u_upper - self.u_lower), excess * (self.x_upper - self.x_lower)
         return Cells(
-            np.maximum(self.u_centre - u, limits.u_lower),
-            np.minimum(self.u_centre + u, limits.u_upper),
-            np.maximum(self.x_centre - x, limits.x_lower),
-            np.minimum(self.x_centre + x, limits.x_upper),
+            np.maximum(self.u_lower - u, limits.u_lower),
+            np.minimum(self.u_upper + u, limits.u_upper),
+            np.maximum(self.x_lower - x, limits.x_lower),
+            np.minimum(self.x_upper + x, limits.x_upper),
         )
 
     def contains(self, u: Reals, x: Reals) -> Flags:
@@ -109,11 +114,10 @@ class Cells:
         inside_u = (self.u_lower <= u) & (u <= self.u_upper)
         return np.asarray(inside_u & (self.x_lower <= x) & (x <= self.x_upper))
 
-    def hold_any_of(self, u: Reals, x: Reals) -> Flags:
-        """Whether each box contains any one of some points."""
-        inside_u = (self.u_lower <= u[:, None]) & (u[:, None] <= self.u_upper)
-        inside = inside_u & (self.x_lower <= x[:, None]) & (x[:, None] <= self.x_upper)
-        return np.asarray(inside.any(axis=0))
+    def hold(self, u: Reals, x: Reals) -> Flags:
+        """Whether each box (first axis) contains each of some points (second axis)."""
+        inside_u = (self.u_lower[:, None] <= u) & (u <= self.u_upper[:, None])
+        return np.asarray(inside_u & (self.x_lower[:, None] <= x) & (x <= self.x_upper[:, None]))
 
     def lie_within(self, others: Cells) -> Flags:
         """Whether each box lies within any one of some others."""

@@ -34,14 +34,16 @@ def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
     output[:first] = 0.0
     output[without:] = poles[without:] - response.zeros
     # A section with a zero takes all that the ones before it add to the output, one without only the last.
-    chain = np.tri(poles.size, k=-1) * output
-    chain[np.arange(1, without), np.arange(without - 1)] = 1.0
-    np.fill_diagonal(chain, poles)
+    place = np.arange(poles.size)
+    chain = (place[:, None] > place) * output
+    chain[place[1:without], place[:first]] = 1.0
+    chain[place, place] = poles
     feedback = gains / response.gain
     if without == 0:
         # Where the difference vanishes a pole is at infinity; far away will do.
         difference = 1.0 + feedback
         feedback = feedback / np.where(difference == 0, np.finfo(float).eps, difference)
-    reached = np.eye(poles.size)[0] if without else np.ones(poles.size)
-    loops = chain - feedback[:, None, None] * np.outer(reached, output)
+    loops = np.repeat(chain[None], gains.size, axis=0)
+    reached = slice(1) if without else slice(None)
+    loops[:, reached] -= feedback[:, None, None] * output
     return np.asarray(np.linalg.eigvals(loops), dtype=complex)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -36,16 +35,6 @@ class GainDisks:
     radius: Reals
     u_share: Reals
     exists: Flags
-
-    @classmethod
-    def joined(cls, groups: Sequence[GainDisks]) -> GainDisks:
-        """Put those of some groups one after the other."""
-        return cls(
-            np.concatenate([group.centre for group in groups]),
-            np.concatenate([group.radius for group in groups]),
-            np.concatenate([group.u_share for group in groups]),
-            np.concatenate([group.exists for group in groups]),
-        )
 
     def take(self, which: Any) -> GainDisks:
         """Keep those at some places, given as NumPy takes an index."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -40,15 +39,6 @@ class EnclosedCells:
     def of(cls, response: Response, curve: ElementCurve, cells: Cells) -> EnclosedCells:
         """Enclose N and 1/G on boxes."""
         return cls(cells, curve.disks(cells), response.enclose(cells.x_lower, cells.x_upper))
-
-    @classmethod
-    def joined(cls, groups: Sequence[EnclosedCells]) -> EnclosedCells:
-        """Put those of some groups one after the other."""
-        return cls(
-            Cells.joined([group.cells for group in groups]),
-            GainDisks.joined([group.disks for group in groups]),
-            Enclosure.joined([group.enclosure for group in groups]),
-        )
 
     def __len__(self) -> int:
         return len(self.cells)

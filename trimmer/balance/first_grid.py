@@ -60,18 +60,15 @@ def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
     """Find the boxes of the grid that may hold a solution, and count all that were compared."""
     breaks = problem.table.x_breaks
     columns = _columns(problem, breaks[:-1], breaks[1:], np.arange(breaks.size - 1))
-    possible = _possible(problem, columns)
-    finished, size = [], possible.size
+    size = 0
     while True:
-        parts = columns.parts
-        finished.append(_boxes(problem, columns, possible & (parts == 1)))
-        coarse = possible.any(axis=0) & (parts > 1)
-        if not coarse.any():
-            break
-        columns = _cut(problem, columns, np.where(coarse, parts, 0))
         possible = _possible(problem, columns)
         size += possible.size
-    boxes = EnclosedCells.joined(finished)
+        parts = np.where(possible.any(axis=0), columns.parts, 0)
+        if parts.max(initial=0) <= 1:
+            break
+        columns = _cut(problem, columns, parts)
+    boxes = _boxes(problem, columns, possible)
     if problem.curve.depends_on_x:
         boxes = boxes.refined(problem.curve).open(problem.smallest_gain)
     return boxes, size

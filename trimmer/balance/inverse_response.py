@@ -83,6 +83,12 @@ class InverseResponse:
         """Exponent of each of ``roots`` in 1/G: +1 for a pole of G, -1 for a zero."""
         return np.repeat([1.0, -1.0], [self.poles.size, self.zeros.size])
 
+    @cached_property
+    def _root_columns(self) -> tuple[Reals, Reals, Reals]:
+        """Of each root the modulus, the imaginary part and the squared real part, of shape (roots, 1)."""
+        column = self.roots[:, None]
+        return np.abs(column), column.imag, column.real**2
+
     @property
     def relative_degree(self) -> int:
         """Number of poles of G less number of its zeros."""
@@ -179,23 +185,21 @@ class InverseResponse:
         """Evaluate 1/G and d ln(1/G)/dx, which stays finite where 1/G overflows."""
         rotating = 1j * self._omega(x)
         distances = rotating - self.roots[:, None]
-        shares = rotating / distances
-        poles = self.poles.size
-        log_slope = shares[:poles].sum(axis=0) - shares[poles:].sum(axis=0)
+        log_slope = self.exponents @ (rotating / distances)
         return self.gain * self._quotient(distances), log_slope
 
     def _quotient(self, factors: NDArray[Number]) -> NDArray[Number]:
         """Product of the first rows, one per pole, over the others; in pairs, so that it seldom overflows."""
         poles, zeros = self.poles.size, self.zeros.size
-        pairs = factors[:zeros] / factors[poles:]
-        return np.asarray(pairs.prod(axis=0) * factors[zeros:poles].prod(axis=0))
+        quotients = factors[:poles].copy()
+        quotients[:zeros] /= factors[poles:]
+        return np.asarray(quotients.prod(axis=0))
 
     def _bend(self, x_lower: Reals, x_upper: Reals) -> Reals:
         """Upper bound of the second derivative of ln(1/G) between two x.
 
         The term of a root, omega |root| / distance**2, rises up to omega = |root| and falls beyond it.
         """
-        sizes = np.abs(self.roots)[:, None]
+        sizes, heights, squared_distances = self._root_columns
         worst = np.minimum(np.maximum(sizes, self._omega(x_lower)), self._omega(x_upper))
-        squared = (worst - self.roots.imag[:, None]) ** 2 + (self.roots.real**2)[:, None]
-        return np.asarray((sizes * worst / squared).sum(axis=0))
+        return np.asarray((sizes * worst / ((worst - heights) ** 2 + squared_distances)).sum(axis=0))

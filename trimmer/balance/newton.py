@@ -39,7 +39,8 @@ def solve_in(
         inside = boxes.contains(u, x)
         converged = (np.abs(u_step) <= _CONVERGED * u) & (np.abs(x_step) <= _CONVERGED)
         solved = converged & inside
-        if np.all(solved | ~inside | boxes.hold_any_of(u[solved], x[solved])):
+        open_boxes = inside & ~solved
+        if not open_boxes.any() or boxes.take(open_boxes).hold(u[solved], x[solved]).any(axis=1).all():
             break
     return u, x, solved
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
@@ -34,18 +33,6 @@ class Enclosure:
     slope_radius: Reals
     smallest: Reals
     largest: Reals
-
-    @classmethod
-    def joined(cls, groups: Sequence[Enclosure]) -> Enclosure:
-        """Put those of some groups one after the other."""
-        return cls(
-            np.concatenate([group.centre for group in groups]),
-            np.concatenate([group.slope for group in groups]),
-            np.concatenate([group.radius for group in groups]),
-            np.concatenate([group.slope_radius for group in groups]),
-            np.concatenate([group.smallest for group in groups]),
-            np.concatenate([group.largest for group in groups]),
-        )
 
     def take(self, which: NDArray[np.intp]) -> Enclosure:
         """Keep those at some places."""

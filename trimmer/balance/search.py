@@ -74,6 +74,8 @@ def find_all(problem: Problem) -> SearchResult:
         boxes, examined = first_grid(problem)
         while len(boxes):
             found, settled = _settled(problem, boxes.cells, found)
+            if settled.all():
+                break
             given_up = ~settled & _hopeless(boxes)
             undecided.append(boxes.cells.take(given_up))
             left = ~(settled | given_up)
@@ -110,12 +112,13 @@ def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Soluti
         return found, settled
     tried_regions = regions.take(tried)
     u, x, converged = solve_in(problem.response, problem.curve, tried_regions, test.u[tried], test.x[tried])
-    for place in np.flatnonzero(converged):
-        if not found.regions.contains(u[place], x[place]).any():
-            found = _Solutions(
-                np.append(found.u, u[place]),
-                np.append(found.x, x[place]),
-                Cells.joined([found.regions, tried_regions.take(np.array([place]))]),
-            )
-    settled[tried] |= tried_regions.hold_any_of(found.u, found.x)
+    # What lies in the region of a solution is that solution.
+    again = np.triu(tried_regions.hold(u, x) & converged[:, None], 1).any(axis=0)
+    first = converged & ~again & ~found.regions.hold(u, x).any(axis=0)
+    found = _Solutions(
+        np.concatenate([found.u, u[first]]),
+        np.concatenate([found.x, x[first]]),
+        Cells.joined([found.regions, tried_regions.take(first)]),
+    )
+    settled[tried] |= tried_regions.hold(found.u, found.x).any(axis=1)
     return found, settled | cells.lie_within(found.regions)

@@ -92,13 +92,9 @@ class Backlash(Element):
         """Find the steady motion at arrays of one dimension and equal size; NaN where there is none."""
         return steady_motion(self.gap, amplitude, self.gamma(omega))
 
-    def _fundamental(self, motion: BacklashMotion) -> Complexes:
-        """Evaluate N_1."""
-        return fundamental(motion)
-
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         motion = self._motion(amplitude, omega)
-        return self._fundamental(motion) if harmonic == 1 else harmonic_of(motion, harmonic)
+        return fundamental(motion) if harmonic == 1 else harmonic_of(motion, harmonic)
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return position(self._motion(amplitude, omega), phase, amplitude, self.gap)
@@ -107,4 +103,4 @@ class Backlash(Element):
         motion = self._motion(amplitude, omega)
         by_u = slope_by_ratio(motion)
         by_log_omega = slope_by_log_gamma(motion) if self.depends_on_frequency else 0.0 * by_u
-        return Expansion(self._fundamental(motion), by_u, by_log_omega)
+        return Expansion(fundamental(motion), by_u, by_log_omega)

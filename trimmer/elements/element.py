@@ -137,7 +137,8 @@ class Element(ABC):
         if np.count_nonzero(missing):
             for part in parts:
                 part[missing.ravel()] = np.nan
-        return Expansion(*(_scalar_if_0d(part.reshape(amplitudes.shape)) for part in parts))
+        value, by_u, by_log_omega = (part.reshape(amplitudes.shape)[()] for part in parts)
+        return Expansion(value, by_u, by_log_omega)
 
     @abstractmethod
     def domain(self, omega: ArrayLike | None = None) -> Reals:

@@ -17,7 +17,7 @@ from trimmer.elements.backlash_motion import (
     separation,
 )
 from trimmer.elements.bounds import range_shape
-from trimmer.elements.expansion import Variation
+from trimmer.elements.expansion import Expansion, Variation
 from trimmer.elements.small_arguments import argument_less_sine
 
 if TYPE_CHECKING:
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
     Reals = NDArray[np.float64]
     Complexes = NDArray[np.complex128]
+
+_LARGEST = np.finfo(float).max
 
 
 @final
@@ -63,22 +65,35 @@ class FrictionBacklash(Backlash):
         """Return what stands for zero."""
         return np.full(omega.shape, GAMMA_LIMITS[0])
 
-    def _fundamental(self, motion: BacklashMotion) -> Complexes:
-        """Evaluate N_1 = (l - sin l cos l - j sin² l) / π, with l for the angle of contact."""
-        return complex_of(
-            argument_less_sine(2.0 * motion.contact) / (2.0 * np.pi), -(motion.impact**2) / np.pi
-        )
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        if harmonic == 1:
+            return _fundamental(*self._half_contact(amplitude))
+        return super()._describing_function(amplitude, omega, harmonic)
+
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        """Evaluate N_1 and dN_1/du = 2j exp(jl) / π, with l for the angle of contact."""
+        sine, cosine = self._half_contact(amplitude)
+        by_u = complex_of(-2.0 * SLOPE_BY_RATIO * sine * cosine, SLOPE_BY_RATIO * (cosine**2 - sine**2))
+        return Expansion(_fundamental(sine, cosine), by_u, 0.0 * by_u)
 
     def _motion(self, amplitude: Reals, omega: Reals) -> BacklashMotion:
         """Find the steady motion: from the pin's peak on, the load rests for acos(1 - gap/amplitude)."""
-        finite = np.minimum(amplitude, np.finfo(float).max)
+        sine, cosine = self._half_contact(amplitude)
+        flight, contact = 2.0 * np.arctan2(cosine, sine), 2.0 * np.arctan2(sine, cosine)
+        gamma = self.gamma(omega)
+        return BacklashMotion(gamma, *separation(gamma), flight, contact, 2.0 * sine * cosine)
+
+    def _half_contact(self, amplitude: Reals) -> tuple[Reals, Reals]:
+        """Find sine and cosine of half the angle of contact, each to full relative precision."""
+        finite = np.minimum(amplitude, _LARGEST)
         half_gap = 0.5 * self.gap
         pushed = finite - half_gap
-        # Whichever angle is below a quarter period is found first, from its own sine.
-        known = 2.0 * np.arcsin(np.sqrt(np.minimum(half_gap, pushed) / finite))
-        known[pushed <= 0] = np.nan
-        other = np.pi - known
-        brief_contact = pushed <= half_gap
-        flight, contact = np.where(brief_contact, (other, known), (known, other))
-        gamma = self.gamma(omega)
-        return BacklashMotion(gamma, *separation(gamma), flight, contact, np.sin(known))
+        pushed[pushed <= 0] = np.nan
+        return np.sqrt(pushed / finite), np.sqrt(half_gap / finite)
+
+
+def _fundamental(sine: Reals, cosine: Reals) -> Complexes:
+    """Evaluate N_1 = (l - sin l cos l - j sin² l) / π from the sine and cosine of l/2, l in (0, π)."""
+    twice_the_contact = 4.0 * np.arctan2(sine, cosine)
+    real = argument_less_sine(twice_the_contact) / (2.0 * np.pi)
+    return complex_of(real, -4.0 / np.pi * (sine * cosine) ** 2)
