@@ -43,7 +43,7 @@ def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
         # Where the difference vanishes a pole is at infinity; far away will do.
         difference = 1.0 + feedback
         feedback = feedback / np.where(difference == 0, np.finfo(float).eps, difference)
-    loops = np.repeat(chain[None], gains.size, axis=0)
+    loops: Complexes = np.repeat(chain[None], gains.size, axis=0)
     reached = slice(1) if without else slice(None)
     loops[:, reached] -= feedback[:, None, None] * output
     return np.asarray(np.linalg.eigvals(loops), dtype=complex)
