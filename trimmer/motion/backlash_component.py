@@ -75,6 +75,11 @@ class BacklashComponent(Component):
         """Return the mode on the other side."""
         return (FREE, LOWER, UPPER, RESTING)[mode]
 
+    @property
+    def even_states(self) -> int:
+        """One: the share that is left of the velocity."""
+        return 1 if self.slows_down else 0
+
     def output_law(self, mode: int) -> OutputLaw:
         """Return the position of the load."""
         if mode in (FREE, RESTING):

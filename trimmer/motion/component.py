@@ -141,6 +141,11 @@ class Component(ABC):
     def mirrored(self, mode: int) -> int:
         """Return the mode that takes the place of one when input, states and output change their signs."""
 
+    @property
+    def even_states(self) -> int:
+        """Number of own states, the last ones, that keep their signs then."""
+        return 0
+
     @abstractmethod
     def output_law(self, mode: int) -> OutputLaw:
         """Return how the output follows in a mode."""

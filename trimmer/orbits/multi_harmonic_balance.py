@@ -76,13 +76,18 @@ def multi_harmonic_balance(
     """
     if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
         raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
-    return list(_solutions(system, element, cycle, orders))
+    return list(solutions(system, element, (cycle.amplitude, cycle.omega), orders))
 
 
-def _solutions(
-    system: control.LTI, element: Element, cycle: LimitCycle, orders: Sequence[int]
+def solutions(
+    system: control.LTI, element: Element, guess: tuple[float, float], orders: Sequence[int]
 ) -> Iterator[BalancedHarmonics]:
-    harmonics, omega = np.array([cycle.amplitude + 0j]), cycle.omega
+    """Solve for one order after the other, from a guess of amplitude and omega (rad/s).
+
+    Raises:
+        OrbitNotFoundError: if there is no solution near the one before.
+    """
+    harmonics, omega = np.array([guess[0] + 0j]), guess[1]
     for order in orders:
         harmonics = np.append(harmonics, np.zeros((order + 1) // 2 - len(harmonics)))
         solution = _solve(system, element, order, harmonics, omega)

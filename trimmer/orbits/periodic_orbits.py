@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,11 +13,12 @@ import numpy as np
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.motion.loops import ClosedLoop
+from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.errors import OrbitNotFoundWarning
-from trimmer.orbits.guess import starting_point
+from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.orbits.shooting import Return, solve
+from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
     import control
@@ -32,8 +34,9 @@ def periodic_orbits(
     """Find exact periodic motions of the loop 1 + N G = 0, stable or not, by Newton's method.
 
     Each guess gives a first harmonic from which the motion is followed exactly through its events for half a
-    period; the state that returns with its signs changed belongs to an orbit. All elements are odd, so the
-    orbits that harmonic balance can predict have this symmetry.
+    period; the state that returns with its signs changed belongs to an orbit. Where that fails, as with brief
+    contacts, more harmonics are balanced first. All elements are odd, so the orbits that harmonic balance can
+    predict have this symmetry.
 
     Args:
         system: G, strictly proper, one input and one output, continuous in time.
@@ -87,7 +90,15 @@ def _near(
 ) -> PeriodicOrbit | None:
     if np.isnan(loop.element.describing_function(amplitude, omega)):
         return None
-    start = starting_point(loop, amplitude, omega)
+    first = starting_point(loop, amplitude, omega), omega
+    for start, trial in chain([first], balanced_starts(loop, amplitude, omega)):
+        found = _shot(loop, start, trial)
+        if found is not None:
+            return orbit_of(loop, *found, prediction)
+    return None
+
+
+def _shot(loop: ClosedLoop, start: Start, omega: float) -> tuple[Return, Shot] | None:
     problem = Return(loop.modes, mirrored=True, driven=False, sizes=start.sizes)
     shot = solve(problem, start.mode, start.state, math.pi / omega)
-    return None if shot is None else orbit_of(loop, problem, shot, prediction)
+    return None if shot is None else (problem, shot)

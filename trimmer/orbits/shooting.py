@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -81,7 +82,7 @@ class Return:
         slope, end = derivative(self.modes, chain)
         rate = self.modes.mode(int(log.mode[-1])).matrix @ end
         if self.mirrored:
-            slope, end, rate = -slope, -end, -rate
+            slope, end, rate = self._signs[:, None] * slope, self._signs * end, self._signs * rate
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
@@ -102,6 +103,16 @@ class Return:
         solution = np.linalg.solve(bordered, np.append(gap, 0.0))
         correction[free] = solution[:-1] * scale
         return correction, float(solution[-1]) * shot.span
+
+    @cached_property
+    def _signs(self) -> Reals:
+        """Return what mirroring does to each entry of the extended state."""
+        layout = self.modes.layout
+        signs = np.full(layout.size, -1.0)
+        for first, component in zip(layout.first_states, self.modes.system.components, strict=True):
+            end = first + component.state_count
+            signs[end - component.even_states : end] = 1.0
+        return signs
 
     def _final(self, mode: int) -> int:
         if not self.mirrored:

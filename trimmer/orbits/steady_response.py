@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,6 +31,21 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
 """Gauss-Legendre quadrature; each piece of an output is smooth, so it is exact to rounding."""
 
 
+@dataclass(frozen=True, eq=False)
+class Flight:
+    """The flight of a load; then it is in contact with the lower side for the rest of half a period.
+
+    Attributes:
+        leave: Phase at which the load leaves the upper side, rad.
+        meet: Phase at which it meets the lower side, rad.
+        position: Of the load, at phases in between.
+    """
+
+    leave: float
+    meet: float
+    position: Callable[[Reals], Reals]
+
+
 def steady_response(element: Element, given: OddPolynomial, omega: float) -> Complexes | None:
     """Return the odd harmonics of the output, as many as the input has; None if there is no steady output.
 
@@ -47,6 +63,40 @@ def steady_response(element: Element, given: OddPolynomial, omega: float) -> Com
             return None
         total += factor * response
     return total
+
+
+def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) -> Flight | None:
+    """Return the flight of a load from the upper side to the lower one; None if there is no such flight.
+
+    Args:
+        component: The backlash.
+        given: Its input.
+        omega: rad/s.
+    """
+    gamma, half_gap = omega * component.time_constant, 0.5 * component.gap
+
+    def force(phase: Reals) -> Reals:
+        if math.isinf(gamma):
+            return given(phase, 2)
+        return gamma * given(phase, 2) + given(phase, 1)
+
+    leave = falls_through_zero(force, *_period_around(given))
+    if leave is None:
+        return None
+    start, velocity = float(given(leave)) - half_gap, float(given(leave, 1))
+
+    def position(phase: Reals) -> Reals:
+        elapsed = phase - leave
+        if gamma == 0.0:
+            return np.full(phase.shape, start)
+        if math.isinf(gamma):
+            return start + velocity * elapsed
+        return start - velocity * gamma * np.expm1(-elapsed / gamma)
+
+    meet = falls_through_zero(
+        lambda phase: given(phase) + half_gap - position(phase), leave + 1e-9, leave + math.pi
+    )
+    return None if meet is None else Flight(leave, meet, position)
 
 
 def _of_component(component: Component, given: OddPolynomial, omega: float) -> Complexes | None:
@@ -71,33 +121,13 @@ def _relay(component: RelayComponent, given: OddPolynomial) -> Complexes | None:
 
 
 def _backlash(component: BacklashComponent, given: OddPolynomial, omega: float) -> Complexes | None:
-    gamma, half_gap = omega * component.time_constant, 0.5 * component.gap
-
-    def force(phase: Reals) -> Reals:
-        if math.isinf(gamma):
-            return given(phase, 2)
-        return gamma * given(phase, 2) + given(phase, 1)
-
-    leave = falls_through_zero(force, *_period_around(given))
-    if leave is None:
+    flight = flight_of(component, given, omega)
+    if flight is None:
         return None
-    position, velocity = float(given(leave)) - half_gap, float(given(leave, 1))
-
-    def flight(phase: Reals) -> Reals:
-        elapsed = phase - leave
-        if gamma == 0.0:
-            return np.full(phase.shape, position)
-        if math.isinf(gamma):
-            return position + velocity * elapsed
-        return position - velocity * gamma * np.expm1(-elapsed / gamma)
-
-    def contact(phase: Reals) -> Reals:
-        return given(phase) + half_gap
-
-    meet = falls_through_zero(lambda phase: contact(phase) - flight(phase), leave + 1e-9, leave + math.pi)
-    if meet is None:
-        return None
-    return _harmonics(given, [(leave, meet, flight), (meet, leave + math.pi, contact)])
+    leave, meet = flight.leave, flight.meet
+    half_gap = 0.5 * component.gap
+    pieces = [(leave, meet, flight.position), (meet, leave + math.pi, lambda phase: given(phase) + half_gap)]
+    return _harmonics(given, pieces)
 
 
 def _period_around(given: OddPolynomial) -> tuple[float, float]:

@@ -1,0 +1,142 @@
+"""From harmonic balance with several harmonics to a state from which the exact orbit can be found."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.orbits.errors import OrbitNotFoundError
+from trimmer.orbits.guess import Start
+from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
+from trimmer.orbits.steady_response import Flight, flight_of, steady_response
+from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+    from trimmer.motion.component import Component
+    from trimmer.motion.loops import ClosedLoop
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+ORDERS = (1, 3, 5, 7, 9, 11, 13, 15)
+"""Harmonics that are balanced, one after the other."""
+HARMONICS = 63
+"""Highest harmonic of the element's output that moves the linear system."""
+SLOWING = 3
+"""States of a load that slows down: position, velocity, and the share that is left of the latter."""
+
+
+def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterator[tuple[Start, float]]:
+    """Give modes and extended states on the motion of many balanced harmonics, and its omega, rad/s.
+
+    They serve where contact is so brief that the first harmonic alone misses it. Each is in the middle of a
+    flight, a contact, or a half period of a relay, where no event is near; the longest comes first. There is
+    none if no more harmonics than the first can be balanced.
+
+    Args:
+        loop: The closed loop.
+        amplitude: Of the element's input, as the first harmonic alone gives it.
+        omega: rad/s.
+    """
+    balanced = _highest(loop, amplitude, omega)
+    if balanced is None:
+        return
+    coefficients = np.zeros((HARMONICS + 1) // 2, dtype=complex)
+    coefficients[: len(balanced.harmonics)] = balanced.harmonics
+    given = OddPolynomial(coefficients)
+    output = steady_response(loop.element, given, balanced.omega)
+    if output is not None:
+        for phase in _quiet_phases(loop, given, balanced.omega):
+            yield _start(loop, given, output, balanced.omega, phase), balanced.omega
+
+
+def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: float, phase: float) -> Start:
+    model, layout = loop.model, loop.modes.layout
+    state, sizes = np.zeros(layout.size), np.ones(layout.size)
+    pencils = 1j * omega * given.numbers[:, None, None] * np.eye(model.nstates) - model.A
+    responses = np.linalg.solve(pencils, model.B[None])[:, :, 0] * output[:, None]
+    state[: model.nstates] = (np.exp(1j * phase * given.numbers) @ responses).imag
+    sizes[: model.nstates] = abs(responses).sum(axis=0)
+    state[-1] = 1.0
+    chosen = []
+    for first, component in zip(layout.first_states, loop.modes.system.components, strict=True):
+        own = slice(first, first + component.state_count)
+        mode, state[own] = _on(component, given, omega, phase)
+        sizes[own] = np.array([1.0, omega, 0.0])[: component.state_count] * given.largest()
+        if component.state_count == SLOWING:
+            sizes[own.stop - 1] = 1.0
+        chosen.append(mode)
+    return Start(loop.modes.number(tuple(chosen)), state, sizes)
+
+
+def _highest(loop: ClosedLoop, amplitude: float, omega: float) -> BalancedHarmonics | None:
+    """Balance as many harmonics as there is a solution for; None if only the first."""
+    best = None
+    try:
+        for balanced in solutions(loop.system, loop.element, (amplitude, omega), ORDERS):
+            best = balanced
+    except OrbitNotFoundError:
+        pass
+    return best if best is not None and best.order > 1 else None
+
+
+def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[float]:
+    """Return the middles of flight and contact of the first backlash, or of the negative half of a relay."""
+    components = loop.modes.system.components
+    for backlash in (each for each in components if isinstance(each, BacklashComponent)):
+        flight = flight_of(backlash, given, omega)
+        if flight is None:
+            return []
+        end = flight.leave + math.pi
+        middles = [0.5 * (flight.leave + flight.meet), 0.5 * (flight.meet + end)]
+        return middles if flight.meet - flight.leave > end - flight.meet else middles[::-1]
+    for relay in (each for each in components if isinstance(each, RelayComponent)):
+        switch = _after_switch(given, 1 if relay.of_rate else 0)
+        return [] if switch is None else [switch]
+    return []
+
+
+def _after_switch(given: OddPolynomial, derivative: int) -> float | None:
+    """Return a quarter of a period after the input of a relay, or its rate, falls through zero."""
+
+    def switching(phase: Reals) -> Reals:
+        return given(phase, derivative)
+
+    switch = falls_through_zero(switching, -0.5, 6.5)
+    return None if switch is None else switch + 0.5 * math.pi
+
+
+def _on(component: Component, given: OddPolynomial, omega: float, phase: float) -> tuple[int, Reals]:
+    """Return the mode of a component at a phase, and its own states."""
+    match component:
+        case BacklashComponent():
+            flight = flight_of(component, given, omega)
+            assert flight is not None, "its output was found before"
+            mode, states = _of_load(flight, omega, phase, component.time_constant)
+            return mode, states[: component.state_count]
+        case RelayComponent():
+            positive = float(given(phase, 1 if component.of_rate else 0)) > 0
+            return (PLUS if positive else MINUS), np.zeros(component.state_count)
+    return 0, np.zeros(component.state_count)
+
+
+def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -> tuple[int, Reals]:
+    """Return the mode of a load, its position, its velocity, and the share that is left of the first one."""
+    turns, since = divmod(phase - flight.leave, math.pi)
+    mirrored = turns % 2 == 1
+    if flight.leave + since >= flight.meet:
+        return (UPPER if mirrored else LOWER), np.array([0.0, 0.0, 1.0])
+    step = 1e-4 * (flight.meet - flight.leave)
+    around = flight.position(flight.leave + since + step * np.array([-1.0, 0.0, 1.0]))
+    sign = -1.0 if mirrored else 1.0
+    velocity = omega * (around[2] - around[0]) / (2.0 * step)
+    share = math.exp(-since / (omega * time_constant)) if time_constant > 0 else 0.0
+    return FREE, np.array([sign * around[1], sign * velocity, share])
