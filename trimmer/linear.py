@@ -11,6 +11,7 @@ import numpy as np
 
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
+from trimmer.parameters import ParameterError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -87,10 +88,16 @@ def pin_model(
 
     Returns:
         A continuous-time system with 8 states, one input and one output, named; SI units.
+
+    Raises:
+        ParameterError: if the parameters are so far apart that the equations overflow.
     """
     model = linear_model(parameters, output)
     A, B, C = model.A, model.B, model.C
     from_displacement, from_velocity = B[:, :1], B[:, 1:]
+    with np.errstate(all="ignore"):
+        # What is computed from the model next needs products of its entries.
+        _require_finite(parameters, A @ A, A @ B)
     if channels is InputChannels.DISPLACEMENT_ONLY:
         pin_input, feedthrough, states = from_displacement, np.zeros((1, 1)), STATES
     else:
@@ -122,16 +129,22 @@ def transfer_function(
 
     Returns:
         A continuous-time system with a monic denominator of degree 8; dimensionless (m/m).
+
+    Raises:
+        ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
     values = parameters.values()
     weights = np.array(output.row)
-    numerator = weights @ np.array(linear_trimmer.displacement_numerators(*values))
-    if channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
-        velocity_numerator = weights @ np.array(linear_trimmer.velocity_numerators(*values))
-        numerator = np.polyadd(numerator, np.append(velocity_numerator, 0.0))
+    denominator = np.array(linear_trimmer.characteristic_polynomial(*values))
+    with np.errstate(all="ignore"):
+        numerator = weights @ np.array(linear_trimmer.displacement_numerators(*values))
+        if channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
+            velocity_numerator = weights @ np.array(linear_trimmer.velocity_numerators(*values))
+            numerator = np.polyadd(numerator, np.append(velocity_numerator, 0.0))
+    _require_finite(parameters, numerator, denominator)
     return control.tf(
         _without_leading_zeros(numerator),
-        np.array(linear_trimmer.characteristic_polynomial(*values)),
+        denominator,
         name="linear_trimmer",
         inputs=[INPUTS[0]],
         outputs=[output.label],
@@ -140,3 +153,13 @@ def transfer_function(
 
 def _without_leading_zeros(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.trim_zeros(coefficients, "f") if coefficients.any() else np.zeros(1)
+
+
+def _require_finite(parameters: TrimmerParameters, *results: NDArray[np.float64]) -> None:
+    """Check that no product or ratio of the parameters overflowed."""
+    if not all(np.isfinite(result).all() for result in results):
+        lightest = min(("m1", "m2", "m3", "m4"), key=lambda name: getattr(parameters, name))
+        raise ParameterError(
+            "the parameters are too many powers of ten apart, so that the equations overflow: "
+            f"the lightest body has {lightest} = {getattr(parameters, lightest)!r} kg; is the unit kg?"
+        )

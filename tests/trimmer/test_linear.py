@@ -13,7 +13,7 @@ from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, e
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
 from trimmer.linear import INPUTS, STATES, InputChannels, linear_model, pin_model, transfer_function
-from trimmer.parameters import TrimmerParameters
+from trimmer.parameters import ParameterError, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 OUTPUTS = (*map(Displacement, Body), *(Displacement(*pair) for pair in permutations(Body, 2)))
@@ -188,3 +188,11 @@ def test_a_faster_trimmer_has_the_same_response_at_higher_frequency(parameters, 
         pin_model(parameters, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega),
         rtol=1e-7,
     )
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("build", [transfer_function, pin_model])
+@pytest.mark.parametrize("channels", CHANNELS)
+def test_parameters_so_far_apart_that_the_equations_overflow_are_named(build, channels) -> None:
+    with pytest.raises(ParameterError, match=r"overflow: the lightest body has m2 = 1e-300 kg"):
+        build(dataclasses.replace(THESIS, m2=1e-300), channels=channels)

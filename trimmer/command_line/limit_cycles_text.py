@@ -8,12 +8,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
+from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
     import control
 
-    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle, UndecidedRegion
+    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.identification import IdentifiedTimeConstant
 
@@ -22,20 +23,12 @@ _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" 
 
 def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
     """Lay limit cycles out as a table, followed by what is certain."""
-    certificate = balance.certificate
     rows = [
         (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
         for cycle in balance.limit_cycles
     ]
     lines = [f"Limit cycles of {element!r}", *table(_HEADS, rows)]
-    lowest, highest = certificate.omegas
-    others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
-    outside = "; none exist outside" if certificate.outside_excluded else ""
-    lines.append(f"searched from {lowest:.6g} to {highest:.6g} rad/s: {others}{outside}")
-    lines += [
-        f"undecided: {_range(region.omegas)} rad/s, amplitude {_range(region.amplitudes)}"
-        for region in certificate.undecided
-    ]
+    lines += certificate_as_text(balance.certificate)
     if any(cycle.near_tangency for cycle in balance.limit_cycles):
         lines.append(
             "an angle below 5 degrees: the curves nearly touch, so existence and stability are uncertain"
@@ -45,7 +38,6 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
 
 def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
     """Give limit cycles as JSON: full precision, SI units; what is infinite is null."""
-    certificate = balance.certificate
     content = {
         "element": repr(element),
         "limit_cycles": [
@@ -57,14 +49,7 @@ def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
             }
             for cycle in balance.limit_cycles
         ],
-        "certificate": {
-            "method": certificate.method,
-            "omegas": certificate.omegas,
-            "outside_excluded": certificate.outside_excluded,
-            "complete": certificate.complete,
-            "boxes": certificate.boxes,
-            "undecided": [_region(region) for region in certificate.undecided],
-        },
+        "certificate": certificate_as_json(balance.certificate),
     }
     return json.dumps(content, indent=2, allow_nan=False)
 
@@ -103,17 +88,6 @@ def _cycle_row(cycle: LimitCycle) -> tuple[str, ...]:
     numbers = (cycle.amplitude, cycle.omega, cycle.frequency)
     stable = "yes" if cycle.stable else "no"
     return (*(f"{number:.6g}" for number in numbers), stable, f"{math.degrees(cycle.crossing_angle):.3g}")
-
-
-def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
-    return {
-        "amplitudes": [_finite(end) for end in region.amplitudes],
-        "omegas": [_finite(end) for end in region.omegas],
-    }
-
-
-def _range(ends: tuple[float, float]) -> str:
-    return f"{ends[0]:.9g} to {ends[1]:.9g}"
 
 
 def _finite(value: float) -> float | None:

@@ -47,11 +47,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"trimmer: {error}", file=sys.stderr)
         return WRONG_USE
     except BrokenPipeError:
-        # The reader has seen enough, as in `trimmer linear | head`; Python would complain on closing stdout.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # The reader has seen enough, as in `trimmer linear | head`.
+        _drop_output()
         return 0
+    except OSError as error:
+        # What commands read and write themselves they report as a TrimmerError; what is left is printing.
+        name = error.filename or "standard output"
+        print(f"trimmer: {name}: {error.strerror}; send the output elsewhere", file=sys.stderr)
+        _drop_output()
+        return WRONG_USE
     except KeyboardInterrupt:
         return INTERRUPTED
+
+
+def _drop_output() -> None:
+    """Send to nowhere what is left to print; Python would complain on closing standard output."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _commands() -> list[Command]:

@@ -21,19 +21,19 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.balance.solve import limit_cycles
+    from trimmer.balance.solve import harmonic_balance
     from trimmer.command_line.loop_options import OptionError
     from trimmer.command_line.orbits_text import as_json, as_text
     from trimmer.orbits.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
 
     element, system = chosen_element(arguments), linear_part(arguments)
-    predictions = limit_cycles(system, element)
+    predictions = harmonic_balance(system, element)
     with warnings.catch_warnings():
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions)
+            orbits = periodic_orbits(system, element, predictions.limit_cycles)
         except ValueError as error:
             raise OptionError(str(error)) from error
     print((as_json if arguments.json else as_text)(element, predictions, orbits))

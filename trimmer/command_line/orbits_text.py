@@ -6,37 +6,41 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
-    from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "error", "predicted Hz", "error")
 
 
-def as_text(element: Element, predictions: Sequence[LimitCycle], orbits: Sequence[PeriodicOrbit]) -> str:
-    """Lay orbits out as a table, each beside its prediction."""
+def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
+    """Lay orbits out as a table, each beside its prediction, followed by what is certain of those."""
     lines = [f"Exact limit cycles of {element!r}", *table(HEADS, [_row(orbit) for orbit in orbits])]
     lines += [
         f"predicted, but not found: amplitude {each.amplitude:.6g} at {each.frequency:.6g} Hz"
-        for each in _without_orbit(predictions, orbits)
+        for each in _without_orbit(predictions.limit_cycles, orbits)
     ]
+    searched, *undecided = certificate_as_text(predictions.certificate)
+    lines += [f"predictions {searched}", *undecided]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
 
 
-def as_json(element: Element, predictions: Sequence[LimitCycle], orbits: Sequence[PeriodicOrbit]) -> str:
+def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
     """Give orbits as JSON: full precision, SI units."""
     content = {
         "element": repr(element),
         "orbits": [_entry(orbit) for orbit in orbits],
         "not_found": [
             {"amplitude": each.amplitude, "frequency": each.frequency}
-            for each in _without_orbit(predictions, orbits)
+            for each in _without_orbit(predictions.limit_cycles, orbits)
         ],
+        "certificate": certificate_as_json(predictions.certificate),
     }
     return json.dumps(content, indent=2, allow_nan=False)
 

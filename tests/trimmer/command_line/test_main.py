@@ -91,6 +91,22 @@ def test_what_the_user_can_put_right_is_told_without_a_traceback(entry, capsys, 
     assert capsys.readouterr().err == "trimmer: do this instead\n"
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_behind_standard_output_is_told(project_folder: Path) -> None:
+    code = "import sys; from trimmer.command_line.main import main; sys.exit(main(['parameters']))"
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            cwd=project_folder,
+            check=False,
+        )
+    expected = "trimmer: standard output: No space left on device; send the output elsewhere\n"
+    assert (done.returncode, done.stderr) == (2, expected)
+
+
 def test_an_error_of_the_program_is_not_hidden(entry, monkeypatch) -> None:
     monkeypatch.setattr(sys.modules[__name__], "OTHER", fail(ZeroDivisionError("a bug")))
     with pytest.raises(ZeroDivisionError):

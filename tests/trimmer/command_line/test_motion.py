@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import warnings
 import wave
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from trimmer.command_line.main import main
+from trimmer.parameters import TrimmerParameters
 
 CLOSED = [
     "simulate",
@@ -97,3 +100,23 @@ def test_orbits_stand_beside_their_predictions(capsys: pytest.CaptureFixture[str
     orbits = json.loads(capsys.readouterr().out)["orbits"]
     assert [orbit["stable"] for orbit in orbits] == [True, False]
     assert orbits[0]["amplitude"] == pytest.approx(8.28949 * 4e-6, rel=1e-6)
+
+
+def test_orbits_tell_where_their_predictions_are_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Without damping G is real, so -1/G lies on the real axis, which N meets at infinite amplitude.
+    undamped = replace(TrimmerParameters.thesis(), c1=0.0, c2=0.0, c3=0.0, c4=0.0)
+    (tmp_path / "undamped.toml").write_text(undamped.to_toml())
+    chosen = ["orbits", "--element", "friction", "--gap", "4e-5"]
+    chosen += ["--parameters", str(tmp_path / "undamped.toml")]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert main(chosen) == 0
+        told = capsys.readouterr()
+        assert "undecided: 1394.27979 to 1394.27979 rad/s" in told.out
+        assert told.err == ""
+        assert main([*chosen, "--json"]) == 0
+    undecided = json.loads(capsys.readouterr().out)["certificate"]["undecided"]
+    assert [region["amplitudes"][1] for region in undecided] == [None] * len(undecided)
+    assert undecided[0]["omegas"][0] == pytest.approx(1394.27979)

@@ -1,0 +1,50 @@
+"""How far it is certain that no limit cycle is missing, as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from trimmer.balance.limit_cycle import Certificate, UndecidedRegion
+
+
+def certificate_as_text(certificate: Certificate) -> list[str]:
+    """Say in lines what was searched, and where nothing is decided."""
+    lowest, highest = certificate.omegas
+    others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
+    outside = "; none exist outside" if certificate.outside_excluded else ""
+    return [
+        f"searched from {lowest:.6g} to {highest:.6g} rad/s: {others}{outside}",
+        *(
+            f"undecided: {_range(region.omegas)} rad/s, amplitude {_range(region.amplitudes)}"
+            for region in certificate.undecided
+        ),
+    ]
+
+
+def certificate_as_json(certificate: Certificate) -> dict[str, object]:
+    """Give a certificate as entries of JSON, in SI units; what is infinite is null."""
+    return {
+        "method": certificate.method,
+        "omegas": certificate.omegas,
+        "outside_excluded": certificate.outside_excluded,
+        "complete": certificate.complete,
+        "boxes": certificate.boxes,
+        "undecided": [_region(region) for region in certificate.undecided],
+    }
+
+
+def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
+    return {
+        "amplitudes": [_finite(end) for end in region.amplitudes],
+        "omegas": [_finite(end) for end in region.omegas],
+    }
+
+
+def _range(ends: tuple[float, float]) -> str:
+    return f"{ends[0]:.9g} to {ends[1]:.9g}"
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
