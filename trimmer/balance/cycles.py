@@ -25,7 +25,7 @@ def limit_cycles_at(loop: Loop, u: NDArray[np.float64], x: NDArray[np.float64]) 
     inverse, slope = loop.response.value_and_slope(x)
     gain, by_u, gain_by_x = loop.curve.expansion(u, x)
     amplitudes, omegas = loop.curve.amplitude(u), np.exp(x)
-    unstable = other_unstable_poles(loop.response, gain, omegas)
+    unstable = other_unstable_poles(loop, gain, amplitudes, omegas)
     # 1 + N G of the loop as it was given.
     residuals = np.abs((gain + inverse) / (inverse - loop.linear.value(omegas)))
     cycles = []

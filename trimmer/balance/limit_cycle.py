@@ -16,16 +16,16 @@ class LimitCycle:
     Attributes:
         amplitude: Half of peak to peak at the input of the element, in the unit of that input.
         omega: Angular frequency, rad/s.
-        stable: Whether a small change of amplitude dies out: Loeb's criterion holds, and all other poles of
-            the loop with N frozen lie in the left half plane. See ``trimmer.balance.stability`` for what that
-            does not cover.
+        stable: Whether a small change dies out: Loeb's criterion holds for the amplitude, and there are no
+            other unstable poles. See ``trimmer.balance.stability`` for what that does not cover.
         residual: |1 + N G| as computed.
         crossing_angle: Angle between the curves N (rising amplitude) and -1/G (rising frequency), rad, from 0
             to pi/2, with N taken as it changes with frequency too.
         index: 1 where Loeb's criterion holds, -1 where not: the sign of the Jacobian determinant of 1 + N G
             over ln A and ln omega.
         other_unstable_poles: Number of poles of the loop with N frozen that lie in the right half plane at
-            positive frequencies, without the pair of the limit cycle itself.
+            positive frequencies, without the pair of the limit cycle itself, and of positive real ones of
+            the loop of its mean.
     """
 
     amplitude: float

@@ -5,10 +5,11 @@ s = sigma + j omega, F(A + dA, omega + d omega - j sigma) = 0 gives sigma = Im(F
 amplitude returns if sigma < 0 for dA > 0, that is if X_A Y_omega - X_omega Y_A > 0 (Loeb's
 criterion; Gelb and Vander Velde, Multiple-Input Describing Functions, 1968, treat it).
 
-This sees one pole pair, and only slow changes. The other poles are those of 1 + N G(s) with N frozen; N being
-complex for positive frequencies, those with a positive imaginary part count. The test says nothing about
-changes within one period, about an element's memory, or where the harmonics are not small; near tangency it
-is undecided.
+This sees one pole pair, and only slow changes. The other poles that oscillate are those of 1 + N G(s) with N
+frozen; N being complex for positive frequencies, those with a positive imaginary part count. Whether the mean
+runs away is told by the real poles of 1 + N_mean G(s), with the element's gain for the mean of its input
+(``Element.mean_gain``). The test says nothing about changes within one period, about an element's memory, or
+where the harmonics are not small; near tangency it is undecided.
 """
 
 from __future__ import annotations
@@ -23,7 +24,16 @@ from trimmer.balance.closed_loop import closed_loop_poles
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.balance.inverse_response import InverseResponse
+    from trimmer.balance.loop import Loop
+
+    Reals = NDArray[np.float64]
+    Complexes = NDArray[np.complex128]
+
+_ROUNDING = 1e-9
+"""Part of a pole below which its real or imaginary part is taken for rounding."""
+
+_NEARLY_REAL = 1e-7
+"""The same for the imaginary part of a real pole, which may be a double one."""
 
 
 def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:
@@ -36,18 +46,25 @@ def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:
     return cross / size if size else math.nan
 
 
-def other_unstable_poles(
-    response: InverseResponse, gains: NDArray[np.complex128], omegas: NDArray[np.float64]
-) -> NDArray[np.intp]:
-    """Count the poles of 1 + N G(s), N frozen, with Re s > 0 and Im s > 0, without the one at j omega.
+def other_unstable_poles(loop: Loop, gains: Complexes, amplitudes: Reals, omegas: Reals) -> NDArray[np.intp]:
+    """Count the unstable poles of the loop at each limit cycle, without the pair of the limit cycle itself.
+
+    They are those of 1 + N G(s), N frozen, with Re s > 0 and Im s > 0, and the real ones of the mean.
 
     Args:
-        response: 1/G.
+        loop: The loop.
         gains: N at each limit cycle.
-        omegas: Their angular frequencies, rad/s.
+        amplitudes: At the element's input.
+        omegas: rad/s.
     """
-    poles = closed_loop_poles(response, gains)
-    own = np.abs(poles - 1j * omegas[:, None] / response.reference).argmin(axis=1)
-    poles[np.arange(gains.size), own] = 0.0
-    rounding = 1e-9 * np.abs(poles)
-    return np.asarray(((poles.real > rounding) & (poles.imag > rounding)).sum(axis=1))
+    response = loop.response
+    mean_gains, place = np.unique(loop.curve.element.mean_gain(amplitudes), return_inverse=True)
+    poles = closed_loop_poles(response, np.concatenate([gains, mean_gains]))
+    swinging, of_mean = poles[: gains.size], poles[gains.size :]
+    own = np.abs(swinging - 1j * omegas[:, None] / response.reference).argmin(axis=1)
+    swinging[np.arange(gains.size), own] = 0.0
+    unstable = (swinging.real > _ROUNDING * np.abs(swinging)) & (swinging.imag > _ROUNDING * np.abs(swinging))
+    drifting = (of_mean.real > _ROUNDING * np.abs(of_mean)) & (
+        np.abs(of_mean.imag) <= _NEARLY_REAL * np.abs(of_mean)
+    )
+    return np.asarray(unstable.sum(axis=1) + drifting.sum(axis=1)[place])

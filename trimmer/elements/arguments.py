@@ -31,7 +31,7 @@ def require_not_negative(field: str, value: float, unit: str) -> None:
         ValueError: if it is not; the message names field, value and unit.
     """
     if not value >= 0:
-        raise ValueError(f"{field} must not be negative ({unit}), not {value!r}")
+        raise ValueError(f"{field} must be zero, positive or infinite ({unit}), not {value!r}")
 
 
 def harmonic_number(harmonic: int) -> int:
@@ -71,7 +71,10 @@ def positive_omegas(omega: ArrayLike) -> Reals:
 
 
 def _positive(name: str, values: ArrayLike, unit: str) -> Reals:
-    array = np.asarray(values, dtype=float)
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{name} must be a real number or an array of such ({unit}), not {values!r}")
+    array = array.astype(float, copy=False)
     wrong = array <= 0
     if np.count_nonzero(wrong):
         raise ValueError(f"{name} must be positive ({unit}), not {float(array[wrong][0])!r}")

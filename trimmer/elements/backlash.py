@@ -79,6 +79,10 @@ class Backlash(Element):
                 return Variation(by_u, np.zeros(shape)[()])
             return Variation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
 
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return 1: the motion in the gap is the same wherever the pin swings about."""
+        return np.ones(np.shape(amplitude))[()]
+
     def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:
         # Both impacts in one go: the solver takes little longer for them than for one.
         ratios, omegas = np.empty((2, *shape)), np.empty((2, *shape))

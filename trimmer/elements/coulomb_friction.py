@@ -11,7 +11,7 @@ from trimmer.elements.arguments import require_positive
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     Reals = NDArray[np.float64]
 
@@ -42,6 +42,10 @@ class CoulombFriction(SquareWaveElement):
     def height(self) -> float:
         """The force."""
         return self.force
+
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return 0: the place does not matter."""
+        return np.zeros(np.shape(amplitude))[()]
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.force * np.sign(np.cos(phase))

@@ -172,6 +172,20 @@ class Element(ABC):
         of ``sensitivity``, and so is what is proven.
         """
 
+    @abstractmethod
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return the gain for the mean of the input, while that oscillates.
+
+        It is the slope of the mean output over a small mean of the input b + A sin θ, at b = 0. A mean that
+        runs away makes a limit cycle unstable. Gelb and Vander Velde (1968), chapter 6, treat such inputs.
+
+        Args:
+            amplitude: A > 0, of any shape; inside the domain.
+
+        Returns:
+            In the unit of output over input, of the shape of the amplitude.
+        """
+
     def at(self, omega: float) -> ElementAtFrequency:
         """Return this element frozen at an omega, rad/s: its N depends on amplitude only."""
         from trimmer.elements.element_at_frequency import ElementAtFrequency

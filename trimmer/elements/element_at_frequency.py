@@ -66,6 +66,10 @@ class ElementAtFrequency(Element):
         bound = self.element.variation(u_range, (self.omega, self.omega))
         return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
 
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return that of the element; it does not depend on omega."""
+        return self.element.mean_gain(amplitude)
+
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return self.element._describing_function(amplitude, self._frozen(amplitude), harmonic)
 

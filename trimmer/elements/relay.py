@@ -11,7 +11,7 @@ from trimmer.elements.arguments import require_positive
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     Reals = NDArray[np.float64]
 
@@ -40,6 +40,10 @@ class Relay(SquareWaveElement):
     def height(self) -> float:
         """The level."""
         return self.level
+
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return 2 level / (π A), half of N_1: the mean output is (2/π) level asin(b/A)."""
+        return np.asarray(2.0 * self.level / (np.pi * np.asarray(amplitude, dtype=float)))[()]
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.level * np.sign(np.sin(phase))

@@ -63,6 +63,10 @@ class ScaledElement(Element):
         bound = self.element.variation(u_range, omega_range)
         return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return that of the element times the factor."""
+        return self.factor * self.element.mean_gain(amplitude)
+
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return self.factor * self.element._describing_function(amplitude, omega, harmonic)
 

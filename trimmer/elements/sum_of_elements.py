@@ -77,6 +77,10 @@ class SumOfElements(Element):
             reduce(add, (bound.by_log_omega for _, bound in bounds)),
         )
 
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return the sum of the terms' gains."""
+        return reduce(add, (term.mean_gain(amplitude) for term in self.terms))
+
     def _range_of(self, term: Element, u_range: Range) -> Range:
         lower, upper = u_range
         return np.divide(lower, self._ratio(term)), np.divide(upper, self._ratio(term))

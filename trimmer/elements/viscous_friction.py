@@ -67,6 +67,10 @@ class ViscousFriction(Element):
         change = np.broadcast_to(self.damping * (upper - lower), shape)
         return Variation(np.zeros(shape)[()], change[()])
 
+    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+        """Return 0: the place does not matter."""
+        return np.zeros(np.shape(amplitude))[()]
+
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return 1j * (self.damping * omega if harmonic == 1 else 0.0 * omega).astype(complex)
 

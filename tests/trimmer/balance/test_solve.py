@@ -99,7 +99,8 @@ def test_python_control_finds_the_same_as_far_as_its_grid_allows() -> None:
 def test_as_many_as_on_a_fine_grid(G, element, gain: float) -> None:
     G = G * gain / max(1.0, abs(frequency_response(G, 1.0)))
     balance = harmonic_balance(G, element)
-    if all(cycle.crossing_angle > 0.02 for cycle in balance.limit_cycles):
+    # The grid cannot see what lies within its last side, at the edge of the domain, or a near tangency.
+    if all(cycle.crossing_angle > 0.02 and cycle.amplitude > 0.5001 for cycle in balance.limit_cycles):
         assert balance.certificate.complete
         assert len(balance.limit_cycles) == count_on_grid(G, element, balance.certificate.omegas)
 

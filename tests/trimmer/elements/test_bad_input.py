@@ -52,7 +52,9 @@ def test_every_backlash_checks_its_gap(build: Callable[[float], Element]) -> Non
 
 @pytest.mark.parametrize("value", [-1e-9, -math.inf, math.nan])
 def test_a_time_constant_must_not_be_negative(value: float) -> None:
-    with pytest.raises(ValueError, match=rf"time_constant must not be negative \(s\), not {value}$"):
+    with pytest.raises(
+        ValueError, match=rf"time_constant must be zero, positive or infinite \(s\), not {value}$"
+    ):
         ViscousBacklash(1.0, value)
 
 
@@ -119,3 +121,9 @@ def test_omega_is_asked_for_where_it_counts(element: Element) -> None:
         ):
             with pytest.raises(ValueError, match=r"depends on frequency: give omega \(rad/s\)"):
                 call()
+
+
+@pytest.mark.parametrize("amplitude", [None, "1", 1j, [1.0, None], True])
+def test_an_amplitude_that_is_no_real_number_is_refused(amplitude: object) -> None:
+    with pytest.raises(ValueError, match=r"^amplitude must be a real number or an array of such"):
+        FrictionBacklash(1.0).describing_function(amplitude)  # type: ignore[arg-type]
