@@ -1,65 +1,123 @@
-"""Which source files a module depends on, read from its import statements without running anything."""
+"""Which source files a module depends on, read from their import statements without running anything."""
 
 from __future__ import annotations
 
 import ast
 import hashlib
-from collections.abc import Iterable
-from functools import cache
+import platform
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
+from typing import Self
+
+from report.building.stage_store import StageStore
 
 PACKAGES = ("derivations", "trimmer", "report")
 ROOT = Path(__file__).parents[2]
+IMPORTS = "imports"
+"""Name under which the imports of all sources are kept."""
+
+Names = tuple[str, ...]
+NOTHING_KNOWN: Mapping[str, Names] = MappingProxyType({})
 
 
-def source_closure(module: str) -> tuple[Path, ...]:
-    """Return the sources of a module of the three packages and of all that it imports, directly or not.
+@dataclass(frozen=True)
+class Source:
+    """A source file as it is now.
 
-    Imports inside functions and for type checking count too: they may name too much, never too little.
+    Attributes:
+        digest: Of its content.
+        imports: Dotted names of the modules it imports, and of what it imports from them.
     """
-    seen: set[Path] = set()
-    waiting = list(_sources_of(module))
-    while waiting:
-        path = waiting.pop()
-        if path not in seen:
-            seen.add(path)
-            waiting.extend(_imported(path))
-    return tuple(sorted(seen))
+
+    digest: str
+    imports: Names
 
 
-def digest(modules: Iterable[str], *others: object) -> str:
-    """Return a digest of all the sources that modules depend on, and of other things by their ``repr``."""
-    summary = hashlib.sha256(repr(others).encode())
-    for path in sorted({path for module in modules for path in source_closure(module)}):
-        summary.update(f"{path.relative_to(ROOT).as_posix()}\0".encode())
-        summary.update(_content(path))
-    return summary.hexdigest()
+@dataclass(frozen=True)
+class SourceTree:
+    """All sources of the three packages.
+
+    Attributes:
+        sources: By path from the folder of the packages, with slashes.
+    """
+
+    sources: Mapping[str, Source]
+
+    @classmethod
+    def read(cls, root: Path = ROOT, known: Mapping[str, Names] = NOTHING_KNOWN) -> Self:
+        """Read all sources, and their imports where they are not known by the digest of the content.
+
+        Imports inside functions and for type checking count too: they may name too much, never too little.
+        """
+        sources = {}
+        for path in sorted(path for package in PACKAGES for path in (root / package).rglob("*.py")):
+            content = path.read_bytes()
+            digest = hashlib.sha256(content).hexdigest()
+            imports = known[digest] if digest in known else tuple(_imports(ast.parse(content)))
+            sources[path.relative_to(root).as_posix()] = Source(digest, imports)
+        return cls(sources)
+
+    @classmethod
+    def kept(cls, store: StageStore, root: Path = ROOT) -> Self:
+        """Read all sources; the imports of those that have not changed are kept from the last time.
+
+        Raises:
+            FileWriteError: if the imports cannot be kept.
+        """
+        key = platform.python_version()
+        known = store.load(IMPORTS, key) or NOTHING_KNOWN
+        tree = cls.read(root, known)
+        if tree.imports != known:
+            store.keep(IMPORTS, key, tree.imports)
+        return tree
+
+    @cached_property
+    def imports(self) -> dict[str, Names]:
+        """What each source imports, by the digest of its content."""
+        return {source.digest: source.imports for source in self.sources.values()}
+
+    def closure(self, module: str) -> frozenset[str]:
+        """Return the paths of the sources of a module and of all that it imports, directly or not.
+
+        What is no module of the three packages has none.
+        """
+        seen: set[str] = set()
+        waiting = set(self._of(module))
+        while waiting:
+            seen |= waiting
+            waiting = {path for begun in waiting for path in self._imported[begun]} - seen
+        return frozenset(seen)
+
+    def digest(self, modules: Iterable[str], *others: object) -> str:
+        """Return a digest of all sources that modules depend on, and of other things by their ``repr``."""
+        summary = hashlib.sha256(repr(others).encode())
+        for path in sorted(frozenset().union(*map(self.closure, modules))):
+            summary.update(f"{path}\0{self.sources[path].digest}\0".encode())
+        return summary.hexdigest()
+
+    @cached_property
+    def _imported(self) -> dict[str, frozenset[str]]:
+        """The sources that each source imports itself."""
+        return {
+            path: frozenset(imported for name in source.imports for imported in self._of(name))
+            for path, source in self.sources.items()
+        }
+
+    def _of(self, name: str) -> Iterator[str]:
+        """Yield the source of a module, or of the module that a name is imported from, and its packages'."""
+        parts = name.split(".")
+        for length in range(1, len(parts) + 1):
+            stem = "/".join(parts[:length])
+            yield from (path for path in (f"{stem}/__init__.py", f"{stem}.py") if path in self.sources)
 
 
-@cache
-def _sources_of(name: str) -> tuple[Path, ...]:
-    """Return the file of a module, or of the module that a name is imported from, and its packages' files."""
-    parts = name.split(".")
-    if parts[0] not in PACKAGES:
-        return ()
-    stems = (ROOT.joinpath(*parts[:length]) for length in range(1, len(parts) + 1))
-    candidates = (path for stem in stems for path in (stem / "__init__.py", stem.with_suffix(".py")))
-    return tuple(path for path in candidates if path.is_file())
-
-
-@cache
-def _imported(path: Path) -> frozenset[Path]:
-    """Return the sources that a source imports itself."""
-    names = []
-    for node in ast.walk(ast.parse(_content(path))):
+def _imports(module: ast.Module) -> Iterator[str]:
+    for node in ast.walk(module):
         if isinstance(node, ast.Import):
-            names += [alias.name for alias in node.names]
+            yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level == 0:
             # What is imported may be a module itself.
-            names += [f"{node.module}.{alias.name}" for alias in node.names]
-    return frozenset(source for name in names for source in _sources_of(name))
-
-
-@cache
-def _content(path: Path) -> bytes:
-    return path.read_bytes()
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)

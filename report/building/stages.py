@@ -16,7 +16,7 @@ from report.answers import answers
 from report.assemble import Parts, assemble
 from report.building.progress import Progress
 from report.building.provenance import libraries
-from report.building.source_closure import digest
+from report.building.source_closure import SourceTree
 from report.building.stage_store import StageStore
 from report.building.tasks import Task, done
 from report.claim import Entry, Finding, judge
@@ -45,8 +45,9 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         FileWriteError: if a result cannot be kept.
     """
     inventory = read_inventory()
-    evidence = _evidence(progress, store)
-    results = done(_tasks(evidence, inventory), store, progress)
+    tree = SourceTree.kept(store)
+    evidence = _evidence(progress, store, tree)
+    results = done(_tasks(evidence, inventory, tree), store, progress)
     judged = [results[_name(section)] for section in SECTIONS]
     parts = Parts(
         findings=_in_order([findings for findings, _ in judged], inventory),
@@ -62,8 +63,8 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     return assemble(parts, evidence.numbers.parameters, inventory)
 
 
-def _evidence(progress: Progress, store: StageStore) -> Evidence:
-    key = _key(["report.evidence"])
+def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Evidence:
+    key = _key(tree, ["report.evidence"])
     kept: Evidence | None = store.load("evidence", key)
     if kept is not None:
         return kept
@@ -73,29 +74,30 @@ def _evidence(progress: Progress, store: StageStore) -> Evidence:
     return evidence
 
 
-def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
+def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree) -> list[Task]:
     """List what is made from the evidence; long tasks first, so that the processes end together.
 
     Proofs, then the figures of motion and the last sections take longest.
     """
     templates = [(path.name, path.read_text(encoding="utf-8")) for path in sorted(OCTAVE_TEMPLATES.iterdir())]
+    key = partial(_key, tree)
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
-        Task("element-steps", "prove", _key(["derivations.element_narrative"]), element_narrative),
+        Task("element-steps", "prove", key(["derivations.element_narrative"]), element_narrative),
         Task(
             "trimmer-steps",
             "prove",
-            _key(["derivations.narrative", "report.evidence"]),
+            key(["derivations.narrative", "report.evidence"]),
             partial(narrative, evidence.derivation),
         ),
         Task(
             "programs",
             "print",
-            _key(["report.octave.listings", "report.evidence"], templates),
+            key(["report.octave.listings", "report.evidence"], templates),
             print_programs,
         ),
         *(
-            Task(name, "sum up", _key([work.__module__]), partial(work, evidence))
+            Task(name, "sum up", key([work.__module__]), partial(work, evidence))
             for name, work in (
                 ("highlights", highlights),
                 ("answers", answers),
@@ -106,7 +108,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
             Task(
                 f"figure-{drawing.id}",
                 "draw",
-                _key([*drawing.modules, "report.figures.drawing", "report.evidence"], drawing.words),
+                key([*drawing.modules, "report.figures.drawing", "report.evidence"], drawing.words),
                 partial(drawing.finished, evidence),
             )
             for drawing in reversed(DRAWINGS)
@@ -115,7 +117,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
             Task(
                 _name(section),
                 "judge",
-                _key([section.__name__, "report.evidence", "report.alterations"], inventory),
+                key([section.__name__, "report.evidence", "report.alterations"], inventory),
                 partial(_judged, section, evidence, inventory),
             )
             for section in reversed(SECTIONS)
@@ -123,8 +125,8 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry]) -> list[Task]:
     ]
 
 
-def _key(modules: list[str], *others: Any) -> str:
-    return digest(modules, _versions(), *others)
+def _key(tree: SourceTree, modules: list[str], *others: Any) -> str:
+    return tree.digest(modules, _versions(), *others)
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import functools
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,11 +15,13 @@ from report.document import Document
 from report.octave.archive import archive
 from report.rendering.markdown import ARCHIVE
 from report.rendering.pieces import TEMPLATES
+from report.rendering.sources import sources
 from report.rendering.summary import SYMBOLS
 from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
-SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js")
+STYLES = ("page.css", "tables.css", "print.css")
+SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js", "sources.js")
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
@@ -33,27 +36,32 @@ class Entry:
 
 
 def to_html(document: Document, body: str) -> str:
-    """Return the report as one HTML page with its style, script, font, figures and programs inside.
+    """Return the report as one HTML page with its style, script, font, figures, programs and sources inside.
 
     Args:
         document: the report.
-        body: its text, as ``pieces.html`` returns it.
+        body: its text, as ``Converter.html`` returns it.
+
+    Raises:
+        BrokenLinkError: if a finding names a source file that is not there.
     """
     drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
-    return (
-        _environment()
-        .get_template("page.html.j2")
-        .render(
-            document=document,
-            symbols=SYMBOLS,
-            verdicts={finding.verdict for finding in document.findings},
-            contents=contents(body),
-            body=_with_programs(_with_drawings(body, drawings), document),
-            style=(TEMPLATES / "page.css").read_text(encoding="utf-8"),
-            scripts=[(TEMPLATES / name).read_text(encoding="utf-8") for name in SCRIPTS],
-            font=_base64(FONT.read_bytes()),
-        )
+    template = _environment().get_template
+    code = template("sources.html.j2").render(sources=sources(document))
+    return template("page.html.j2").render(
+        document=document,
+        symbols=SYMBOLS,
+        verdicts={finding.verdict for finding in document.findings},
+        contents=contents(body + code),
+        body=_with_programs(_with_drawings(body, drawings), document) + code,
+        styles=_templates(STYLES),
+        scripts=_templates(SCRIPTS),
+        font=_base64(FONT.read_bytes()),
     )
+
+
+def _templates(names: Iterable[str]) -> list[str]:
+    return [(TEMPLATES / name).read_text(encoding="utf-8") for name in names]
 
 
 def contents(body: str) -> tuple[Entry, ...]:

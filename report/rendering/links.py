@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from report.document import Document
 
@@ -32,13 +33,17 @@ def check_claims(document: Document) -> None:
         raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
 
 
-def check_links(markdown: str) -> None:
+def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
     """Check that places have names of their own and that each link leads to one.
+
+    Args:
+        markdown: the text of the report.
+        elsewhere: identifiers of the places that the report has outside of this text.
 
     Raises:
         BrokenLinkError: listing the names that stand twice, or the links that lead nowhere.
     """
-    identifiers = _IDENTIFIER.findall(markdown)
+    identifiers = [*_IDENTIFIER.findall(markdown), *elsewhere]
     twice = sorted({identifier for identifier in identifiers if identifiers.count(identifier) > 1})
     if twice:
         raise BrokenLinkError(

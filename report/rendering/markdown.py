@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import functools
 import re
+from collections.abc import Mapping
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
 from report.document import Document
@@ -16,6 +17,7 @@ from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
 from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
+from report.rendering.sources import identifier, sources
 
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""
@@ -23,8 +25,12 @@ HALF_LINE = 15.0
 """Width of a formula in a table that holds printed and derived side by side, in em."""
 HALF_LINE_OF_WORDS = 110
 """Most characters of words in such a table; longer ones are easier to read over the full width."""
-ERRATA_LINE = 22.0
+MANY_PARTS = 6
+"""From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
+ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
+BACK = ("programs", "derivation", "tables", "errata")
+"""Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
 
@@ -34,7 +40,8 @@ def to_markdown(document: Document) -> dict[str, str]:
 
     Raises:
         BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
-            result or a step of the derivation names a place or a claim that the report does not have.
+            result or a step of the derivation names a place or a claim that the report does not have, or
+            a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
     """
     check_claims(document)
@@ -47,15 +54,24 @@ def to_markdown(document: Document) -> dict[str, str]:
         "errata": errata.errata(document),
     }
     template = _environment().get_template
-    chapter_template = template("chapter.md.j2")
     pieces = {
         "front": template("front.md.j2").render(content),
-        **{chapter.id: chapter_template.render(content, chapter=chapter) for chapter in document.chapters},
-        "back": template("back.md.j2").render(content),
+        **_sections(document, template("section.md.j2"), content),
+        **{name: template(f"{name}.md.j2").render(content) for name in BACK},
     }
     linked = {name: without_links_to(piece, document.omitted) for name, piece in pieces.items()}
-    check_links("\n".join(linked.values()))
+    check_links("\n".join(linked.values()), [source.identifier for source in sources(document)])
     return linked
+
+
+def _sections(document: Document, template: Template, content: Mapping[str, Any]) -> dict[str, str]:
+    """Write each section of each chapter as a piece."""
+    return {
+        f"{chapter.id}-{group.number}": template.render(content, chapter=chapter, group=group, groups=groups)
+        for chapter in document.chapters
+        for groups in (outline.grouped(chapter, document.sections),)
+        for group in groups
+    }
 
 
 def shown(content: Shown, name: str, line: float) -> str:
@@ -84,7 +100,8 @@ def in_line(content: Shown, line: float) -> str:
                 return f"${unbroken}$"
             return f"[${broken}$]{{.broken}}[${unbroken}$]{{.unbroken}}"
         case Number(digits, unit):
-            return escaping.digits(digits) + (rf"\ {escaping.plain(unit)}" if unit else "")
+            shown_digits = escaping.digits(digits)
+            return rf"[{shown_digits}\ {escaping.plain(unit)}]{{.number}}" if unit else shown_digits
         case Words(text):
             return escaping.prose(text)
 
@@ -104,15 +121,18 @@ def code_block(text: str) -> str:
 
 def side_by_side(finding: Finding) -> bool:
     """Say whether every printed and derived side is narrow or short enough for half a line."""
-    return all(_fits_half_a_line(side) for part in finding.parts for side in (part.printed, part.derived))
+    most = HALF_LINE_OF_WORDS * (3 if len(finding.parts) >= MANY_PARTS else 2) // 2
+    return all(
+        _fits_half_a_line(side, most) for part in finding.parts for side in (part.printed, part.derived)
+    )
 
 
-def _fits_half_a_line(side: Shown) -> bool:
+def _fits_half_a_line(side: Shown, most_characters: int) -> bool:
     match side:
         case Mathematics(latex):
             return width(latex) <= HALF_LINE
         case Words(text):
-            return len(text) <= HALF_LINE_OF_WORDS
+            return len(text) <= most_characters
         case Number():
             return True
 
@@ -136,6 +156,7 @@ def _environment() -> Environment:
         mathematics=escaping.inline_mathematics,
         digits=escaping.digits,
         code_block=code_block,
+        code_identifier=identifier,
         reference=summary.reference,
         short_reference=summary.short_reference,
         methods=summary.methods,
@@ -144,7 +165,6 @@ def _environment() -> Environment:
         capitalised=summary.capitalised,
         share_noticed=summary.share_noticed,
         kinds_in_words=summary.kinds_in_words,
-        groups=outline.grouped,
         picture_description=verdict_picture.description,
     )
     environment.globals.update(

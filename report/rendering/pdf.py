@@ -27,7 +27,7 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
 
     Args:
         document: the report.
-        body: its text, as ``pieces.typst`` returns it.
+        body: its text, as ``Converter.typst`` returns it.
         paper: size of the pages.
         store: where the PDF is kept, and taken from if nothing has changed.
 

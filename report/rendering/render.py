@@ -8,11 +8,11 @@ from pathlib import Path
 
 from report.building.stage_store import StageStore
 from report.document import Document
-from report.rendering import pieces
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
+from report.rendering.pieces import Converter
 from report.rendering.request import WHOLE_REPORT, Format, Request
 from trimmer.files import write_whole
 
@@ -39,12 +39,13 @@ def render(
         TypesettingError: if the PDF cannot be set, for instance because a formula does not fit the page.
         FileWriteError: if a file cannot be written, or a piece cannot be kept.
     """
-    text = pieces.parsed(to_markdown(document), store) if request.formats - {Format.JSON} else {}
+    converter = Converter.keeping(store) if store else Converter()
+    text = converter.parsed(to_markdown(document)) if request.formats - {Format.JSON} else {}
     # The PDF takes longest: its source comes first, so that Typst works while pandoc writes the HTML.
-    source = pieces.typst(text, store) if Format.PDF in request.formats else ""
+    source = converter.typst(text) if Format.PDF in request.formats else ""
     makers: dict[Format, Callable[[], str | bytes]] = {
         Format.PDF: lambda: to_pdf(document, source, request.paper, store),
-        Format.HTML: lambda: to_html(document, pieces.html(text, store)),
+        Format.HTML: lambda: to_html(document, converter.html(text)),
         Format.JSON: lambda: to_json(document),
     }
     with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock

@@ -30,39 +30,67 @@ local function has_words(cell)
   return not (#cell.content == 1 and #inlines == 1 and (inlines[1].t == "Math" or inlines[1].t == "Para"))
 end
 
-local function table_row(row, alignments, is_head, header_column)
-  local result = pandoc.List({ raw('<tr class="' .. table.concat(row.classes, " ") .. '">') })
+-- Roles of elements that are laid out as blocks where there is no room for a table: browsers may take them for
+-- such then.
+local roles = { table = "table", thead = "rowgroup", tbody = "rowgroup", tr = "row", td = "cell" }
+local roles_of_heads = { col = "columnheader", row = "rowheader" }
+
+local function with_role(tag, role, is_stacking)
+  return tag .. (is_stacking and (' role="' .. role .. '"') or "")
+end
+
+-- What a table is made of: how its cells are aligned, which column names the rows, and the names of all columns.
+local function layout(div)
+  local alignments = {}
+  for alignment in div.attributes.align:gmatch("%S+") do
+    table.insert(alignments, alignment)
+  end
+  return {
+    alignments = alignments,
+    header_column = tonumber(div.attributes["header-column"] or "1"),
+    is_stacking = div.classes:includes("stacking"),
+    names = div.content[1].content:map(pandoc.utils.stringify),
+  }
+end
+
+local function cell_tag(cell, position, is_head, layout)
+  local scope = is_head and "col" or position == layout.header_column and has_words(cell) and "row"
+  if scope then
+    return "th", with_role("th", roles_of_heads[scope], layout.is_stacking) .. ' scope="' .. scope .. '"'
+  end
+  local opening = with_role("td", roles.td, layout.is_stacking)
+  if layout.is_stacking and position ~= layout.header_column then
+    opening = opening .. ' data-column="' .. escaped(layout.names[position]) .. '"'
+  end
+  return "td", opening
+end
+
+local function table_row(row, is_head, layout)
+  local opening = with_role("tr", roles.tr, layout.is_stacking)
+  local result = pandoc.List({ raw("<" .. opening .. ' class="' .. table.concat(row.classes, " ") .. '">') })
   for position, cell in ipairs(row.content) do
-    local tag, scope = "td", ""
-    if is_head then
-      tag, scope = "th", ' scope="col"'
-    elseif position == header_column and has_words(cell) then
-      tag, scope = "th", ' scope="row"'
-    end
-    local opening = '<%s%s class="%s">'
-    local blocks = cell_blocks(cell)
-    result:extend(wrapped(opening:format(tag, scope, alignments[position]), blocks, "</" .. tag .. ">"))
+    local tag, attributes = cell_tag(cell, position, is_head, layout)
+    local class = ' class="' .. layout.alignments[position] .. '">'
+    result:extend(wrapped("<" .. attributes .. class, cell_blocks(cell), "</" .. tag .. ">"))
   end
   result:insert(raw("</tr>"))
   return result
 end
 
 local function report_table(div)
-  local label = escaped(div.attributes.label)
-  local opening = '<div class="table-box" role="region" tabindex="0" aria-label="%s"><table class="%s">'
-  local result = pandoc.List({ raw(opening:format(label, table.concat(div.classes, " "))) })
-  local header_column = tonumber(div.attributes["header-column"] or "1")
-  local alignments = {}
-  for alignment in div.attributes.align:gmatch("%S+") do
-    table.insert(alignments, alignment)
-  end
+  local layout = layout(div)
+  local opening = '<div class="table-box" role="region" tabindex="0" aria-label="%s"><%s class="%s">'
+  local tag = with_role("table", roles.table, layout.is_stacking)
+  local result = pandoc.List({
+    raw(opening:format(escaped(div.attributes.label), tag, table.concat(div.classes, " "))),
+  })
   for position, row in ipairs(div.content) do
     local is_head = position == 1
     local group = is_head and "thead" or "tbody"
     if position <= 2 then
-      result:insert(raw("<" .. group .. ">"))
+      result:insert(raw("<" .. with_role(group, roles[group], layout.is_stacking) .. ">"))
     end
-    result:extend(table_row(row, alignments, is_head, header_column))
+    result:extend(table_row(row, is_head, layout))
     if is_head or position == #div.content then
       result:insert(raw("</" .. group .. ">"))
     end
@@ -156,9 +184,7 @@ end
 
 local function section(class)
   return function(div)
-    local chapter = div.attributes.chapter
-    local data = chapter and (' data-chapter="' .. escaped(chapter) .. '"') or ""
-    return wrapped('<section class="' .. class .. '"' .. data .. ">", div.content, "</section>")
+    return wrapped('<section class="' .. class .. '">', div.content, "</section>")
   end
 end
 
@@ -177,7 +203,13 @@ local converters = {
   derived = comparison_side("As derived"),
   agreed = comparison_side("As printed and as derived"),
   missing = comparison_side("What is missing"),
-  chapter = section("chapter"),
+  -- A chapter comes in several pieces.
+  ["chapter-begin"] = function(div)
+    return raw('<section class="chapter" data-chapter="' .. escaped(div.attributes.chapter) .. '">')
+  end,
+  ["chapter-end"] = function()
+    return raw("</section>")
+  end,
   group = section("group"),
   ["errata-sheet"] = section("errata-sheet"),
   ["verdict-picture"] = function(div)

@@ -113,7 +113,8 @@ local converters = {
   claim = claim,
   figure = figure,
   program = program,
-  chapter = content,
+  ["chapter-begin"] = nothing,
+  ["chapter-end"] = nothing,
   group = content,
   highlights = call("highlights"),
   answer = call("answer"),
@@ -183,10 +184,15 @@ function Span(span)
     result:extend(span.content)
     result:insert(pandoc.RawInline("typst", "]"))
     return result
-  elseif span.classes:includes("file") then
-    return pandoc.Code(pandoc.utils.stringify(span.content))
   elseif span.classes:includes("broken") then
     return {}
+  end
+end
+
+-- The source files are in the HTML alone: here they are named.
+function Link(link)
+  if link.classes:includes("file") then
+    return pandoc.Code(pandoc.utils.stringify(link.content))
   end
 end
 

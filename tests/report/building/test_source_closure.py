@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from report.building import source_closure
-from report.building.source_closure import ROOT, digest
+from report.building.source_closure import ROOT, SourceTree
+from report.building.stage_store import StageStore
 
 LOADED = """
 import importlib, sys
@@ -19,49 +20,80 @@ print("\\n".join(str(sys.modules[name].__file__) for name in names))
 """
 
 
+@pytest.fixture(scope="module")
+def tree() -> SourceTree:
+    return SourceTree.read()
+
+
 @pytest.mark.parametrize(
     "module", ["derivations.backlash", "trimmer.motion.simulation", "report.claims.section_2_3_6"]
 )
-def test_everything_that_a_module_loads_is_in_its_closure(module: str) -> None:
+def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree, module: str) -> None:
     run = subprocess.run(
         [sys.executable, "-c", LOADED, module], capture_output=True, text=True, check=True, cwd=ROOT
     )
     loaded = {Path(line).resolve() for line in run.stdout.split()}
     assert len(loaded) > 3
-    assert loaded <= {path.resolve() for path in source_closure.source_closure(module)}
+    assert loaded <= {(ROOT / path).resolve() for path in tree.closure(module)}
 
 
-def test_a_claim_does_not_depend_on_another_claim() -> None:
-    names = {path.name for path in source_closure.source_closure("report.claims.section_2_3_6")}
-    assert "section_2_3_6.py" in names
-    assert "section_2_4.py" not in names
+def test_a_claim_does_not_depend_on_another_claim(tree: SourceTree) -> None:
+    paths = tree.closure("report.claims.section_2_3_6")
+    assert "report/claims/section_2_3_6.py" in paths
+    assert "report/claims/section_2_4.py" not in paths
 
 
-def test_other_libraries_are_left_out() -> None:
-    assert source_closure.source_closure("numpy") == ()
+def test_other_libraries_are_left_out(tree: SourceTree) -> None:
+    assert tree.closure("numpy") == frozenset()
 
 
-def test_digest_changes_with_what_is_given() -> None:
+def test_digest_changes_with_what_is_given(tree: SourceTree) -> None:
+    digest = tree.digest
     assert digest(["derivations.backlash"]) == digest(["derivations.backlash"])
     assert digest(["derivations.backlash"]) != digest(["derivations.friction"])
     assert digest(["derivations.backlash"], "1.0") != digest(["derivations.backlash"], "1.1")
 
 
-def test_digest_changes_with_a_helper_of_a_helper(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """A package whose first module needs the second, and that the third."""
     package = tmp_path / "report"
     package.mkdir()
     (package / "__init__.py").write_text("")
     (package / "first.py").write_text("def work():\n    from report import second\n    return second\n")
     (package / "second.py").write_text("from report.third import VALUE\n")
     (package / "third.py").write_text("VALUE = 1\n")
-    monkeypatch.setattr(source_closure, "ROOT", tmp_path)
+    (package / "fourth.py").write_text("VALUE = 1  # of no use\n")
+    return package
 
-    def now() -> str:
-        source_closure._imported.cache_clear()
-        source_closure._sources_of.cache_clear()
-        source_closure._content.cache_clear()
-        return digest(["report.first"])
 
-    before = now()
+def test_digest_changes_with_a_helper_of_a_helper(package: Path) -> None:
+    before = SourceTree.read(package.parent).digest(["report.first"])
+    (package / "fourth.py").write_text("VALUE = 2\n")
+    assert SourceTree.read(package.parent).digest(["report.first"]) == before
     (package / "third.py").write_text("VALUE = 2\n")
-    assert now() != before
+    assert SourceTree.read(package.parent).digest(["report.first"]) != before
+
+
+def test_imports_are_kept_and_those_of_a_changed_source_are_read_again(
+    package: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root, store = package.parent, StageStore(tmp_path / "kept")
+    first = SourceTree.kept(store, root)
+    assert first == SourceTree.read(root)
+
+    parsed: list[bytes] = []
+    parse = source_closure.ast.parse
+
+    def noted(content: bytes) -> object:
+        parsed.append(content)
+        return parse(content)
+
+    monkeypatch.setattr(source_closure.ast, "parse", noted)
+    assert SourceTree.kept(store, root) == first
+    assert parsed == []
+    (package / "second.py").write_text("from report.fourth import VALUE\n")
+    changed = SourceTree.kept(store, root)
+    assert parsed == [b"from report.fourth import VALUE\n"]
+    assert "report/fourth.py" in changed.closure("report.first")
+    assert "report/third.py" not in changed.closure("report.first")

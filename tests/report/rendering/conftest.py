@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -12,7 +11,7 @@ from playwright.sync_api import Browser
 from report.document import Document
 from report.rendering.render import render
 from report.rendering.request import Format
-from tests.report.rendering.page_checks import Visit, chromium_browser, visited
+from tests.report.rendering.page_checks import Visit, chromium_browser, lead, opened
 from tests.report.rendering.sample import sample
 
 
@@ -37,12 +36,20 @@ def browser(chromium: str) -> Iterator[Browser]:
         yield browser
 
 
+@pytest.fixture(scope="session")
+def pages(browser: Browser) -> Iterator[Mapping[bool, Visit]]:
+    """A page with scripts and one without: a new one for each test would take most of the tests' time."""
+    with opened(browser) as with_scripts, opened(browser, scripts=False) as without:
+        yield {True: with_scripts, False: without}
+
+
 @pytest.fixture
-def visit(browser: Browser, address: str) -> Iterator[Callable[..., Visit]]:
-    """Open the sample report: ``visit(end, width=…, scheme=…, scripts=…)``; ``end`` follows its address."""
-    with ExitStack() as stack:
+def visit(pages: Mapping[bool, Visit], address: str) -> Callable[..., Visit]:
+    """Load the sample anew: ``visit(end, width=…, scheme=…, scripts=…)``; ``end`` follows its address."""
 
-        def open_page(end: str = "", **options: object) -> Visit:
-            return stack.enter_context(visited(browser, address + end, **options))
+    def load(end: str = "", scripts: bool = True, **options: object) -> Visit:
+        visit = pages[scripts]
+        lead(visit, address + end, **options)
+        return visit
 
-        yield open_page
+    return load

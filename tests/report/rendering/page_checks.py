@@ -7,6 +7,7 @@ judges a report that has been built: it prints what it finds wrong and fails if 
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -25,8 +26,12 @@ PATIENCE = 10_000
 """How long to wait for something to happen in a page, in ms."""
 LARGEST = 8_000_000
 """Largest size of the file, in bytes."""
+MOST_ERRATA_PAGES = 2
+"""Most printed pages of the errata sheet, which is to be laid into the thesis."""
 A4_WIDTH = 658
-"""Width of the text of a printed A4 page, in CSS pixels: 210 mm less twice the margin of page.css."""
+"""Width of the text of a printed A4 page, in CSS pixels: 210 mm less twice the margin of print.css."""
+EMPTY = "about:blank"
+"""Address of a page with nothing in it."""
 Scheme = Literal["light", "dark"]
 SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 
@@ -85,29 +90,52 @@ def chromium_browser(path: str) -> Iterator[Browser]:
 
 
 @contextmanager
-def visited(
-    browser: Browser, address: str, width: int = 1440, scheme: Scheme = "light", scripts: bool = True
-) -> Iterator[Visit]:
-    """Open a page, with nothing remembered from another visit."""
-    context = browser.new_context(
-        viewport={"width": width, "height": HEIGHT}, color_scheme=scheme, java_script_enabled=scripts
-    )
+def opened(browser: Browser, scripts: bool = True) -> Iterator[Visit]:
+    """Open an empty page, which ``lead`` brings to an address."""
+    context = browser.new_context(java_script_enabled=scripts)
     context.set_default_timeout(PATIENCE)
     visit = Visit(context.new_page())
     visit.page.on("request", lambda request: visit.requests.append(request.url))
     visit.page.on("console", lambda message: visit.complaints.append(message.text))
     visit.page.on("pageerror", lambda error: visit.complaints.append(str(error)))
-    visit.page.goto(address)
     try:
         yield visit
     finally:
         context.close()
 
 
+def lead(visit: Visit, address: str, width: int = 1440, scheme: Scheme = "light") -> None:
+    """Bring a page to an address, with nothing remembered from another visit."""
+    page = visit.page
+    if page.url != EMPTY:
+        page.evaluate("localStorage.clear()")
+        page.goto(EMPTY)  # or else the same address with another fragment would load nothing
+    page.mouse.move(0, 0)
+    page.set_viewport_size({"width": width, "height": HEIGHT})
+    page.emulate_media(media="null", color_scheme=scheme)
+    visit.requests.clear()
+    visit.complaints.clear()
+    page.goto(address)
+
+
+@contextmanager
+def visited(browser: Browser, address: str, width: int = 1440, scheme: Scheme = "light") -> Iterator[Visit]:
+    """Open a page of its own at an address."""
+    with opened(browser) as visit:
+        lead(visit, address, width, scheme)
+        yield visit
+
+
 def unfold(page: Page) -> None:
     """Open and lay out everything, what is off the screen too, and wait until the page has taken notice."""
     page.add_style_tag(content=_LAY_OUT)
     page.evaluate(_UNFOLD)
+    page.evaluate(_SETTLED)
+
+
+def resize(page: Page, width: int) -> None:
+    """Give the window another width, in px, and wait until the page has taken notice."""
+    page.set_viewport_size({"width": width, "height": HEIGHT})
     page.evaluate(_SETTLED)
 
 
@@ -129,13 +157,25 @@ def overflowing_in_print(page: Page) -> list[str]:
     return overflowing(page)
 
 
-def violations(page: Page) -> list[str]:
-    """Return what axe-core finds in light and in dark, each with the elements that it concerns."""
+def pages_of_errata_sheet(page: Page) -> int:
+    """Return how many A4 pages the errata sheet takes when it is printed alone."""
+    page.evaluate("document.documentElement.dataset.print = 'errata'")
+    return len(re.findall(rb"/Type\s*/Page\b", page.pdf(format="A4", prefer_css_page_size=True)))
+
+
+def violations(page: Page, part: str | None = None) -> list[str]:
+    """Return what axe-core finds in light and in dark, each with the elements that it concerns.
+
+    Args:
+        page: an open page; its formulas are gone afterwards.
+        part: selector of what is judged; without it the whole page is.
+    """
     page.evaluate(_EMPTY_FORMULAS)
-    page.emulate_media(color_scheme="light")
-    found = Axe().run(page).response["violations"]
-    page.emulate_media(color_scheme="dark")  # on which nothing but the contrast depends
-    found += Axe().run(page, options={"runOnly": ["color-contrast"]}).response["violations"]
+    found = []
+    for scheme, rules in (("light", {}), ("dark", {"runOnly": ["color-contrast"]})):
+        page.emulate_media(color_scheme=scheme)  # on which nothing but the contrast depends
+        options = {"resultTypes": ["violations"], **rules}  # of the others one example each, which is faster
+        found += Axe().run(page, part, options).response["violations"]
     return [f"{rule['id']}: {node['html'][:200]}" for rule in found for node in rule["nodes"]]
 
 
@@ -149,6 +189,8 @@ def faults(browser: Browser, address: str) -> Iterator[str]:
             yield from (f"asked for {url}" for url in loaded_from_elsewhere(visit, address))
     with visited(browser, address) as visit:
         yield from (f"print: {fault}" for fault in overflowing_in_print(visit.page))
+        if (pages := pages_of_errata_sheet(visit.page)) > MOST_ERRATA_PAGES:
+            yield f"print: the errata sheet takes {pages} pages"
     for width in (WIDTHS[0], WIDTHS[-1]):
         with visited(browser, address, width) as visit:
             unfold(visit.page)

@@ -31,13 +31,12 @@ def finding(
     explanation: str,
     consequence: str = "",
     impact: Impact = Impact.NONE,
+    source: str = "derivations/mechanism.py",
 ) -> Finding:
     """Return a finding with the worst verdict of its parts."""
     parts = tuple(parts)
     worst = max((p.verdict for p in parts), key=lambda verdict: verdict.severity)
-    return Finding(
-        id, kind, section, title, worst, explanation, consequence, impact, "derivations/mechanism.py", parts
-    )
+    return Finding(id, kind, section, title, worst, explanation, consequence, impact, source, parts)
 
 
 def chapter_two() -> tuple[Finding, ...]:
@@ -202,6 +201,7 @@ def chapter_five() -> tuple[Finding, ...]:
             "roll-off of −60 dB per decade",
             [part(Verdict.ERRATUM, Number("-60", "dB/decade"), Number("-40", "dB/decade"))],
             "The numerator has degree 5, the denominator 7.",
+            source="trimmer/low_pass.py",
         ),
         finding(
             "fig-5.1",

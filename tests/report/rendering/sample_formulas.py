@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 
 import sympy
 
@@ -28,14 +29,18 @@ def state_matrix() -> sympy.ImmutableMatrix:
 
 @functools.cache
 def long_coefficient() -> str:
-    """Return the LaTeX of a coefficient of the characteristic polynomial, a sum of many products."""
-    s = sympy.Symbol("s")
+    """Return the LaTeX of a coefficient of the characteristic polynomial, a sum of many products.
+
+    It is the one of s**4: the determinant less two rows and columns, times the masses that stood in them.
+    """
     stiffness = sympy.diag(*[K[i] + K[i + 1] for i in range(4)])
     for i in range(3):
         stiffness[i, i + 1] = stiffness[i + 1, i] = -K[i + 1]
-    mass = sympy.diag(*M)
-    polynomial = sympy.Poly((mass * s**2 + stiffness).det(), s)
-    return f"a_{{4}} = {sympy.latex(sympy.expand(polynomial.coeff_monomial(s**4)))}"
+    coefficient = sum(
+        M[i] * M[j] * stiffness.minor_submatrix(j, j).minor_submatrix(i, i).det()
+        for i, j in itertools.combinations(range(4), 2)
+    )
+    return f"a_{{4}} = {sympy.latex(sympy.expand(coefficient))}"
 
 
 NESTED = (

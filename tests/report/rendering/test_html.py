@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import io
 import itertools
 import re
@@ -15,6 +16,7 @@ import pytest
 
 from report.document import Document
 from report.rendering.request import Format
+from report.rendering.sources import identifier
 from tests.report.rendering.sample_formulas import SPECIAL
 
 NAMESPACES = {
@@ -143,6 +145,23 @@ def test_the_programs_can_be_taken_out_of_the_page(text: str, document: Document
             program.name: program.text for program in document.programs
         }
     assert "<summary>Show the 50 lines of main_numbers.m</summary>" in text
+
+
+def test_the_sources_stand_at_the_end_as_they_are(text: str, project_folder: Path) -> None:
+    chapter = text[text.index('<h2 id="code">') : text.index("</main>")]
+    names = re.findall(r'<pre [^>]*aria-label="([^"]+)"', chapter)
+    assert names == ["derivations/mechanism.py", "trimmer/low_pass.py"]
+    for name, code in zip(names, re.findall(r"<code>([^<]*)</code></pre>", chapter), strict=True):
+        assert html.unescape(code) == (project_folder / name).read_text(encoding="utf-8")
+
+
+def test_every_card_links_to_its_source_and_the_contents_to_their_chapter(
+    outline: Outline, document: Document
+) -> None:
+    links = [attributes for tag, attributes in outline.elements if tag == "a"]
+    to_files = [link["href"] for link in links if link.get("class") == "file"]
+    assert sorted(to_files) == sorted(f"#{identifier(finding.source)}" for finding in document.findings)
+    assert "#code" in [link["href"] for link in links]
 
 
 def test_figures_come_after_what_is_painted_first(text: str) -> None:

@@ -1,16 +1,25 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 
 import pytest
 
 from report.alterations import Alterations
-from report.claim import Mathematics, Number, Words
+from report.claim import Finding, Impact, JudgedPart, Kind, Mathematics, Number, Verdict, Words
 from report.document import DerivationStep, Document, Equation
 from report.rendering.links import BrokenLinkError
-from report.rendering.markdown import FULL_LINE, shown, to_markdown
+from report.rendering.markdown import (
+    BACK,
+    FULL_LINE,
+    HALF_LINE_OF_WORDS,
+    MANY_PARTS,
+    shown,
+    side_by_side,
+    to_markdown,
+)
 from report.rendering.pandoc import PandocError
-from report.rendering.pieces import parsed, typst
+from report.rendering.pieces import Converter
 from report.rendering.selection import select
 from tests.report.rendering.sample_formulas import long_coefficient
 
@@ -46,9 +55,11 @@ def test_sections_come_in_their_order(document: Document) -> None:
     assert places == sorted(places)
 
 
-def test_the_pieces_are_the_front_the_chapters_and_the_back(document: Document) -> None:
-    names = [chapter.id for chapter in document.chapters]
-    assert list(to_markdown(document)) == ["front", *names, "back"]
+def test_the_pieces_are_the_front_the_sections_and_what_follows(document: Document) -> None:
+    front, *sections, programs, derivation, tables, errata = to_markdown(document)
+    assert (front, programs, derivation, tables, errata) == ("front", *BACK)
+    assert sections[:2] == ["chapter-2-2.2.1", "chapter-2-2.2.2"]
+    assert sections[-1] == "chapter-A-A"
 
 
 def test_the_summary_says_how_many_statements_are_judged(document: Document) -> None:
@@ -69,7 +80,7 @@ def test_sections_without_content_are_left_out(document: Document) -> None:
 
 
 def test_a_figure_stands_with_its_claim_in_the_section_that_the_thesis_has_it_in(document: Document) -> None:
-    text = to_markdown(document)["chapter-2"]
+    text = text_of(document)
     places = ("{#section-2.2.2}", "#fig-2.3 ", "(figures/fig-2.3.svg)", "{#section-2.3.4}")
     assert [text.index(place) for place in places] == sorted(text.index(place) for place in places)
 
@@ -83,7 +94,7 @@ def test_a_part_of_the_report_has_its_chapter_and_what_rests_on_it(document: Doc
 
 
 def test_an_erratum_names_its_place_and_both_forms(document: Document) -> None:
-    sheet = to_markdown(document)["back"].partition("{#errata}")[2]
+    sheet = to_markdown(document)["errata"]
     assert "[Eq\\. 2\\.9](#eq-2.9), first mass" in sheet
     assert "$-60$\\ dB\\/decade" in sheet
     assert "$-40$\\ dB\\/decade" in sheet
@@ -120,14 +131,23 @@ def test_two_claims_with_one_id_are_an_error(document: Document) -> None:
 
 def test_mathematics_that_pandoc_cannot_read_is_an_error(document: Document) -> None:
     changed = with_step(document, equations=(Equation(r"\nosuchmacro x"),))
+    converter = Converter()
+    text = converter.parsed({"derivation": to_markdown(changed)["derivation"]})
     with pytest.raises(PandocError, match="nosuchmacro"):
-        typst(parsed({"back": to_markdown(changed)["back"]}))
+        converter.typst(text)
 
 
 def test_formulas_numbers_and_words_are_shown_each_in_their_way() -> None:
     assert shown(Mathematics("a"), "name", FULL_LINE) == '::: {.formula name="name"}\n$$a$$\n:::'
-    assert shown(Number("-60", "dB/decade"), "name", FULL_LINE) == r"$-60$\ dB\/decade"
+    assert shown(Number("-60", "dB/decade"), "name", FULL_LINE) == r"[$-60$\ dB\/decade]{.number}"
     assert shown(Words("*so* $x$"), "name", FULL_LINE) == "*so* $x$"
+
+
+def test_many_parts_stand_in_a_table_although_some_words_are_long() -> None:
+    long = JudgedPart("", Verdict.REPRODUCED, Number("1"), Words("x" * (HALF_LINE_OF_WORDS + 1)), "")
+    finding = partial(Finding, "eq-1", Kind.EQUATION, "1", "", Verdict.REPRODUCED, "", "", Impact.NONE, "")
+    assert not side_by_side(finding((long,) * (MANY_PARTS - 1)))
+    assert side_by_side(finding((long,) * MANY_PARTS))
 
 
 def test_a_long_formula_is_broken() -> None:

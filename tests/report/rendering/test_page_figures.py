@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 
-from tests.report.rendering.page_checks import Visit, unfold
+from tests.report.rendering.page_checks import unfold, visited
 from tests.report.rendering.sample_figures import PEAK
 
 pytestmark = pytest.mark.browser
@@ -17,9 +17,19 @@ pytestmark = pytest.mark.browser
 LOCUS, SPECTRUM, BLOCKS = "drawing-fig-5.1", "drawing-fig-5.2", "drawing-fig-2.3"
 
 
+@pytest.fixture(scope="module")
+def page(browser: Browser, address: str) -> Iterator[Page]:
+    with visited(browser, address) as visit:
+        unfold(visit.page)  # or else the page moves when what is above a figure is laid out
+        yield visit.page
+
+
 def drawing(page: Page, name: str) -> Locator:
+    """Return a figure in the middle of the window, zoomed out and not pointed at."""
     figure = page.locator(f"[id='{name}']")
-    unfold(page)  # or else the page moves when what is above the figure is laid out
+    for whole in figure.get_by_role("button", name="Whole figure").all():
+        whole.click()
+    page.mouse.move(0, 0)
     figure.evaluate("figure => figure.scrollIntoView({ block: 'center' })")
     return figure
 
@@ -48,8 +58,7 @@ def number(text: str, name: str) -> float:
     return float(found[1].replace("−", "-"))
 
 
-def test_omega_is_read_along_a_locus(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_omega_is_read_along_a_locus(page: Page) -> None:
     figure = drawing(page, LOCUS)
     exact = (1 + 1j) ** -3  # at omega = 1 rad/s; the axes go from -0.5 to 1.2 and from -1 to 0.4
     point_at(page, figure, (exact.real + 0.5) / 1.7, (exact.imag + 1.0) / 1.4)
@@ -62,8 +71,7 @@ def test_omega_is_read_along_a_locus(visit: Callable[..., Visit]) -> None:
     assert float(hertz[1]) == pytest.approx(1.0 / (2 * math.pi), abs=0.005)
 
 
-def test_the_peak_of_a_spectrum_is_read_from_its_line(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_the_peak_of_a_spectrum_is_read_from_its_line(page: Page) -> None:
     figure = drawing(page, SPECTRUM)
     point_at(page, figure, PEAK / 1000, 0.75)  # three of the four decades of its axis
     text = read(figure)
@@ -71,8 +79,7 @@ def test_the_peak_of_a_spectrum_is_read_from_its_line(visit: Callable[..., Visit
     assert number(text, "amplitude") == pytest.approx(1.0, rel=0.05)
 
 
-def test_outside_of_the_axes_nothing_is_read(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_outside_of_the_axes_nothing_is_read(page: Page) -> None:
     figure = drawing(page, LOCUS)
     point_at(page, figure, -0.1, 0.5)
     assert read(figure) == "outside of the axes"
@@ -82,8 +89,7 @@ def view(figure: Locator) -> list[float]:
     return [float(number) for number in figure.locator("svg").get_attribute("viewBox").split()]
 
 
-def test_zooming_keeps_what_is_read_in_place_and_ends_with_the_whole(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_zooming_keeps_what_is_read_in_place_and_ends_with_the_whole(page: Page) -> None:
     figure = drawing(page, LOCUS)
     whole = view(figure)
     point_at(page, figure, 0.25, 0.3)
@@ -96,8 +102,7 @@ def test_zooming_keeps_what_is_read_in_place_and_ends_with_the_whole(visit: Call
     assert view(figure) == whole
 
 
-def test_a_figure_is_zoomed_and_read_by_keyboard(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_figure_is_zoomed_and_read_by_keyboard(page: Page) -> None:
     figure = drawing(page, LOCUS)
     paper = figure.locator(".paper")
     paper.focus()
@@ -113,8 +118,7 @@ def test_a_figure_is_zoomed_and_read_by_keyboard(visit: Callable[..., Visit]) ->
     assert not paper.evaluate("paper => paper.classList.contains('zoomed')")
 
 
-def test_a_zoomed_figure_is_moved_by_dragging(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_zoomed_figure_is_moved_by_dragging(page: Page) -> None:
     figure = drawing(page, LOCUS)
     point_at(page, figure, 0.5, 0.5)
     page.mouse.dblclick(
@@ -135,6 +139,6 @@ def test_a_zoomed_figure_is_moved_by_dragging(visit: Callable[..., Visit]) -> No
     assert view(figure)[0] > left
 
 
-def test_a_drawing_without_scales_has_no_tools(visit: Callable[..., Visit]) -> None:
-    figure = drawing(visit().page, BLOCKS)
+def test_a_drawing_without_scales_has_no_tools(page: Page) -> None:
+    figure = drawing(page, BLOCKS)
     assert figure.get_by_role("button").count() == 0

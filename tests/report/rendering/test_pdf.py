@@ -12,13 +12,14 @@ import pytest
 from report.document import DerivationStep, Document, Equation
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import TypesettingError, to_pdf
-from report.rendering.pieces import parsed, typst
+from report.rendering.pieces import Converter
 from report.rendering.request import Format, Paper
 from report.rendering.selection import select
 
 
 def typst_of(document: Document) -> str:
-    return typst(parsed(to_markdown(document)))
+    converter = Converter()
+    return converter.typst(converter.parsed(to_markdown(document)))
 
 
 def poppler(tool: str, *arguments: str) -> str:
@@ -44,6 +45,12 @@ def test_every_claim_and_section_is_in_the_text(text: str, document: Document) -
     assert all(finding.id in text for finding in document.findings)
     assert all(step.title in text for step in document.derivation)
     assert f"{len(document.findings)} of 253 statements" in text
+
+
+@pytest.mark.poppler
+def test_a_source_is_named_without_a_link(text: str, document: Document) -> None:
+    assert "trimmer/low_pass.py" in text
+    assert "code-trimmer" not in typst_of(select(document, ["ch5"]))
 
 
 @pytest.mark.poppler

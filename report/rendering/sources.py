@@ -1,0 +1,57 @@
+"""The source files that derive what the shown findings rest on: the chapter of code of the HTML report."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.building.source_closure import ROOT
+from report.claim import Finding
+from report.document import Document
+from report.rendering.links import BrokenLinkError
+
+
+@dataclass(frozen=True)
+class Source:
+    """A source file of this project, with the findings that name it.
+
+    Attributes:
+        path: Where it is, from the folder of the three packages.
+        identifier: Its place in the report.
+        text: What it holds.
+        findings: Those that name it, in thesis order; never empty.
+    """
+
+    path: str
+    identifier: str
+    text: str
+    findings: tuple[Finding, ...]
+
+
+def identifier(path: str) -> str:
+    """Return the place of a source file in the report, such as ``code-trimmer-balance-solve``."""
+    return f"code-{path.removesuffix('.py').replace('/', '-')}"
+
+
+def sources(document: Document) -> tuple[Source, ...]:
+    """Return each source file that a finding of the document names, by path.
+
+    Raises:
+        BrokenLinkError: naming the claim and the file, if a finding names a file that is not there.
+    """
+    findings: dict[str, list[Finding]] = {}
+    for finding in document.findings:
+        findings.setdefault(finding.source, []).append(finding)
+    return tuple(
+        Source(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
+        for path in sorted(findings)
+    )
+
+
+def _text(path: str, finding: Finding) -> str:
+    file = ROOT / path
+    if not file.is_file():
+        raise BrokenLinkError(
+            f"the claim {finding.id} is derived in {path!r}, which is not a file of this project; "
+            "correct the claim's source"
+        )
+    return file.read_text(encoding="utf-8")
