@@ -24,8 +24,8 @@ def _play_and_limit_cycles(evidence: Evidence) -> Answer:
     friction, both = evidence.cycles.friction.stable, evidence.cycles.friction_both_channels.stable
     return Answer(
         "How does the size of the play influence the limit cycles, and so the vibration?",
-        "The amplitude grows in proportion to the play; below a play of about 2e-8 m there is no limit "
-        "cycle.",
+        "The amplitude grows in proportion to the play; below a play of about $2\\times10^{-8}$ m there is "
+        "no limit cycle.",
         f"The proportion is exact, and holds for every play: the amplitude is {friction.amplitude:.2f} times "
         f"the gap in the thesis's loop, {both.amplitude:.2f} times with the pin's velocity, at a frequency "
         "that does not depend on the gap. There is no smallest play. A trimmer that is driven by its pin "

@@ -35,12 +35,12 @@ def _friction(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResu
         remark="amplitude over gap is the same for every gap",
     )
     predicted = "txt-5.2.1-prediction"
-    yield _amplitude(predicted, "stable, $b$ = 4e-6 m", "3.3138e-5", GAP, cycles, exact)
+    yield _amplitude(predicted, "stable, $b$ = $4\\times10^{-6}$ m", "3.3138e-5", GAP, cycles, exact)
     yield _frequency(predicted, "stable, any gap", "733.3", cycles, exact)
     second = "txt-5.2.1-second-limit-cycle"
     yield CorrectedResult(
         second,
-        "amplitude, unstable, $b$ = 4e-5 m",
+        "amplitude, unstable, $b$ = $4\\times10^{-5}$ m",
         "2.1089e-5",
         f"{cycles.unstable.amplitude * LARGER_GAP:.5g}",
         f"{exact.unstable.amplitude * LARGER_GAP:.5g}",
@@ -108,7 +108,7 @@ def _with_friction(evidence: Evidence) -> Iterator[CorrectedResult]:
     merger = evidence.cycles.equivalent.in_place.merger
     yield CorrectedResult(
         "txt-5.2.5-prediction",
-        "frequency with friction, $b$ = 4e-6 m, $F_c$ = 0.6 N",
+        "frequency with friction, $b$ = $4\\times10^{-6}$ m, $F_c$ = 0.6 N",
         "737.514",
         "none",
         "",

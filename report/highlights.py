@@ -73,8 +73,8 @@ def _about_limit_cycles(cycles: LimitCycleNumbers) -> tuple[Highlight, ...]:
     return (
         Highlight(
             "txt-6-threshold",
-            "No gap is small enough to exclude the predicted limit cycle; the threshold of 2e-8 m is an "
-            "effect of the plotted range.",
+            "No gap is small enough to exclude the predicted limit cycle; the threshold of $2\\times10^{-8}$ "
+            "m is an effect of the plotted range.",
             f"amplitude {friction.amplitude:.2f} times the gap, for every gap",
         ),
         Highlight(

@@ -20,6 +20,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
+from report.numbers.linear_numbers import LinearNumbers
 from trimmer import frequency_response
 
 LAPLACE = "derivations/laplace.py"
@@ -155,13 +156,6 @@ def _matrix(
 def _listing(evidence: Evidence) -> Claim:
     space, newton, numbers = evidence.derivation.space, evidence.derivation.newton, evidence.numbers
     states = (*coordinates, *velocities)
-    kept, whole = (
-        complex(frequency_response(system, LIMIT_CYCLE_OMEGA))
-        for system in (numbers.displacement_only, numbers.both_channels)
-    )
-    lead = math.degrees(math.atan2((whole / kept).imag, (whole / kept).real))
-    same = abs(whole - kept) <= 1e-6 * abs(kept)
-    ratio = numbers.parameters.c2 / numbers.parameters.k2
     margins = [control.margin(system)[1] for system in (numbers.displacement_only, numbers.both_channels)]
     return Claim(
         id="lst-A.1",
@@ -183,26 +177,7 @@ def _listing(evidence: Evidence) -> Claim:
                 (coordinates[1] - coordinates[3],),
                 states,
             ),
-            Part(
-                "G = G(1), line 58",
-                Assertion(
-                    statement=(
-                        "because the output is a displacement, the first of the two transfer functions is "
-                        "the response to the pin"
-                    ),
-                    derived=same,
-                    evidence=(
-                        "the pin moves with a velocity too, so the response is $G_1 + sG_2$; at "
-                        f"{LIMIT_CYCLE_OMEGA} rad/s it is {100 * (abs(whole / kept) - 1):.2f} % larger than "
-                        f"$G_1$ and leads it by {lead:.2f} degrees"
-                    ),
-                    method="both transfer functions evaluated",
-                ),
-                Confirmation(
-                    "$G_1 + sG_2 = (1 + s\\,c_2/k_2)\\,G_1$",
-                    CloseNumbers(kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio), whole),
-                ),
-            ),
+            _first_input(numbers),
         ),
         explanation=(
             "The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line "
@@ -217,4 +192,34 @@ def _listing(evidence: Evidence) -> Claim:
         ),
         impact=Impact.DOWNSTREAM,
         source="trimmer/linear.py",
+    )
+
+
+def _first_input(numbers: LinearNumbers) -> Part:
+    kept, whole = (
+        complex(frequency_response(system, LIMIT_CYCLE_OMEGA))
+        for system in (numbers.displacement_only, numbers.both_channels)
+    )
+    lead = math.degrees(math.atan2((whole / kept).imag, (whole / kept).real))
+    same = abs(whole - kept) <= 1e-6 * abs(kept)
+    ratio = numbers.parameters.c2 / numbers.parameters.k2
+    return Part(
+        "G = G(1), line 58",
+        Assertion(
+            statement=(
+                "because the output is a displacement, the first of the two transfer functions is "
+                "the response to the pin"
+            ),
+            derived=same,
+            evidence=(
+                "the pin moves with a velocity too, so the response is $G_1 + sG_2$; at "
+                f"{LIMIT_CYCLE_OMEGA} rad/s it is {100 * (abs(whole / kept) - 1):.2f} % larger than "
+                f"$G_1$ and leads it by {lead:.2f} degrees"
+            ),
+            method="both transfer functions evaluated",
+        ),
+        Confirmation(
+            "$G_1 + sG_2 = (1 + s\\,c_2/k_2)\\,G_1$",
+            CloseNumbers(kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio), whole),
+        ),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.printed import power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -81,7 +82,7 @@ def _grid(evidence: Evidence) -> Claim:
                     derived=smallest < 1e-8,
                     evidence=(
                         "it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at "
-                        f"${unstable:.4f}\\,b$, is on it only for gaps above {smallest:.1e} m"
+                        f"${unstable:.4f}\\,b$, is on it only for gaps above {power_of(smallest, 1)} m"
                     ),
                     method="arithmetic on the grid of line 9",
                 ),
@@ -127,7 +128,7 @@ def _listing(evidence: Evidence) -> Claim:
                     statement="the start of the search is defined before it is used",
                     derived=LINE_OF_START < LINE_OF_SEARCH,
                     evidence=f"line {LINE_OF_SEARCH} uses `x0`, line {LINE_OF_START} defines it",
-                    method="order of the printed lines",
+                    method="read in the printed lines",
                 ),
             ),
         ),

@@ -23,6 +23,7 @@ from report.claims.appendix_a_time_domain import (
     inertia_block,
 )
 from report.claims.printed import product, total
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
@@ -151,6 +152,8 @@ def _constants() -> Claim:
 def _frequency() -> Claim:
     angle = contact_angle()
     belonging = angle / (TURN * float(PRINTED_CONTACT))
+    instants = (0.5 + np.array([0.0, TURN])) / (TURN * float(IN_TEXT))
+    earlier, later = inertia_block(np.full(2, DRIVE_AMPLITUDE * math.sin(0.5)), instants)
     own, other = (difference_from_waveform(each) for each in (DRIVE_OMEGA / TURN, float(IN_TEXT)))
     return Claim(
         id="txt-A.9-frequency",
@@ -170,6 +173,10 @@ def _frequency() -> Claim:
                         "gaps"
                     ),
                     method="the listing, repeated line by line, beside the derived waveform",
+                ),
+                second_way(
+                    "its output a whole period of that input later, which is another one",
+                    abs(later - earlier) > CLOSE * DRIVE_GAP,
                 ),
             ),
         ),

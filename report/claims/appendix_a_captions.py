@@ -4,22 +4,26 @@ from __future__ import annotations
 
 import math
 
+import control
 import numpy as np
 
 from derivations.backlash import GAMMA
 from derivations.friction import FORCE
-from report.claim import Claim, Impact, Part
+from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.appendix_a_9 import ROUNDED_CONSTANT
+from report.claims.appendix_a_friction_block import FRICTION_LINES, friction_block
 from report.claims.appendix_a_time_domain import (
     DRIVE_AMPLITUDE,
+    DRIVE_GAP,
     DRIVE_OMEGA,
-    FRICTION_LINES,
     PERIOD,
-    friction_block,
     inertia_block,
 )
 from report.claims.figures_5_2_5 import LISTING
 from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
+from trimmer.elements.inertia_backlash import InertiaBacklash
 
 FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"
 """First line of Listings A.2 and A.3."""
@@ -60,13 +64,15 @@ def _viscous() -> Part:
             statement="it is the describing function of viscous-controlled backlash",
             derived=GAMMA in LISTING.free_symbols and FORCE not in LISTING.free_symbols,
             evidence=f"it depends on {names}, so on a force of friction, and on no $M/D$",
-            method="symbols of the transcribed formula",
+            method="read in the listing: the names in its formula",
         ),
     )
 
 
 def _friction_in_time() -> Part:
     once, twice = (friction_block(scale * 0.7, scale * 0.4, scale * 0.1) for scale in (1.0, 2.0))
+    library = control.friction_backlash_nonlinearity(0.4)
+    library.center = 0.1
     return Part(
         "caption of Listing A.7",
         Assertion(
@@ -78,11 +84,15 @@ def _friction_in_time() -> Part:
             ),
             method=METHOD,
         ),
+        Confirmation(
+            "python-control's backlash, whose output it is", CloseNumbers(float(library(0.7)), once)
+        ),
     )
 
 
 def _inertia_in_time() -> Part:
     times = np.array([0.3, 0.4]) * PERIOD
+    right = InertiaBacklash(DRIVE_GAP).waveform(DRIVE_OMEGA * times, DRIVE_AMPLITUDE)
     outputs = 1e3 * inertia_block(np.asarray(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)), times)
     return Part(
         "caption of Listing A.8",
@@ -94,6 +104,10 @@ def _inertia_in_time() -> Part:
                 "instants"
             ),
             method=METHOD,
+        ),
+        Confirmation(
+            "the waveform of inertia-controlled backlash, which has the first of them then",
+            CloseNumbers(1e3 * float(right[0]), outputs[0], ROUNDED_CONSTANT),
         ),
     )
 
@@ -107,7 +121,7 @@ def _description() -> Part:
             statement="Listing A.3 takes the input wave, the dead band and the previous output",
             derived=listed.split(", ") == list(described),
             evidence=f"it takes {listed}; these three are the arguments of Listing A.7, {other}",
-            method="first lines of the two listings",
+            method="read in the first lines of the two listings",
         ),
     )
 
@@ -119,6 +133,6 @@ def _heading() -> Part:
             statement="its code is for Coulomb friction",
             derived="friction" in CALL.lower(),
             evidence=f"line 8 calls `{CALL.split()[-2].split('(')[0]}`, the function of Listing A.3",
-            method="line 8 of Listing A.9",
+            method="read in line 8 of Listing A.9",
         ),
     )

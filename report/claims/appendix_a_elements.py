@@ -1,4 +1,4 @@
-"""Claims of appendices A.3 to A.7 and A.11: listings of describing functions (A.2 to A.6, A.10)."""
+"""Claims of appendices A.3 to A.5, A.7 and A.11: listings of describing functions (A.2 to A.4, A.6, A.10)."""
 
 from __future__ import annotations
 
@@ -8,14 +8,10 @@ from scipy.optimize import brentq
 
 from derivations.backlash import (
     CONTACT,
-    GAMMA,
     GAP,
-    SEPARATION,
-    contact_ratio,
     friction_waveform,
     inertia_contact_ratio,
     inertia_waveform,
-    separation_angle,
 )
 from derivations.friction import FORCE
 from derivations.friction import friction_waveform as coulomb_waveform
@@ -23,11 +19,6 @@ from derivations.symbols import A, omega
 from derivations.waveform import THETA, describing_function, simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.quadrature import coefficient, confirm
-from report.claims.section_2_3_4_viscous import (
-    general_describing_function,
-    in_phase_part,
-    quadrature_part,
-)
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
@@ -52,7 +43,6 @@ def claims(_: Evidence) -> tuple[Claim, ...]:
             "Listing A.7.",
         ),
         _inertia("lst-A.4"),
-        _viscous(),
         _equivalent(),
         _inertia("lst-A.10"),
     )
@@ -121,7 +111,11 @@ def _friction(claim_id: str, remark: str) -> Claim:
 
 def inertia_listing(ratio: float, scale: float) -> complex:
     """Return what Listing A.4 returns for its arguments Beta and w, with the root of its equation."""
-    angle = brentq(lambda x: scale * x - ratio - np.sin(scale * x), 0.0, 10.0 / scale)
+    return _inertia_formula(brentq(lambda x: scale * x - ratio - np.sin(scale * x), 0.0, 10.0 / scale), ratio)
+
+
+def _inertia_formula(angle: float, ratio: float) -> complex:
+    """Return what the lines of Listing A.4 after its search make of the root that it found."""
     nested = np.sin(angle) + ratio
     real = (np.pi + 2 * np.sin(nested) - angle - np.sin(nested) * np.cos(nested)) / np.pi
     return complex(real, -((1 - np.cos(nested)) ** 2) / np.pi)
@@ -145,18 +139,7 @@ def _inertia(claim_id: str) -> Claim:
                 SameExpression(printed, derived, left=sympy.Symbol("N")),
                 Confirmation("the listing, repeated, at Beta = 1", CloseNumbers(one, right)),
             ),
-            Part(
-                "with another $w$",
-                Assertion(
-                    statement="the result does not depend on the second argument",
-                    derived=abs(two - one) < 1e-9,
-                    evidence=(
-                        f"at Beta = 1 it is {one.real:.4f} {one.imag:+.4f} j for $w = 1$ and {two.real:.4f} "
-                        f"{two.imag:+.4f} j for $w = 2$"
-                    ),
-                    method="the listing, repeated line by line",
-                ),
-            ),
+            _second_argument(one, two, angle),
         ),
         explanation=(
             "Line 3 scales the unknown by $w$, so its root is the contact angle divided by $w$, which the "
@@ -172,38 +155,22 @@ def _inertia(claim_id: str) -> Claim:
     )
 
 
-def _viscous() -> Claim:
-    root = sympy.sqrt(1 + GAMMA**2)
-    flight = GAMMA**2 / root * sympy.exp((separation_angle() - CONTACT) / GAMMA)
-    printed = sympy.sqrt(1 - GAMMA**2) - sympy.sin(CONTACT) - flight
-    derived = contact_ratio().subs(SEPARATION, separation_angle())
-    general = general_describing_function()
-    return Claim(
-        id="lst-A.5",
-        parts=(
-            Part(
-                "line 6, contact angle",
-                SameExpression(printed, derived, left=r"\beta", assume=sympy.Lt(GAMMA, 1)),
-                Confirmation("the right form", SameExpression(root - sympy.sin(CONTACT) - flight, derived)),
-                Slip(
-                    "the sign under the root is minus instead of plus",
-                    derived - root + sympy.sqrt(1 - GAMMA**2),
-                    Verdict.ERRATUM,
-                ),
+def _second_argument(one: complex, two: complex, angle: float) -> Part:
+    return Part(
+        "with another $w$",
+        Assertion(
+            statement="the result does not depend on the second argument",
+            derived=abs(two - one) < 1e-9,
+            evidence=(
+                f"at Beta = 1 it is {one.real:.4f} {one.imag:+.4f} j for $w = 1$ and {two.real:.4f} "
+                f"{two.imag:+.4f} j for $w = 2$"
             ),
-            in_phase_part("lines 11 to 14, np", general),
-            quadrature_part("lines 16 to 19, nq", general),
+            method="the listing, repeated line by line",
         ),
-        explanation=(
-            "Lines 11 to 19 are right, brackets included. Line 6 repeats the sign of equation 2.46, so the "
-            "angle that is put into them is wrong; for $\\gamma > 1$ it is complex."
+        Confirmation(
+            "its formula at half of the contact angle, the root of line 3 for $w = 2$",
+            CloseNumbers(_inertia_formula(angle / 2, 1.0), two),
         ),
-        consequence=(
-            "The contours of figure 5.16, drawn for $1 < \\gamma < 3/2$, and what section 5.2.3 concludes "
-            "from them, rest on this line."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source=BACKLASH,
     )
 
 

@@ -1,11 +1,9 @@
-"""Claims of appendices A.8 and A.9: the blocks of backlash over time (listings A.7 and A.8)."""
+"""Claims of appendix A.9: the block of inertia-controlled backlash over time (Listing A.8)."""
 
 from __future__ import annotations
 
 import math
-import re
 
-import control
 import numpy as np
 import sympy
 from numpy.typing import NDArray
@@ -14,13 +12,13 @@ from scipy.optimize import brentq
 from derivations.backlash import CONTACT, GAP, inertia_contact_ratio, inertia_waveform
 from derivations.symbols import A
 from derivations.waveform import THETA
-from report.claim import Claim, Confirmation, Impact, Mathematics, Part
+from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.printed import product, total
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.octave.formulas import LOAD, PIN, friction_step
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE = "derivations/backlash.py"
@@ -28,31 +26,14 @@ b = sympy.Symbol("b", positive=True)
 DRIVE_AMPLITUDE, DRIVE_GAP, DRIVE_OMEGA = 0.0015, 0.0004, 200 * math.pi
 PERIOD = 2 * math.pi / DRIVE_OMEGA
 PRINTED_CONTACT, PRINTED_OFFSET = "0.00190662", "0.0049"
-FRICTION_LINES = (
-    *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
-    *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),
-    *("end", "end", "end", "end"),
-)
-"""Listing A.7, line by line."""
 PHASES = (0.5, 2.0, 4.0, 5.5)
 """A phase inside of each piece, rad."""
-OPENING = r"\b(function|if|for|while|switch)\b"
-
 Reals = NDArray[np.float64]
 
 
 def claims(_: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
-    return (_friction(), _inertia())
-
-
-def friction_block(pin: float, gap: float, load: float) -> float:
-    """Return what Listing A.7 returns for its arguments e, D_size and u_prev."""
-    if pin - load > gap / 2:
-        return pin - gap / 2
-    if pin - load < -gap / 2:
-        return pin + gap / 2
-    return load
+    return (_inertia(),)
 
 
 def inertia_block(pin: Reals, time: Reals, gap: float = DRIVE_GAP) -> Reals:
@@ -66,68 +47,6 @@ def inertia_block(pin: Reals, time: Reals, gap: float = DRIVE_GAP) -> Reals:
         + (pin + gap / 2) * ((t > contact) & (t < second))
         + (-flight + offset) * ((t >= second) & (t < second + contact))
         + (pin - gap / 2) * ((t > second + contact) & (t < PERIOD))
-    )
-
-
-def friction_parts(place: str = "") -> tuple[Part, ...]:
-    """Return a part for each branch of Listing A.7, held against a load that walls push and never pull.
-
-    ``place`` stands before the lines' numbers in the labels.
-    """
-    distance = sympy.Symbol("d", positive=True)
-    inside = PIN - GAP / 2 + GAP * distance / (1 + distance)
-    rows = (
-        ("lines 2 and 3", "e - D/2", r"e - u_\text{prev} > D/2", PIN - GAP / 2, PIN - GAP / 2 - distance),
-        ("lines 5 and 6", "e + D/2", r"e - u_\text{prev} < -D/2", PIN + GAP / 2, PIN + GAP / 2 + distance),
-        ("line 8", r"u_\text{prev}", r"|e - u_\text{prev}| \le D/2", inside, inside),
-    )
-    return tuple(
-        Part(
-            f"{place}{label}",
-            SameExpression(returned, sympy.simplify(friction_step().subs(LOAD, load))),
-            Confirmation("python-control's backlash", _as_the_library(returned, load, distance)),
-            printed_form=(form := Mathematics(rf"u = {value} \quad \text{{if }} {condition}")),
-            derived_form=form,
-        )
-        for label, value, condition, returned, load in rows
-    )
-
-
-def _as_the_library(returned: sympy.Expr, load: sympy.Expr, distance: sympy.Expr) -> CloseNumbers:
-    values = {PIN: 0.7, GAP: 0.4, distance: 0.25}
-    library = control.friction_backlash_nonlinearity(values[GAP])
-    library.center = float(load.subs(values))
-    return CloseNumbers(float(returned.subs(values)), library(values[PIN]))
-
-
-def _friction() -> Claim:
-    opened = sum(bool(re.match(OPENING, line)) for line in FRICTION_LINES)
-    closed = FRICTION_LINES.count("end")
-    return Claim(
-        id="lst-A.7",
-        parts=(
-            *friction_parts(),
-            Part(
-                "blocks",
-                Assertion(
-                    statement="each block that is opened is closed once",
-                    derived=opened == closed,
-                    evidence=f"{opened} lines open a block (1, 2 and 5), {closed} close one (9 to 12)",
-                    method="count over the printed lines",
-                ),
-            ),
-        ),
-        explanation=(
-            "The three branches are those of a load without inertia between walls a total $D$ apart, for any "
-            "input. Line 12 has one `end` too many, so the function cannot be read as printed. The caption "
-            "calls it a describing function, which it is not; its arguments are described in A.4."
-        ),
-        consequence=(
-            "None once line 12 is deleted. What runs has the right waveform, unlike equation 2.36, whose "
-            "first and third piece have the wrong sign."
-        ),
-        impact=Impact.NOTATION,
-        source=SOURCE,
     )
 
 
@@ -225,11 +144,16 @@ def _continuity() -> Part:
             ),
             method="the listing, repeated line by line",
         ),
+        Confirmation(
+            "the printed constant less $\\pi A + b/2$",
+            CloseNumbers(float(PRINTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - DRIVE_GAP / 2, _jump(), 1e-6),
+        ),
     )
 
 
 def _instants() -> Part:
     instant = np.array([float(PRINTED_CONTACT)])
+    beside = instant + np.array([-1e-9, 1e-9])
     (output,) = inertia_block(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * instant), instant)
     return Part(
         "conditions of lines 10 to 13",
@@ -242,6 +166,10 @@ def _instants() -> Part:
                 f"{output:.0f}: two conditions ask for more and for less, none for equal"
             ),
             method="the listing, repeated line by line",
+        ),
+        second_way(
+            "a nanosecond before and after, where the output is that of flight and of contact",
+            min(inertia_block(np.asarray(DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * beside)), beside)) > 0,
         ),
     )
 
@@ -259,5 +187,9 @@ def _own_input() -> Part:
                 f"start it is {1e3 * outputs[0]:.3f} mm wherever the pin is"
             ),
             method="the listing, repeated line by line, for two inputs",
+        ),
+        Confirmation(
+            "line 10 by itself, $A\\omega t - b/2$",
+            CloseNumbers(DRIVE_AMPLITUDE * math.pi / 4 - DRIVE_GAP / 2, outputs[0]),
         ),
     )

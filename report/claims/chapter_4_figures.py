@@ -10,13 +10,15 @@ from numpy.typing import NDArray
 
 from derivations.backlash import CONTACT, inertia_contact_ratio
 from report.claim import Claim, Confirmation, Part, Uncheckable, Words
+from report.claims.appendix_a_friction_block import friction_block
 from report.claims.appendix_a_time_domain import (
     DRIVE_AMPLITUDE,
     DRIVE_GAP,
     DRIVE_OMEGA,
-    friction_block,
+    PRINTED_OFFSET,
     inertia_block,
 )
+from report.claims.printed import power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
@@ -117,6 +119,12 @@ def _inertia_block() -> Claim:
                     ),
                     method="the listing, repeated line by line, against the derived waveform",
                 ),
+                Confirmation(
+                    "what the constant of line 12 lacks of $\\pi A + b/2$",
+                    CloseNumbers(
+                        math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2 - float(PRINTED_OFFSET), distance, 1e-6
+                    ),
+                ),
             ),
         ),
         explanation=(
@@ -132,6 +140,7 @@ def _gaps() -> Claim:
     phase = 2 * math.pi * np.arange(SAMPLES) / SAMPLES
     small = InertiaBacklash(1e-9 * DRIVE_AMPLITUDE).waveform(phase, DRIVE_AMPLITUDE)
     distance = float(np.abs(small - DRIVE_AMPLITUDE * np.sin(phase)).max())
+    gain = InertiaBacklash(1e-9 * DRIVE_AMPLITUDE).describing_function(DRIVE_AMPLITUDE)
     rises = [float(inertia_contact_ratio().subs(CONTACT, angle)) for angle in (0.0, 1.0, 2.0, 3.0)]
     return Claim(
         id="fig-4.3",
@@ -144,10 +153,11 @@ def _gaps() -> Claim:
                     evidence=(
                         "the flight lasts for $\\phi$ with $b/A = \\phi - \\sin\\phi$, so it vanishes with "
                         "the gap; at $b = 10^{-9}A$ output and input differ by "
-                        f"{distance / DRIVE_AMPLITUDE:.0e} A"
+                        f"{power_of(distance / DRIVE_AMPLITUDE)} A"
                     ),
                     method="the derived waveform for a vanishing gap",
                 ),
+                Confirmation("its describing function, which is one", CloseNumbers(complex(gain), 1.0, 1e-8)),
             ),
             Uncheckable(
                 "the other curves",

@@ -5,7 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part
-from report.claims.driven_steady_motion import METHOD, SOURCE, has_the_drives_period, period_in_words
+from report.claims.driven_steady_motion import (
+    METHOD,
+    SOURCE,
+    confirm_period,
+    has_the_drives_period,
+    period_in_words,
+)
 from report.claims.section_3_3_closed_loop import BIN, PEAK, PREDICTED
 from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
@@ -116,6 +122,7 @@ def _shown(evidence: Evidence) -> Claim:
                     evidence=period_in_words(evidence),
                     method=METHOD,
                 ),
+                confirm_period(evidence),
             ),
             Part(
                 "section 3.3",
@@ -123,7 +130,7 @@ def _shown(evidence: Evidence) -> Claim:
                     statement="the peak that friction lowers there is where a limit cycle was predicted",
                     derived=abs(float(PEAK) - float(PREDICTED)) < BIN,
                     evidence=f"it is near {PEAK} Hz, and {PREDICTED} Hz was predicted for the same trimmer",
-                    method="the two printed frequencies",
+                    method="read in the text: the two printed frequencies",
                 ),
             ),
         ),

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.second_ways import by_floquet, second_way
+from report.claims.section_5_2_4 import on_the_imaginary_axis
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from trimmer import frequency_response
+from trimmer import frequency_response, real_axis_crossings
 
 OMEGAS = np.geomspace(1.0, 1e5, 20_001)
 """Angular frequencies over which the phase of G is looked at, rad/s."""
@@ -77,20 +79,13 @@ def _with_play(evidence: Evidence) -> Part:
             evidence=f"{max(counts)} for each of {len(evidence.cycles.viscous)} loads between the limits",
             method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
         ),
-        Confirmation(
-            "the exact orbits for both limits",
-            Assertion(
-                statement="both are stable",
-                derived=orbits.friction.stable.stable and orbits.inertia.stable.stable,
-                evidence="no Floquet multiplier outside of the unit circle",
-                method="Floquet multipliers",
-            ),
-        ),
+        by_floquet([orbits.friction.stable, orbits.inertia.stable], stable=True),
     )
 
 
 def _friction_alone(evidence: Evidence) -> Part:
     response = np.asarray(frequency_response(evidence.numbers.displacement_only, OMEGAS))
+    on_the_real_axis = [each.value for each in real_axis_crossings(evidence.numbers.displacement_only)]
     phase = np.degrees(np.unwrap(np.angle(response)))
     return Part(
         "Coulomb friction",
@@ -102,6 +97,10 @@ def _friction_alone(evidence: Evidence) -> Part:
                 "for displacement asks for -180, friction for 90"
             ),
             method="phase of the frequency response",
+        ),
+        second_way(
+            "all roots of real and imaginary part: $G$ meets neither of the two half axes",
+            max(on_the_imaginary_axis(evidence.numbers)) < 0 < min(on_the_real_axis),
         ),
     )
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.chapter_7_input import harmonic_of_output
-from report.claims.section_5_2_1_driven import line_part, open_loop
+from report.claims.driven_open_loop import REPEATS, line_part, open_loop
+from report.claims.printed import power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
@@ -12,8 +13,6 @@ from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
 from report.numbers.record import line_amplitudes
 
-REPEATS = 1e-6
-"""Share of the output by which two periods may differ."""
 FIFTH = 5
 
 
@@ -39,6 +38,10 @@ def _subharmonics(evidence: Evidence) -> Claim:
                         f"{100 * abs(orbit.harmonics[2] / orbit.harmonics[0]):.2f} %"
                     ),
                     method="Floquet multipliers of the exact orbit",
+                ),
+                Confirmation(
+                    "a motion that starts elsewhere, 0.1 % outside of the unstable orbit, and ends on it",
+                    CloseNumbers(evidence.motion.closed.orbits.left_by[1], orbit.amplitude, 1e-5),
                 ),
             ),
         ),
@@ -72,9 +75,9 @@ def _below_the_drive(evidence: Evidence) -> Part:
             statement="they are subharmonics of the drive",
             derived=change > REPEATS,
             evidence=(
-                f"two periods differ by {change:.0e} of the output, and at half of the {DRIVE_FREQUENCY:.0f} "
-                f"Hz there are {half / run.harmonics[1]:.0e} of the first harmonic; the lines are at three, "
-                "five and seven times the drive"
+                f"two periods differ by {power_of(change)} of the output, and at half of the "
+                f"{DRIVE_FREQUENCY:.0f} Hz there are {power_of(half / run.harmonics[1])} of the first "
+                "harmonic; the lines are at three, five and seven times the drive"
             ),
             method="exact simulation; two periods of the settled open loop",
         ),

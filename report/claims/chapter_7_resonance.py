@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.exact_response import gain
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from trimmer import frequency_response, resonance_peaks
+from trimmer import Extremum, frequency_response, resonance_peaks
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
@@ -33,9 +35,8 @@ def _resonance(evidence: Evidence) -> Claim:
     highest = max(peaks, key=lambda peak: peak.magnitude)
     mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest.omega))
     width = -2 * mode.eigenvalue.real
-    shares = [_left_of_third(evidence, peak.omega) for peak in peaks]
     distance = pair.unstable.omega - highest.omega
-    exact = float(gain(numbers, THIRD * highest.omega) / gain(numbers, highest.omega))
+    height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest.omega))
     return Claim(
         id="txt-7-resonance",
         parts=(
@@ -51,27 +52,12 @@ def _resonance(evidence: Evidence) -> Claim:
                     ),
                     method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
                 ),
-            ),
-            Part(
-                "what a resonance would do",
-                Assertion(
-                    statement="at a resonance the harmonics are not attenuated",
-                    derived=min(shares) > 1,
-                    evidence=(
-                        "against the first harmonic $G$ passes the third by "
-                        + ", ".join(
-                            f"{share:.2g} at {peak.omega / (2 * math.pi):.1f} Hz"
-                            for peak, share in zip(peaks, shares, strict=True)
-                        )
-                        + f"; at the stable limit cycle by {_left_of_third(evidence, pair.stable.omega):.2g}"
-                    ),
-                    method="gain at three times each peak's frequency over the peak",
-                ),
-                Confirmation(
-                    "exact coefficients, 40 digits",
-                    CloseNumbers(exact, _left_of_third(evidence, highest.omega)),
+                second_way(
+                    f"the exact gain there, {100 * height:.0f} % of the peak's, where half power has 71 %",
+                    (height > math.sqrt(0.5)) == (abs(distance) <= width / 2),
                 ),
             ),
+            _magnified(evidence, peaks, highest),
         ),
         explanation=(
             "Taken to the letter, no two numbers are ever precisely equal; to the width of a peak, the "
@@ -86,4 +72,30 @@ def _resonance(evidence: Evidence) -> Claim:
         ),
         impact=Impact.LOCAL,
         source="trimmer/extrema.py",
+    )
+
+
+def _magnified(evidence: Evidence, peaks: Sequence[Extremum], highest: Extremum) -> Part:
+    numbers, stable = evidence.numbers, evidence.cycles.friction.stable
+    shares = [_left_of_third(evidence, peak.omega) for peak in peaks]
+    exact = float(gain(numbers, THIRD * highest.omega) / gain(numbers, highest.omega))
+    return Part(
+        "what a resonance would do",
+        Assertion(
+            statement="at a resonance the harmonics are not attenuated",
+            derived=min(shares) > 1,
+            evidence=(
+                "against the first harmonic $G$ passes the third by "
+                + ", ".join(
+                    f"{share:.2g} at {peak.omega / (2 * math.pi):.1f} Hz"
+                    for peak, share in zip(peaks, shares, strict=True)
+                )
+                + f"; at the stable limit cycle by {_left_of_third(evidence, stable.omega):.2g}"
+            ),
+            method="gain at three times each peak's frequency over the peak",
+        ),
+        Confirmation(
+            "exact coefficients, 40 digits",
+            CloseNumbers(exact, _left_of_third(evidence, highest.omega)),
+        ),
     )

@@ -6,6 +6,7 @@ import math
 
 from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.exact_response import gain
+from report.claims.printed import power
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -33,8 +34,8 @@ def _gap() -> Claim:
                 Assertion(
                     statement="the gap of the experiment is quoted alike everywhere",
                     derived=len(different) == 1,
-                    evidence=", ".join(f"{gap} m in {place}" for place, gap in GAPS_QUOTED.items()),
-                    method="the printed numbers side by side",
+                    evidence=", ".join(f"{power(gap)} m in {place}" for place, gap in GAPS_QUOTED.items()),
+                    method="read in the three places",
                 ),
             ),
         ),
@@ -58,7 +59,7 @@ def _filter_order(numbers: LinearNumbers) -> Claim:
                 "",
                 PrintedDigits("1", order),
                 Confirmation(
-                    "the slope of the exact gain at 1e8 rad/s", CloseNumbers(-slope / 20, order, 1e-6)
+                    "the slope of the exact gain at $10^{8}$ rad/s", CloseNumbers(-slope / 20, order, 1e-6)
                 ),
             ),
         ),

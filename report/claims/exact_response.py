@@ -9,8 +9,8 @@ from report.numbers.linear_numbers import LinearNumbers
 DIGITS = 40
 
 
-def gain(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpf:
-    """Return |G(jω)| from the pin's displacement alone, with 40 digits."""
+def response(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpc:
+    """Return G(jω) from the pin's displacement alone, with 40 digits."""
     with mpmath.workdps(DIGITS):
         numerator, denominator = (
             mpmath.polyval(
@@ -18,7 +18,13 @@ def gain(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpf:
             )
             for coefficients in (numbers.numerator, numbers.denominator)
         )
-        return abs(numerator / denominator)
+        return numerator / denominator
+
+
+def gain(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpf:
+    """Return |G(jω)| from the pin's displacement alone, with 40 digits."""
+    with mpmath.workdps(DIGITS):
+        return abs(response(numbers, omega))
 
 
 def gain_crossing(numbers: LinearNumbers, level: float, near: float) -> float:

@@ -81,7 +81,16 @@ def _guard_is_carried(evidence: Evidence) -> Part:
             ),
             method="forces on each body for a unit of each displacement",
         ),
+        Confirmation(
+            "the second derivatives of the potential energy",
+            SameMatrix(_matrix_of(evidence.derivation.potential_energy, coordinates).expand(), stiffness),
+        ),
     )
+
+
+def _count_of_bodies(evidence: Evidence) -> Confirmation:
+    bodies = evidence.derivation.mechanism.bodies
+    return Confirmation("a count of the bodies", CloseNumbers(len(bodies), len(MOVING_PARTS) - 1))
 
 
 def _cutter_and_bridge(evidence: Evidence) -> Part:
@@ -97,11 +106,13 @@ def _cutter_and_bridge(evidence: Evidence) -> Part:
             ),
             method="rank of the mass matrix",
         ),
+        _count_of_bodies(evidence),
     )
 
 
 def _motor_to_cutter(evidence: Evidence) -> Part:
     motor = coordinates[0]
+    on_the_cutter = sympy.expand(evidence.derivation.newton[1])
     beyond_pin = sympy.expand(evidence.derivation.potential_energy - k1 * motor**2 / 2)
     return Part(
         "motor to cutter",
@@ -110,6 +121,10 @@ def _motor_to_cutter(evidence: Evidence) -> Part:
             derived=sympy.expand(beyond_pin.diff(motor) - beyond_pin.diff(u)) == 0,
             evidence="beyond its own mount, the motor's displacement enters as $q_1 + u$ alone",
             method="derivatives of the potential energy",
+        ),
+        Confirmation(
+            "the forces on the cutter",
+            SameExpression(on_the_cutter.diff(motor), on_the_cutter.diff(u)),
         ),
     )
 
@@ -132,7 +147,7 @@ def _free_body_diagram(evidence: Evidence) -> Claim:
             Part(
                 "number of masses",
                 PrintedDigits("4", _matrix_of(derivation.kinetic_energy, velocities).rank()),
-                Confirmation("a count of the bodies", CloseNumbers(len(derivation.mechanism.bodies), 4)),
+                _count_of_bodies(evidence),
             ),
             _matrix_part("springs", printed_stiffness, stiffness, _by_newton(evidence, coordinates)),
             _matrix_part("dampers", printed_damping, damping, _by_newton(evidence, velocities)),

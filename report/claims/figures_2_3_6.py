@@ -74,6 +74,7 @@ def _same_number(label: str, read: float, solved: float, exact: sympy.Expr) -> P
 def _two_limit_cycles() -> Claim:
     loop = backlash_loop()
     first, second = loop.limit_cycles()
+    _, from_between, _ = backlash_history().amplitudes[-1]
     return Claim(
         id="fig-2.14",
         parts=(
@@ -88,6 +89,10 @@ def _two_limit_cycles() -> Claim:
                     derived=first.amplitude < second.amplitude,
                     evidence=f"{first.amplitude:.3f} and {second.amplitude:.3f} gaps",
                     method="both solutions of harmonic balance",
+                ),
+                Confirmation(
+                    "a simulation that starts just above the first and goes up to the second",
+                    CloseNumbers(float(from_between), second.amplitude, SETTLED),
                 ),
             ),
         ),

@@ -137,6 +137,7 @@ def _characteristic() -> Claim:
                     evidence=f"they are $\\pm({sympy.latex(heights[0])})$",
                     method="derivative of each height by the amplitude",
                 ),
+                Confirmation(TRACING, CloseNumbers(float(_traced()[1].max()), 1 - HALF_GAP, STEP_ERROR)),
             ),
             _two_outputs(),
         ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import sympy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
@@ -22,9 +23,11 @@ from derivations.backlash import (
 from derivations.symbols import A, omega, t
 from derivations.waveform import THETA
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict, Words
+from report.claims.second_ways import second_way
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
+from trimmer.elements.viscous_backlash import ViscousBacklash
 
 SOURCE = "derivations/backlash.py"
 PIN = A * sympy.sin(omega * t)
@@ -116,6 +119,10 @@ def _viscous_controlled() -> Claim:
             Part(
                 f"phase $\\phi_c$ of the next contact, for $\\gamma = {LOAD}$ and $b/A = {PLAY}$",
                 CloseNumbers(found, flown),
+                second_way(
+                    "the numeric element, which touches the other side there and not before",
+                    _touches(found) and not _touches(found - 1e-6),
+                ),
                 printed_form=Words(f"pin and load meet again at $\\phi_c = {found:.6f}$"),
                 derived_form=Words(f"the flight, integrated in steps, ends at {flown:.6f}"),
             ),
@@ -128,6 +135,12 @@ def _viscous_controlled() -> Claim:
         ),
         source=SOURCE,
     )
+
+
+def _touches(phase: float) -> bool:
+    """Tell whether the numeric element is at the side of the gap that the pin brings up, at a phase (rad)."""
+    (position,) = ViscousBacklash(PLAY, LOAD).waveform(np.array([phase]), 1.0, 1.0)
+    return abs(float(position) - math.sin(phase) - PLAY / 2) < 1e-9
 
 
 def _zero_of_force() -> float:

@@ -6,8 +6,11 @@ import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part, Uncheckable, Words
 from report.claims.driven_harmonics import confirm_play
-from report.claims.driven_steady_motion import METHOD, has_odd_harmonics_only
+from report.claims.driven_steady_motion import METHOD, confirm_odd, has_odd_harmonics_only
+from report.claims.printed import power_of
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE
@@ -44,11 +47,13 @@ def _smallest_gap(evidence: Evidence) -> Claim:
                     statement="it holds the odd harmonics of the drive and nothing else",
                     derived=has_odd_harmonics_only(evidence),
                     evidence=(
-                        f"even harmonics up to {max(float(run.harmonics[::2].max()) for run in runs):.0e} m, "
-                        "which is rounding and what is left of the start"
+                        "even harmonics up to "
+                        f"{power_of(max(float(run.harmonics[::2].max()) for run in runs))} m, which is "
+                        "rounding and what is left of the start"
                     ),
                     method=METHOD,
                 ),
+                confirm_odd(evidence),
             ),
             _curves(),
         ),
@@ -65,7 +70,7 @@ def _follows_the_drive(evidence: Evidence) -> Part:
     runs = [evidence.motion.driven.run(LARGEST_GAP, force) for force in FORCES]
     largest = max(float(np.abs(run.output).max()) for run in runs)
     return Part(
-        "$b$ = 200e-4 m",
+        "$b$ = $200\\times10^{-4}$ m",
         Assertion(
             statement="the trimmer moves with the drive",
             derived=largest > 0,
@@ -76,17 +81,9 @@ def _follows_the_drive(evidence: Evidence) -> Part:
             ),
             method=SIMULATION,
         ),
-        Confirmation(
+        second_way(
             "the domain of the describing function, which begins at half a gap",
-            Assertion(
-                statement="backlash has a response to this amplitude",
-                derived=not bool(
-                    np.isnan(FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE))
-                ),
-                evidence=f"it begins at {1e3 * LARGEST_GAP / 2:.0f} mm",
-                method="describing function of backlash",
-                asserted=False,
-            ),
+            bool(np.isnan(FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE))),
         ),
     )
 
@@ -99,7 +96,7 @@ def _largest_gap(evidence: Evidence) -> Claim:
         parts=(
             _follows_the_drive(evidence),
             Part(
-                "additional oscillations, drawn for $b$ = 200e-5 m",
+                "additional oscillations, drawn for $b$ = $200\\times10^{-5}$ m",
                 Assertion(
                     statement="friction makes them smaller and leaves their frequencies",
                     derived=bool(np.all(np.diff(thirds) < 0) and np.all(np.diff(fifths) < 0))
@@ -146,10 +143,11 @@ def _largest_gap_spectrum(evidence: Evidence) -> Claim:
                     derived=not has_odd_harmonics_only(evidence),
                     evidence=(
                         "all motions end with the same velocities, which repeat with the drive; with a gap "
-                        f"of 2 mm the last two periods differ by {run.repeat:.0e}"
+                        f"of 2 mm the last two periods differ by {power_of(run.repeat)}"
                     ),
                     method=METHOD,
                 ),
+                confirm_odd(evidence),
             ),
             _curves(),
         ),
@@ -188,6 +186,11 @@ def _released(evidence: Evidence) -> Claim:
                         f"{100 * left[LARGEST_GAP]:.0f} % with 20 mm, released from {INSIDE} gaps"
                     ),
                     method=SIMULATION,
+                ),
+                Confirmation(
+                    "the scaling of the model, by which 20 mm with 0.25 N is a hundred times 0.2 mm with "
+                    "0.0025 N",
+                    CloseNumbers(lines[LARGEST_GAP, largest], lines[GAP, least]),
                 ),
             ),
             _curves(f"{PARAMETERS}; and from which state the loop was released"),

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import power
+from report.claims.second_ways import by_grid
+from report.claims.section_5_2_1 import ROUNDED
 from report.claims.section_5_2_1_scaling import PLOT_OFFSET
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.numbers.limit_cycle_numbers import inertia_by_newton
+from report.numbers.limit_cycle_numbers import friction_exactly, inertia_by_newton
 from trimmer import real_axis_crossings
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
@@ -14,7 +17,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE = "trimmer/balance/solve.py"
-PLOTTED = "the locus is plotted from b/2 + 1e-6 m on, as in Listing A.9"
+PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
 HERTZ_OF_BAND = ("733", "815")
 
 
@@ -37,7 +40,7 @@ def _intersections(evidence: Evidence, gap: str, printed: str) -> Part:
     found = limit_cycles(evidence.cycles.listing, FrictionBacklash(float(gap)))
     exact = limit_cycles(evidence.numbers.displacement_only, FrictionBacklash(float(gap)))
     return Part(
-        f"intersections for b = {gap} m",
+        f"intersections for $b$ = {power(gap)} m",
         PrintedDigits(printed, len(found)),
         Confirmation("the exact coefficients", CloseNumbers(len(exact), len(found))),
         Slip(PLOTTED, _plotted(found, float(gap)), Verdict.ERRATUM),
@@ -57,7 +60,9 @@ def _tiny_gaps(evidence: Evidence) -> Claim:
             "the same, only the amplitudes along it change. What the figure shows depends on where the "
             "plotted amplitudes begin; with the start of Listing A.9 none of the three would show any."
         ),
-        consequence="The threshold of 2e-8 m in section 5.2.1 and chapter 6 is read from this figure.",
+        consequence=(
+            "The threshold of $2\\times10^{-8}$ m in section 5.2.1 and chapter 6 is read from this figure."
+        ),
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
     )
@@ -112,17 +117,15 @@ def _inertia(evidence: Evidence) -> Claim:
 def _band(evidence: Evidence) -> Claim:
     low, high = evidence.cycles.friction.stable, evidence.cycles.inertia.stable
     _, omega = inertia_by_newton(evidence.numbers, high)
+    _, low_omega = friction_exactly(evidence.numbers, low)
     return Claim(
         id="fig-5.17",
         parts=(
             Part(
                 "lower end",
                 PrintedDigits(HERTZ_OF_BAND[0], low.frequency, "Hz"),
-                slip=Slip(
-                    "the coefficients of Listing A.9, rounded to four digits, are used",
-                    evidence.cycles.friction_listing.stable.frequency,
-                    Verdict.EXPLAINED,
-                ),
+                Confirmation("Newton's method in 30 digits", CloseNumbers(low_omega, low.omega)),
+                Slip(ROUNDED, evidence.cycles.friction_listing.stable.frequency, Verdict.EXPLAINED),
             ),
             Part(
                 "upper end",
@@ -145,7 +148,13 @@ def _coulomb(evidence: Evidence) -> Claim:
     negative = sum(crossing.value < 0 for crossing in crossings)
     return Claim(
         id="fig-5.18",
-        parts=(Part("intersections with the negative real axis", PrintedDigits("0", negative)),),
+        parts=(
+            Part(
+                "intersections with the negative real axis",
+                PrintedDigits("0", negative),
+                by_grid(evidence.numbers.displacement_only, negative),
+            ),
+        ),
         explanation=(
             "The locus and the negative real axis do not meet, as the text reads from the figure. For "
             "friction in this loop the curve to draw is the positive imaginary axis, which the locus does "

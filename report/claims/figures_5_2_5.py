@@ -14,20 +14,26 @@ from derivations.symbols import A, omega
 from derivations.waveform import simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.appendix_a_elements import REACHED, friction_expression
+from report.claims.second_ways import by_matching_real_parts
 from report.claims.section_5_2_1 import ROUNDED
 from report.claims.section_5_2_1_scaling import PLOT_OFFSET
-from report.claims.section_5_2_4 import coulomb_part
-from report.claims.section_5_2_5 import LINE_18, frequency_part, intersections_part
+from report.claims.section_5_2_5 import LINE_18, at_the_merger, frequency_part, intersections_part
+from report.claims.section_5_2_5_friction_term import coulomb_part
 from report.claims.section_5_2_5_simulated import peak_parts
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, FORCES, GAP, OTHER_FORCE, OTHER_GAP
-from report.numbers.friction_in_place import force_response
-from report.numbers.limit_cycle_numbers import friction_by_newton
-from trimmer import frequency_response
-from trimmer.elements.friction_backlash import FrictionBacklash
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    FORCES,
+    GAP,
+    OMEGA,
+    OTHER_FORCE,
+    OTHER_GAP,
+    listing_element,
+)
+from report.numbers.limit_cycle_numbers import friction_exactly
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
@@ -49,7 +55,7 @@ def _three_panels(evidence: Evidence) -> Claim:
             coulomb_part(),
             _one_family(),
             Part(
-                f"for $F_c$ = {OTHER_FORCE}, $b$ = 200e-5 and the drive's frequency",
+                f"for $F_c$ = {OTHER_FORCE}, $b$ = $200\\times10^{{-5}}$ and the drive's frequency",
                 Assertion(
                     statement="there is more than one intersection",
                     derived=len(numbers.other_gap) > 1,
@@ -57,6 +63,11 @@ def _three_panels(evidence: Evidence) -> Claim:
                         f"at {inner.frequency:.1f} Hz, unstable, and at {outer.frequency:.1f} Hz, stable"
                     ),
                     method="all solutions of harmonic balance with the listing's function",
+                ),
+                by_matching_real_parts(
+                    evidence.numbers.displacement_only,
+                    -OTHER_FORCE / OMEGA / OTHER_GAP,
+                    len(numbers.other_gap),
                 ),
             ),
         ),
@@ -89,6 +100,13 @@ def _one_family() -> Part:
                 "panels show one family three times"
             ),
             method="the listing's function with $A = ab$ and $F_c = \\varphi\\omega b$",
+        ),
+        Confirmation(
+            "the numeric element for another gap, force and frequency with the same quotient",
+            CloseNumbers(
+                complex(listing_element(0.15, 2e-3, 600.0).describing_function(4e-3)),
+                complex(listing_element(0.6, 4e-3, 1200.0).describing_function(8e-3)),
+            ),
         ),
     )
 
@@ -124,11 +142,7 @@ def _without_force(evidence: Evidence) -> Claim:
 
 def _prediction_without_force(evidence: Evidence) -> tuple[Part, ...]:
     friction, rounded = evidence.cycles.friction, evidence.cycles.friction_listing.stable
-    ratio, turning = friction_by_newton(
-        tuple(map(float, evidence.numbers.numerator)),
-        tuple(map(float, evidence.numbers.denominator)),
-        friction.stable,
-    )
+    ratio, turning = friction_exactly(evidence.numbers, friction.stable)
     return (
         Part(
             "amplitude",
@@ -174,14 +188,17 @@ def _one_force(evidence: Evidence) -> Claim:
             Part(
                 "limit cycles by Listing A.6 with the sign of line 18 turned",
                 PrintedDigits("1", len(numbers.sign_turned)),
-                slip=Slip(LINE_18, len(numbers.listing), Verdict.ERRATUM),
+                by_matching_real_parts(
+                    evidence.numbers.displacement_only, FORCE / OMEGA / GAP, len(numbers.sign_turned)
+                ),
+                Slip(LINE_18, len(numbers.listing), Verdict.ERRATUM),
             ),
             frequency_part(numbers),
             *peak_parts(evidence, "b: "),
         ),
         explanation=(
             "The one intersection is an effect of line 18: its sign alone decides. With friction that takes "
-            "energy there is none. For a gap of 4e-6 m a limit cycle bears at most "
+            "energy there is none. For a gap of $4\\times10^{-6}$ m a limit cycle bears at most "
             f"{numbers.force_of_merger:.4f} N between cutter and guard; the force in the caption is "
             f"{FORCE / numbers.force_of_merger:.0f} times as large."
         ),
@@ -212,7 +229,7 @@ def _forces(evidence: Evidence) -> Claim:
                     ),
                     method="all solutions of harmonic balance, friction between cutter and guard",
                 ),
-                _at_the_merger(evidence),
+                at_the_merger(evidence),
                 Slip(LINE_18, bool(np.all(np.diff(listing) > 0)), Verdict.ERRATUM),
             ),
         ),
@@ -225,20 +242,4 @@ def _forces(evidence: Evidence) -> Claim:
         consequence="The explanation of the 0.57 % by friction has the wrong direction.",
         impact=Impact.DOWNSTREAM,
         source="report/numbers/friction_in_place.py",
-    )
-
-
-def _at_the_merger(evidence: Evidence) -> Confirmation:
-    """Confirm the solution with the largest force by solving the equations of motion at its frequency."""
-    merger = evidence.cycles.equivalent.in_place.merger
-    model = force_response(evidence.numbers.parameters)
-    turning = 2j * math.pi * merger.frequency * np.eye(model.nstates) - model.A
-    by_force = complex((model.C @ np.linalg.solve(turning, model.B)).item())
-    omega = 2 * math.pi * merger.frequency
-    by_pin = complex(frequency_response(evidence.numbers.displacement_only, omega))
-    backlash = complex(FrictionBacklash(1.0).describing_function(merger.amplitude))
-    stiffness = 4j * merger.force_per_gap / (math.pi * merger.amplitude)
-    return Confirmation(
-        "both responses at the last solution, where the loop closes",
-        CloseNumbers(backlash * by_pin + stiffness * by_force, -1.0, 1e-6),
     )

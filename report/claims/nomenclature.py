@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.printed import power, power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
+from report.numbers.limit_cycle_numbers import LISTING_DENOMINATOR, LISTING_NUMERATOR, friction_by_newton
 
 GAP = 4e-6
 """Gap of the example in section 5.2.1, m."""
@@ -21,6 +23,9 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
 
 
 def _symbols(evidence: Evidence) -> Claim:
+    by_newton, _ = friction_by_newton(
+        LISTING_NUMERATOR, LISTING_DENOMINATOR, evidence.cycles.friction_listing.stable
+    )
     predicted, simulated = evidence.cycles.friction_listing.stable.amplitude * GAP, float(UNDER_THE_SYMBOL)
     return Claim(
         id="txt-5.2.1-amplitude-symbols",
@@ -31,8 +36,9 @@ def _symbols(evidence: Evidence) -> Claim:
                     statement="it is the one predicted by the condition for harmonic balance",
                     derived=PrintedDigits(UNDER_THE_SYMBOL, predicted).compare().agrees,
                     evidence=(
-                        f"{UNDER_THE_SYMBOL} m is half of the distance of two readings from a simulation; "
-                        f"harmonic balance gives {predicted:.4e} m, which is called $A_{{lch}}$"
+                        f"{power(UNDER_THE_SYMBOL)} m is half of the distance of two readings from a "
+                        f"simulation; harmonic balance gives {power_of(predicted, 4)} m, which is called "
+                        "$A_{lch}$"
                     ),
                     method="both values of section 5.2.1 against harmonic balance with Listing A.9",
                 ),
@@ -41,7 +47,11 @@ def _symbols(evidence: Evidence) -> Claim:
                     CloseNumbers((READINGS[0] - READINGS[1]) / 2, float(UNDER_THE_SYMBOL), 2e-5),
                 ),
             ),
-            Part("footnote 4: $A_{lch}$ is the predicted one", PrintedDigits(FROM_THE_LOCUS, predicted, "m")),
+            Part(
+                "footnote 4: $A_{lch}$ is the predicted one",
+                PrintedDigits(FROM_THE_LOCUS, predicted, "m"),
+                Confirmation("Newton's method in 30 digits", CloseNumbers(GAP * by_newton, predicted)),
+            ),
         ),
         explanation=(
             "The nomenclature gives $A_{lcs}$ as the amplitude predicted by the condition for harmonic "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
+import mpmath
 import numpy as np
 import sympy
 
@@ -12,6 +13,7 @@ from derivations.dimensions import dimension_of
 from derivations.laplace import transform_of_derivative
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.claim import Claim, Confirmation, Impact, Mathematics, Part
+from report.claims.exact_response import response as exact_response
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression, SameMatrix
@@ -28,9 +30,10 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
     settled = _settled_gain(evidence.numbers)
     response = complex(frequency_response(evidence.numbers.displacement_only, 2 * math.pi * DRIVE_FREQUENCY))
+    exact = complex(exact_response(evidence.numbers, 2 * math.pi * DRIVE_FREQUENCY))
     return (
-        _magnitude(abs(response), settled),
-        _phase(response, settled),
+        _magnitude(abs(response), settled, exact),
+        _phase(response, settled, exact),
         _output_in_laplace_domain(evidence),
         _laplace_integral("eq-2.18", "Y", "y"),
         _laplace_integral("eq-2.19", "U", "u"),
@@ -50,7 +53,7 @@ def _settled_gain(numbers: LinearNumbers) -> complex:
     return complex(2j * np.mean(output * turning))
 
 
-def _magnitude(gain: float, settled: complex) -> Claim:
+def _magnitude(gain: float, settled: complex, exact: complex) -> Claim:
     form = Mathematics("\\left|\\frac{A_y}{A_u}\\right| = |G(j\\omega)|")
     return Claim(
         id="eq-2.15",
@@ -58,6 +61,7 @@ def _magnitude(gain: float, settled: complex) -> Claim:
             Part(
                 f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {abs(settled):.5f}",
                 CloseNumbers(gain, abs(settled), 1e-4),
+                Confirmation("exact coefficients, 40 digits", CloseNumbers(abs(exact), gain)),
                 printed_form=form,
                 derived_form=form,
             ),
@@ -71,7 +75,7 @@ def _magnitude(gain: float, settled: complex) -> Claim:
     )
 
 
-def _phase(response: complex, settled: complex) -> Claim:
+def _phase(response: complex, settled: complex, exact: complex) -> Claim:
     phase, simulated = cmath.phase(response), cmath.phase(settled)
     form = Mathematics("\\angle G(j\\omega) = \\phi(j\\omega) = \\phi")
     return Claim(
@@ -80,6 +84,7 @@ def _phase(response: complex, settled: complex) -> Claim:
             Part(
                 f"at 100 Hz: the phase is {phase:.6f} rad, a simulation gives {simulated:.6f} rad",
                 CloseNumbers(phase, simulated, 1e-3),
+                Confirmation("exact coefficients, 40 digits", CloseNumbers(cmath.phase(exact), phase)),
                 printed_form=form,
                 derived_form=form,
             ),
@@ -131,6 +136,7 @@ def _laplace_integral(claim_id: str, capital: str, small: str) -> Claim:
                     evidence=f"the transform is in {transform_unit}, the printed integrand alone is not",
                     method="dimension check",
                 ),
+                _with_its_differential(),
                 printed_form=Mathematics(printed),
                 derived_form=Mathematics(rf"{printed}\,dt"),
             ),
@@ -142,6 +148,17 @@ def _laplace_integral(claim_id: str, capital: str, small: str) -> Claim:
         consequence="None: the later equations use the transform with its $dt$.",
         impact=Impact.NOTATION,
         source=SOURCE,
+    )
+
+
+def _with_its_differential() -> Confirmation:
+    """Hold the integral with dt, by quadrature, against SymPy's transform of a function."""
+    function, place = sympy.exp(-2 * t) * sympy.sin(t), 3
+    listed = sympy.laplace_transform(function, t, s, noconds=True).subs(s, place)
+    integrand = sympy.lambdify(t, function * sympy.exp(-place * t), "mpmath")
+    return Confirmation(
+        "quadrature of the integral with $dt$, which gives SymPy's transform of $e^{-2t}\\sin t$",
+        CloseNumbers(float(mpmath.quad(integrand, [0, mpmath.inf])), float(listed)),
     )
 
 

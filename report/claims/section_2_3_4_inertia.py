@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import control
 import sympy
 
 from derivations.backlash import (
@@ -17,6 +18,7 @@ from derivations.waveform import THETA, simplified_describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import product, total
 from report.claims.quadrature import coefficient, confirm
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
@@ -140,6 +142,7 @@ def _imaginary_signs() -> Claim:
     friction = sympy.simplify(friction_waveform().cosine_coefficient() / A)
     samples = [friction.subs({A: 1, GAP: sympy.Rational(k, 50)}) for k in range(1, 100)]
     limit = friction.subs(GAP, A)
+    library = control.friction_backlash_nonlinearity(1.0)
     return Claim(
         id="txt-2.3.4-imaginary-signs",
         parts=(
@@ -157,6 +160,10 @@ def _imaginary_signs() -> Claim:
                         "size"
                     ),
                     method="sign of the derived coefficient over the whole domain",
+                ),
+                second_way(
+                    "python-control's describing function of backlash at five amplitudes",
+                    all(library.describing_function(each).imag < 0 for each in (0.51, 0.7, 1.0, 4.0, 90.0)),
                 ),
             ),
         ),

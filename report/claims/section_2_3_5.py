@@ -201,6 +201,7 @@ def _locus() -> Claim:
                     evidence=f"$-1/N = {sympy.latex(relay)}$",
                     method="sign of the derived expression for every positive amplitude",
                 ),
+                confirm(relay, -float(VALUES[A]) / coefficient(RELAY, SINE, VALUES), VALUES),
             ),
             Part(
                 "with the displacement as input, as in section 5.2.4",

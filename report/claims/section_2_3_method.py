@@ -1,11 +1,10 @@
-"""Claims of sections 2.3.1 to 2.3.3: harmonic balance, Fourier series, definition (2.25 to 2.35)."""
+"""Claims of sections 2.3.1 to 2.3.3: harmonic balance and describing function (2.25 to 2.27, 2.34, 2.35)."""
 
 from __future__ import annotations
 
 import sympy
 
 from derivations.symbols import A, omega, t
-from derivations.waveform import THETA, Segment, Waveform
 from report.claim import Claim, Confirmation, Impact, Mathematics, Part, Slip, Verdict
 from report.claims.exact_response import gain
 from report.claims.printed import total
@@ -19,7 +18,6 @@ SOURCE = "derivations/waveform.py"
 LIMIT_CYCLE_OMEGA = 4607.7
 COSINE_PART = sympy.Symbol("a_1", real=True)
 SINE_PART = sympy.Symbol("b_1", positive=True)
-MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:3"), sympy.symbols("b_1:3")
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -29,12 +27,6 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
         _filtering_hypothesis(evidence),
         _sinusoid("eq-2.27"),
         _sinusoid("txt-2.3.3-df-definition"),
-        _fourier_series(),
-        _fourier_coefficients(),
-        _fundamental_coefficients(),
-        _first_harmonic(),
-        _magnitude(),
-        _phase(),
         _ratio_of_signals(),
         _describing_function(),
     )
@@ -113,126 +105,9 @@ def _sinusoid(claim_id: str) -> Claim:
     )
 
 
-def _series() -> sympy.Expr:
-    harmonics = (
-        a * sympy.cos(n * THETA) + b * sympy.sin(n * THETA)
-        for n, (a, b) in enumerate(zip(COSINES, SINES, strict=True), start=1)
-    )
-    return total(MEAN / 2, *harmonics)
-
-
-def _over_period(signal: sympy.Expr) -> Waveform:
-    return Waveform((Segment(-sympy.pi, sympy.pi, signal),))
-
-
-def _fourier_series() -> Claim:
-    wave = _over_period(_series())
-    rebuilt = wave.cosine_coefficient(0) / 2 + sympy.Add(
-        *(
-            wave.cosine_coefficient(n) * sympy.cos(n * THETA)
-            + wave.sine_coefficient(n) * sympy.sin(n * THETA)
-            for n in (1, 2)
-        )
-    )
-    form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
-    return Claim(
-        id="eq-2.28",
-        parts=(
-            Part(
-                "up to $n = 2$",
-                SameExpression(_series(), sympy.expand(rebuilt)),
-                printed_form=form,
-                derived_form=form,
-            ),
-        ),
-        explanation=(
-            "A signal of two harmonics is rebuilt from its coefficients by the printed series, with half "
-            "of $a_0$."
-        ),
-        source=SOURCE,
-    )
-
-
-def _fourier_coefficients() -> Claim:
-    wave = _over_period(_series())
-    rows = (
-        ("$a_0$", wave.cosine_coefficient(0), MEAN),
-        *((f"$a_{n}$", wave.cosine_coefficient(n), COSINES[n - 1]) for n in (1, 2)),
-        *((f"$b_{n}$", wave.sine_coefficient(n), SINES[n - 1]) for n in (1, 2)),
-    )
-    return Claim(
-        id="eq-2.29",
-        parts=tuple(
-            Part(label, SameExpression(sympy.expand(integral), symbol)) for label, integral, symbol in rows
-        ),
-        explanation=(
-            "The printed integrals, over a signal of two harmonics, give back each of its coefficients."
-        ),
-        source=SOURCE,
-    )
-
-
-def _fundamental_coefficients() -> Claim:
-    wave = _over_period(_series())
-    return Claim(
-        id="eq-2.30",
-        parts=(
-            Part("$a_1$", SameExpression(sympy.expand(wave.cosine_coefficient()), COSINES[0])),
-            Part("$b_1$", SameExpression(sympy.expand(wave.sine_coefficient()), SINES[0])),
-        ),
-        explanation="Equation 2.29 for $n = 1$.",
-        source=SOURCE,
-    )
-
-
-def _modulus_and_angle() -> tuple[sympy.Expr, sympy.Expr]:
+def modulus_and_angle() -> tuple[sympy.Expr, sympy.Expr]:
+    """Return magnitude and phase of the first harmonic, equations 2.32 and 2.33."""
     return sympy.sqrt(COSINE_PART**2 + SINE_PART**2), sympy.atan(COSINE_PART / SINE_PART)
-
-
-def _first_harmonic() -> Claim:
-    modulus, angle = _modulus_and_angle()
-    shifted = sympy.expand_trig(modulus * sympy.sin(THETA + angle))
-    printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
-    return Claim(
-        id="eq-2.31",
-        parts=(
-            Part(
-                "with $M$ and $\\phi$ of equations 2.32 and 2.33",
-                SameExpression(printed, sympy.simplify(shifted)),
-                derived_form=Mathematics(r"M \sin(\omega t + \phi)"),
-            ),
-        ),
-        explanation=(
-            "The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$."
-        ),
-        source=SOURCE,
-    )
-
-
-def _magnitude() -> Claim:
-    modulus, _ = _modulus_and_angle()
-    phasor = SINE_PART + sympy.I * COSINE_PART
-    return Claim(
-        id="eq-2.32",
-        parts=(Part("", SameExpression(modulus, sympy.Abs(phasor), left=sympy.Symbol("M"))),),
-        explanation="The magnitude of $b_1 + ja_1$.",
-        source=SOURCE,
-    )
-
-
-def _phase() -> Claim:
-    _, angle = _modulus_and_angle()
-    derived = sympy.atan2(COSINE_PART, SINE_PART)
-    return Claim(
-        id="eq-2.33",
-        parts=(Part("for $b_1 > 0$", SameExpression(angle, derived, left=sympy.Symbol("phi"))),),
-        explanation=(
-            "The angle of $b_1 + ja_1$ as long as $b_1 > 0$, as for every backlash. The arctangent of a "
-            "ratio loses the quadrant: for $b_1 < 0$ it is off by half a turn, and Coulomb friction driven "
-            "by a displacement has $b_1 = 0$."
-        ),
-        source=SOURCE,
-    )
 
 
 def _ratio_of_signals() -> Claim:
@@ -266,7 +141,7 @@ def _ratio_of_signals() -> Claim:
 
 
 def _describing_function() -> Claim:
-    modulus, angle = _modulus_and_angle()
+    modulus, angle = modulus_and_angle()
     printed = (SINE_PART + sympy.I * COSINE_PART) / A
     derived = modulus / A * sympy.exp(sympy.I * angle)
     point = {A: 2, COSINE_PART: -0.7, SINE_PART: 1.3}

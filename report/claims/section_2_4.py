@@ -13,7 +13,8 @@ from derivations.waveform import THETA, describing_function, simplified_describi
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import product, total
 from report.claims.quadrature import coefficient, confirm
-from report.claims.section_2_3_4_friction import printed_sine_terms
+from report.claims.second_ways import second_way
+from report.claims.section_2_3_4_friction_integrals import printed_sine_terms
 from report.comparisons.assertion import Assertion
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
@@ -184,6 +185,7 @@ def _units() -> Claim:
     backlash = describing_function(friction_waveform(2 * b), A)
     friction = 4 * COULOMB / (omega * A * sympy.pi)
     first, second = (dimension_of(term, _units_of_symbols()) for term in (sympy.re(backlash), friction))
+    in_milliseconds = {COULOMB: COULOMB / 10**6, omega: omega / 1000}
     stiffness = dimension_of(4 * COULOMB / (sympy.pi * A), _units_of_symbols())
     return Claim(
         id="txt-2.4-units",
@@ -195,6 +197,11 @@ def _units() -> Claim:
                     derived=first == second,
                     evidence=f"the backlash term is a number, the friction term as used is in {second}",
                     method="dimension check of both terms",
+                ),
+                second_way(
+                    "seconds changed to milliseconds, which leaves the first term and alters the second",
+                    backlash.subs(in_milliseconds) == backlash
+                    and sympy.simplify(friction.subs(in_milliseconds) - friction) != 0,
                 ),
             ),
         ),

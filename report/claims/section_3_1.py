@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -107,12 +108,15 @@ def _grids(cells: Sequence[str]) -> list[int]:
     return [int(each) for each in samples[(miss <= HALF_DIGIT).all(axis=0)]]
 
 
+def _listed_by_numpy(cells: Sequence[str], samples: int) -> int:
+    """Count the frequencies (Hz, three decimals) that stand among NumPy's bins to every digit."""
+    bins = {f"{each:.3f}" for each in np.fft.rfftfreq(samples, 1 / float(SAMPLE_RATE))}
+    return sum(cell in bins for cell in cells)
+
+
 def _bins() -> Claim:
     cells = tabulated()
     stated = [cell for cell in cells if on_a_bin(cell, int(FRAMES))]
-    misfits = [cell for cell in cells if not on_a_bin(cell)]
-    others = [cell for cell in cells if cell not in misfits]
-    grids, whole = _grids(others), _grids(cells)
     return Claim(
         id="txt-3.1-bins",
         parts=(
@@ -124,20 +128,12 @@ def _bins() -> Claim:
                     evidence=f"{len(stated)} of {len(cells)} are; bins of 2000 frames are multiples of 10 Hz",
                     method="each printed frequency against the nearest bin",
                 ),
-            ),
-            Part(
-                "with any number of frames",
-                Assertion(
-                    statement="the tabulated peaks are bins of one spectrum",
-                    derived=len(whole) > 0,
-                    evidence=(
-                        f"{len(others)} of {len(cells)} are, to every digit, with "
-                        f"{' or '.join(map(str, grids))} frames and with no other number between {FEWEST} "
-                        f"and {MOST}; {', '.join(sorted(set(misfits)))} are bins of none of these"
-                    ),
-                    method="each printed frequency against the nearest bin, for every number of frames",
+                Confirmation(
+                    "the remainders of the printed decimals on division by ten",
+                    CloseNumbers(1 + sum(Decimal(cell) % 10 == 0 for cell in cells), 1 + len(stated)),
                 ),
             ),
+            _any_frames(cells),
         ),
         explanation=(
             f"The peaks are multiples of 20000/{FRAMES_OF_TABLES} = {float(BIN):.4f} Hz, the bins of one "
@@ -150,4 +146,27 @@ def _bins() -> Claim:
         ),
         impact=Impact.LOCAL,
         source=SOURCE,
+    )
+
+
+def _any_frames(cells: Sequence[str]) -> Part:
+    misfits = [cell for cell in cells if not on_a_bin(cell)]
+    others = [cell for cell in cells if cell not in misfits]
+    grids, whole = _grids(others), _grids(cells)
+    return Part(
+        "with any number of frames",
+        Assertion(
+            statement="the tabulated peaks are bins of one spectrum",
+            derived=len(whole) > 0,
+            evidence=(
+                f"{len(others)} of {len(cells)} are, to every digit, with "
+                f"{' or '.join(map(str, grids))} frames and with no other number between {FEWEST} "
+                f"and {MOST}; {', '.join(sorted(set(misfits)))} are bins of none of these"
+            ),
+            method="each printed frequency against the nearest bin, for every number of frames",
+        ),
+        Confirmation(
+            f"NumPy's bins for {grids[0]} frames, rounded to three decimals",
+            CloseNumbers(_listed_by_numpy(cells, grids[0]), len(others)),
+        ),
     )

@@ -11,11 +11,14 @@ from report.claims.driven_harmonics import confirm_friction
 from report.claims.driven_steady_motion import (
     METHOD,
     SOURCE,
+    confirm_odd,
+    confirm_period,
     has_odd_harmonics_only,
     has_the_drives_period,
     period_in_words,
 )
 from report.claims.figures_1_and_2_2 import MOVING_PARTS
+from report.claims.printed import power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
@@ -42,10 +45,11 @@ def _odd_harmonics(evidence: Evidence) -> Claim:
                     evidence=(
                         "linear parts and friction are odd and all motions end with the same velocities, "
                         "which therefore change sign after half a period; in the runs up to "
-                        f"{max(run.mirror for run in evidence.motion.driven.runs):.0e} of the output"
+                        f"{power_of(max(run.mirror for run in evidence.motion.driven.runs))} of the output"
                     ),
                     method=METHOD,
                 ),
+                confirm_odd(evidence),
             ),
             Part(
                 "where they come from",
@@ -121,6 +125,7 @@ def expected_peak(evidence: Evidence) -> Part:
             evidence=period_in_words(evidence),
             method=METHOD,
         ),
+        confirm_period(evidence),
     )
 
 
@@ -161,8 +166,8 @@ def _no_limit_cycle(evidence: Evidence) -> Claim:
     return Claim(
         id="txt-3.2-no-limit-cycle",
         parts=(
-            Part("experiment 1, friction alone", none),
-            Part("experiment 2, play and friction", none),
+            Part("experiment 1, friction alone", none, confirm_period(evidence)),
+            Part("experiment 2, play and friction", none, confirm_period(evidence)),
             Uncheckable(
                 "the spectra hold no further frequency", Words("No additional frequencies"), RAW_DATA
             ),

@@ -21,6 +21,7 @@ from report.claims.measured_peaks import (
     nearest_bin,
     on_a_bin,
 )
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -124,7 +125,18 @@ def _near_multiples() -> Part:
             ),
             method="intervals of the drive's frequency, intersected over the five peaks",
         ),
+        second_way(
+            "a search over drives from 100 to 120 Hz in steps of a millihertz",
+            all(_common_drive_by_search(bins) for bins in rows.values()),
+        ),
     )
+
+
+def _common_drive_by_search(bins: dict[int, int]) -> bool:
+    """Tell whether the multiples of some drive all lie within a bin of their peaks."""
+    drives = np.arange(100_000, 120_000) / 1e3
+    distances = [abs(order * drives - number * float(BIN)) for order, number in bins.items()]
+    return bool((np.max(distances, axis=0) <= float(BIN)).any())
 
 
 def _bins(row: tuple[str, ...]) -> dict[int, int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part
-from report.claims.driven_steady_motion import METHOD, has_the_drives_period
+from report.claims.driven_steady_motion import METHOD, confirm_period, has_the_drives_period
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
@@ -37,6 +37,7 @@ def _frequency(evidence: Evidence) -> Claim:
                     evidence="they are harmonics of the drive, whatever the friction",
                     method=METHOD,
                 ),
+                confirm_period(evidence),
             ),
             Part(
                 "self-sustained oscillation",

@@ -11,6 +11,7 @@ from derivations.mechanism import Body
 from derivations.symbols import masses, velocities
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.claims.printed import over, product, total
+from report.claims.second_ways import second_way
 from report.claims.trimmer_printed import accelerations
 from report.comparisons.assertion import Assertion
 from report.comparisons.expression import SameExpression
@@ -129,7 +130,11 @@ def _rubbing_parts(evidence: Evidence) -> Part:
                 "$\\dot q_2 - \\dot q_1$ is the velocity of the cutter relative to the motor; relative to "
                 "the guard it is $\\dot q_2 - \\dot q_4$"
             ),
-            method="bodies of the mechanism and the lines of equation 3.2 that hold the force",
+            method="relative velocity of two bodies of the mechanism",
+        ),
+        second_way(
+            "cutter and guard moving as one, which do not rub and for which the printed velocity is not zero",
+            PRINTED_RATE.subs({velocities[0]: 0, velocities[1]: 1, velocities[3]: 1}) != 0,
         ),
     )
 
@@ -138,6 +143,8 @@ def _direction(evidence: Evidence) -> Part:
     mechanism = evidence.derivation.mechanism
     printed = power(mechanism, tuple(sign * PRINTED_FRICTION for sign in PRINTED_SIGNS))
     right = power(mechanism, _derived_forces(evidence))
+    simulated = evidence.motion.printed_friction
+    as_printed, opposite = simulated.as_printed[0], simulated.opposite
     return Part(
         "which way it acts",
         Assertion(
@@ -147,5 +154,9 @@ def _direction(evidence: Evidence) -> Part:
                 "their power is $+F_c|\\dot q_2 - \\dot q_1|$, that of friction $-F_c|\\dot q_2 - \\dot q_1|$"
             ),
             method="sum of force times velocity over the lines, against the dissipation function",
+        ),
+        second_way(
+            "the simulated energy, which rises with the printed signs and falls with the others",
+            as_printed.energy[-1] > as_printed.energy[0] and opposite.energy[-1] < opposite.energy[0],
         ),
     )

@@ -10,6 +10,7 @@ import sympy
 from numpy.typing import NDArray
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -46,6 +47,9 @@ def _transfer_function(numbers: LinearNumbers) -> Claim:
                     derived=PrintedDigits("1.233e10", 1.233**10).compare().agrees,
                     evidence=f"$1.233^{{10}} = {1.233**10:.2f}$; meant is $1.233\\cdot 10^{{10}}$",
                     method="evaluation as printed",
+                ),
+                Confirmation(
+                    "ten factors in exact fractions", CloseNumbers(float(Fraction("1.233") ** 10), 1.233**10)
                 ),
             ),
         ),
@@ -168,6 +172,7 @@ def _nyquist(numbers: LinearNumbers) -> Claim:
     unstable = control.tf([0.5], [1, -1])
     silent = encirclements(unstable, -1.0) == 0
     open_loop_stable = all(pole.real < 0 for pole in unstable.poles())
+    early, late = control.impulse_response(unstable, np.array([1.0, 2.0])).outputs
     return Claim(
         id="txt-5.1.2-nyquist",
         parts=(
@@ -182,6 +187,10 @@ def _nyquist(numbers: LinearNumbers) -> Claim:
                         "poles of the closed loop, and needs those of the open loop to be known"
                     ),
                     method="counterexample",
+                ),
+                second_way(
+                    "python-control's Nyquist count of it, zero, and its response to an impulse, which grows",
+                    control.nyquist_response(unstable).count == 0 and abs(late) > abs(early),
                 ),
             ),
         ),

@@ -18,6 +18,8 @@ from trimmer import InputChannels, TrimmerParameters, linear_model, transfer_fun
 
 Reals = NDArray[np.float64]
 
+OUTPUT = np.array([0.0, 1.0, 0.0, -1.0])
+"""Weights of the four displacements in the output of the thesis's loop, q2 - q4."""
 SUM = np.ones(4)
 """Weights of the four displacements in the output of figure 5.4 (equation 5.3)."""
 
@@ -33,6 +35,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
     }
     first, other, undamped = (_antiresonances(system) for system in outputs.values())
     shift = _farthest(first, undamped)
+    without = _zeros_without_damping(parameters, OUTPUT)
     return (
         Claim(
             id="txt-5.1.3-antiresonances",
@@ -45,6 +48,10 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
                         derived=shift < READING_ACCURACY,
                         evidence=f"those of $q_2 - q_4$ move by {100 * shift:.2f} % at most",
                         method="zeros with all and with a thousandth of the damping",
+                    ),
+                    Confirmation(
+                        "frequencies where a constrained system without damping is free to swing",
+                        CloseNumbers(float(without[1]), float(undamped[1]), 1e-4),
                     ),
                 ),
             ),

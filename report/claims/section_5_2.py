@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import math
 
+import control
 import numpy as np
 import sympy
 
-from derivations.backlash import friction_waveform, inertia_waveform
-from derivations.friction import relay_waveform
+from derivations.backlash import CONTACT, friction_waveform, inertia_contact_ratio, inertia_waveform
+from derivations.backlash import GAP as TOTAL_GAP
+from derivations.friction import FORCE, relay_waveform
+from derivations.symbols import A
 from derivations.waveform import THETA, Waveform
-from report.claim import Claim, Impact, Part
+from report.claim import Claim, Confirmation, Impact, Part
 from report.claims.appendix_a_time_domain import DRIVE_AMPLITUDE, DRIVE_OMEGA, PERIOD, inertia_block
+from report.claims.impedance import BY_FRICTION, BY_THE_PIN, displacements
+from report.claims.printed import power_of
+from report.claims.quadrature import coefficient
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
-from trimmer import frequency_response
+from trimmer import Body, TrimmerParameters, frequency_response
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
@@ -25,6 +33,17 @@ from trimmer.elements.viscous_backlash import ViscousBacklash
 LITTLE = 0.05
 """Share of the fundamental below which a harmonic that comes back is taken as filtered."""
 TURN = 2 * math.pi
+GAP = 0.5
+"""Gap at which python-control's backlash is run, in any unit."""
+CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
+ANGLE = sympy.Rational(8, 5)
+VALUES = {
+    FORCE: sympy.Integer(1),
+    A: sympy.Integer(1),
+    CONTACT: ANGLE,
+    TOTAL_GAP: inertia_contact_ratio().subs(CONTACT, ANGLE),
+}
+"""Values of the waveforms' symbols; the gap is the one that belongs to the contact angle."""
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -37,7 +56,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
                 _single(evidence),
                 _static(),
                 _time_invariant(),
-                _filtered(returned),
+                _filtered(evidence, returned),
                 *_odd(),
             ),
             explanation=(
@@ -79,10 +98,22 @@ def _single(evidence: Evidence) -> Part:
             ),
             method="responses of $q_2 - q_4$ to both",
         ),
+        Confirmation(
+            "the matrices of figure 2.1, solved at both frequencies",
+            CloseNumbers(sum(_quotient(numbers.parameters, each) for each in omegas), quotients.sum()),
+        ),
     )
 
 
+def _quotient(parameters: TrimmerParameters, omega: float) -> complex:
+    """Return how far friction moves cutter against guard over how far the pin's spring does."""
+    friction, pin = (displacements(parameters, omega, each) for each in (BY_FRICTION, BY_THE_PIN))
+    return complex((friction[CUTTER] - friction[GUARD]) / (pin[CUTTER] - pin[GUARD]))
+
+
 def _static() -> Part:
+    library = control.friction_backlash_nonlinearity(GAP)
+    from_above, from_below = ([library(start), library(0.0)][1] for start in (3 * GAP, -3 * GAP))
     rising, falling = friction_waveform().segments[3], friction_waveform().segments[1]
     difference = sympy.simplify(falling.value - rising.value)
     return Part(
@@ -95,6 +126,10 @@ def _static() -> Part:
                 "where the pin rises through the same place"
             ),
             method="two pieces of the derived waveform at one value of the input",
+        ),
+        Confirmation(
+            "python-control's backlash, led to the same input from above and from below",
+            CloseNumbers(from_above - from_below, GAP),
         ),
     )
 
@@ -115,6 +150,10 @@ def _time_invariant() -> Part:
             ),
             method="the listing, repeated line by line",
         ),
+        second_way(
+            "a pin that stands still, for which its output moves all the same",
+            float(np.ptp(inertia_block(np.zeros_like(time), time))) > DRIVE_AMPLITUDE,
+        ),
     )
 
 
@@ -131,7 +170,7 @@ def _third_harmonics(evidence: Evidence) -> dict[str, float]:
             for cycle in (cycles.inertia.unstable, cycles.inertia.stable)
         ),
         *(
-            (f"$M/D$ = {constant:.0e} s", ViscousBacklash(1.0, constant), cycle)
+            (f"$M/D$ = {power_of(constant)} s", ViscousBacklash(1.0, constant), cycle)
             for constant, found in zip(TIME_CONSTANTS, cycles.viscous, strict=True)
             for cycle in found
         ),
@@ -142,7 +181,13 @@ def _third_harmonics(evidence: Evidence) -> dict[str, float]:
     }
 
 
-def _filtered(returned: dict[str, float]) -> Part:
+def _filtered(evidence: Evidence, returned: dict[str, float]) -> Part:
+    orbits = evidence.motion.closed.orbits
+    exact = [
+        float(abs(orbit.harmonics[2] / orbit.harmonics[0]))
+        for pair in (orbits.friction, orbits.inertia)
+        for orbit in (pair.unstable, pair.stable)
+    ]
     named = [f"{100 * share:.2f} % ({name})" for name, share in list(returned.items())[:4]]
     return Part(
         "3: filtering, at every predicted limit cycle",
@@ -154,6 +199,10 @@ def _filtered(returned: dict[str, float]) -> Part:
                 "$M/D$ between"
             ),
             method="the element's third harmonic with the response of $G$",
+        ),
+        second_way(
+            f"the exact orbits for both limits, whose third harmonics are {100 * max(exact):.2f} % at most",
+            max(exact) < LITTLE,
         ),
     )
 
@@ -173,9 +222,16 @@ def _odd() -> tuple[Part, ...]:
                 evidence="so its mean and its even harmonics are zero",
                 method="the pieces of the derived waveform, compared two by two",
             ),
+            Confirmation("quadrature of mean and second harmonic", CloseNumbers(1 + _even(wave), 1.0, 1e-12)),
         )
         for name, wave in elements
     )
+
+
+def _even(wave: Waveform) -> complex:
+    """Return the mean and both second coefficients of a waveform, added up, for one set of values."""
+    weights = (sympy.Integer(1), sympy.cos(2 * THETA), sympy.sin(2 * THETA))
+    return sum(coefficient(wave, weight, VALUES) for weight in weights)
 
 
 def _repeats_with_other_sign(wave: Waveform) -> bool:

@@ -1,16 +1,17 @@
-"""Claims of section 5.2.1 on predictions for friction-controlled backlash, with tables 5.1 and 5.2."""
+"""Claims of section 5.2.1 on predictions for friction-controlled backlash."""
 
 from __future__ import annotations
 
 import math
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import power_of
 from report.claims.second_ways import by_floquet
 from report.claims.section_5_2_1_scaling import PLOT_OFFSET, TINY_GAP, at_the_tiny_gap
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
-from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_by_newton
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_exactly
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -19,38 +20,28 @@ SOURCE = "trimmer/balance/solve.py"
 ROUNDED = "the coefficients of Listing A.9, rounded to four digits, are used"
 TURN = 2 * math.pi
 SMALL_GAP, LARGE_GAP = 4e-6, 4e-5
-TABLE_GAPS = ("1e-4", "2e-4", "3e-4", "4e-4", "5e-4", "6e-4", "7e-4", "8e-4", "9e-4", "1e-3")
-TABLE_AMPLITUDES = (
-    *("0.00083", "0.0017", "0.0025", "0.0033", "0.0041"),
-    *("0.0050", "0.0058", "0.0066", "0.0075", "0.0083"),
-)
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
     cycles = evidence.cycles
-    second = _SecondWay(evidence)
-    return (
-        _prediction(cycles, second),
-        _two_limit_cycles(cycles, second),
-        _ten_gaps(cycles, second),
-        _stable(evidence),
-        _second_limit_cycle(evidence, second),
-    )
+    second = SecondWay(evidence)
+    return (_prediction(cycles, second), _stable(evidence), _second_limit_cycle(evidence, second))
 
 
-class _SecondWay:
+class SecondWay:
     """Predictions by Newton's method in 30 digits, from the exact coefficients of the derivation."""
 
     def __init__(self, evidence: Evidence) -> None:
-        numerator = tuple(map(float, evidence.numbers.numerator))
-        denominator = tuple(map(float, evidence.numbers.denominator))
         friction = evidence.cycles.friction
-        self.stable = friction_by_newton(numerator, denominator, friction.stable)
-        self.unstable = friction_by_newton(numerator, denominator, friction.unstable)
+        self.stable = friction_exactly(evidence.numbers, friction.stable)
+        self.unstable = friction_exactly(evidence.numbers, friction.unstable)
 
 
-def _amplitude(printed: str, gap: float, right: LimitCycle, listing: LimitCycle, ratio: float) -> Part:
+def predicted_amplitude(
+    printed: str, gap: float, right: LimitCycle, listing: LimitCycle, ratio: float
+) -> Part:
+    """Return the part on a predicted amplitude, m; ``ratio`` is that over the gap in a second way."""
     return Part(
         "amplitude",
         PrintedDigits(printed, gap * right.amplitude, "m"),
@@ -59,9 +50,10 @@ def _amplitude(printed: str, gap: float, right: LimitCycle, listing: LimitCycle,
     )
 
 
-def _frequency(
+def predicted_frequency(
     label: str, printed: str, right: LimitCycle, listing: LimitCycle, omega: float, unit: str
 ) -> Part:
+    """Return the part on a predicted frequency, Hz or rad/s; ``omega`` is that in a second way, rad/s."""
     divisor = TURN if unit == "Hz" else 1.0
     return Part(
         label,
@@ -71,7 +63,7 @@ def _frequency(
     )
 
 
-def _prediction(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
+def _prediction(cycles: LimitCycleNumbers, second: SecondWay) -> Claim:
     right, listing, both = (
         pair.stable for pair in (cycles.friction, cycles.friction_listing, cycles.friction_both_channels)
     )
@@ -79,9 +71,9 @@ def _prediction(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
     return Claim(
         id="txt-5.2.1-prediction",
         parts=(
-            _amplitude("3.3138e-05", SMALL_GAP, right, listing, ratio),
-            _frequency("angular frequency", "4.6077e+03", right, listing, omega, "rad/s"),
-            _frequency("frequency", "733.3", right, listing, omega, "Hz"),
+            predicted_amplitude("3.3138e-05", SMALL_GAP, right, listing, ratio),
+            predicted_frequency("angular frequency", "4.6077e+03", right, listing, omega, "rad/s"),
+            predicted_frequency("frequency", "733.3", right, listing, omega, "Hz"),
         ),
         explanation=(
             f"With exact coefficients the prediction is $A = {1e6 * SMALL_GAP * right.amplitude:.4f}$ µm at "
@@ -99,87 +91,10 @@ def _prediction(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
     )
 
 
-def _misread(frequency: float) -> float:
+def misread(frequency: float) -> float:
     """Return a frequency whose second digit 5 has been written as a 3."""
     digits = f"{frequency:.2f}"
     return float(f"{digits[0]}3{digits[2:]}")
-
-
-def _two_limit_cycles(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
-    right, listing = cycles.friction, cycles.friction_listing
-    ratio, omega = second.stable
-    other_ratio, other_omega = second.unstable
-    wrong = listing.unstable
-    return Claim(
-        id="tab-5.1",
-        parts=(
-            _labelled("first: ", _amplitude("3.3138e-4", LARGE_GAP, right.stable, listing.stable, ratio)),
-            Part(
-                "first: frequency",
-                PrintedDigits("733.33", right.stable.frequency, "Hz"),
-                Confirmation("Newton's method in 30 digits", CloseNumbers(omega, right.stable.omega)),
-                Slip(
-                    f"{ROUNDED}, and the last digit is cut off",
-                    math.floor(100 * listing.stable.frequency) / 100,
-                    Verdict.EXPLAINED,
-                ),
-            ),
-            _labelled("second: ", _amplitude("2.1089e-5", LARGE_GAP, right.unstable, wrong, other_ratio)),
-            Part(
-                "second: frequency",
-                PrintedDigits("533.22", right.unstable.frequency, "Hz"),
-                Confirmation("Newton's method in 30 digits", CloseNumbers(other_omega, right.unstable.omega)),
-                Slip(
-                    f"{ROUNDED}, and the second digit is written 3 instead of 5",
-                    _misread(wrong.frequency),
-                    Verdict.ERRATUM,
-                ),
-            ),
-        ),
-        explanation=(
-            f"With exact coefficients the second limit cycle lies at {right.unstable.frequency:.2f} Hz, with "
-            f"those of Listing A.9 at {wrong.frequency:.2f} Hz; the printed 533.22 Hz has one digit wrong. "
-            "The other cells come out with the rounded coefficients."
-        ),
-        consequence=(
-            "The text repeats 533.22 Hz. The first limit cycle, on which the comparisons rest, is not "
-            "touched."
-        ),
-        impact=Impact.LOCAL,
-        source=SOURCE,
-    )
-
-
-def _labelled(prefix: str, part: Part) -> Part:
-    return Part(f"{prefix}{part.label}", part.comparison, part.confirmation, part.slip)
-
-
-def _ten_gaps(cycles: LimitCycleNumbers, second: _SecondWay) -> Claim:
-    right, listing = cycles.friction.stable, cycles.friction_listing.stable
-    ratio, omega = second.stable
-    parts = []
-    for gap, printed in zip(TABLE_GAPS, TABLE_AMPLITUDES, strict=True):
-        prefix = f"b = {gap} m, "
-        parts += [
-            _labelled(prefix, _amplitude(printed, float(gap), right, listing, ratio)),
-            _labelled(prefix, _frequency("angular frequency", "4.6e3", right, listing, omega, "rad/s")),
-            _labelled(prefix, _frequency("frequency", "733", right, listing, omega, "Hz")),
-        ]
-    return Claim(
-        id="tab-5.2",
-        parts=tuple(parts),
-        explanation=(
-            f"Every amplitude is {right.amplitude:.4f} times the gap and every frequency "
-            f"{right.frequency:.2f} Hz, in any row. With the rounded coefficients of Listing A.9 they are "
-            f"{listing.amplitude:.4f} and {listing.frequency:.2f} Hz, which gives all printed cells; with "
-            "exact ones the rows for 5e-4 m and 8e-4 m and all frequencies round to another last digit."
-        ),
-        consequence=(
-            "None beyond the last digit. The ten rows hold one result, since nothing but the scale changes."
-        ),
-        impact=Impact.LOCAL,
-        source=SOURCE,
-    )
 
 
 def _stable(evidence: Evidence) -> Claim:
@@ -225,21 +140,21 @@ def _stable(evidence: Evidence) -> Claim:
     )
 
 
-def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
+def _second_limit_cycle(evidence: Evidence, second: SecondWay) -> Claim:
     cycles = evidence.cycles
     right, wrong = cycles.friction.unstable, cycles.friction_listing.unstable
     ratio, omega = second.unstable
     return Claim(
         id="txt-5.2.1-second-limit-cycle",
         parts=(
-            _amplitude("2.1089e-5", LARGE_GAP, right, wrong, ratio),
+            predicted_amplitude("2.1089e-5", LARGE_GAP, right, wrong, ratio),
             Part(
                 "frequency",
                 PrintedDigits("533.22", right.frequency, "Hz"),
                 Confirmation("Newton's method in 30 digits", CloseNumbers(omega, right.omega)),
                 Slip(
                     f"{ROUNDED}, and the second digit is written 3 instead of 5",
-                    _misread(wrong.frequency),
+                    misread(wrong.frequency),
                     Verdict.ERRATUM,
                 ),
             ),
@@ -253,26 +168,14 @@ def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
                 ),
                 by_floquet([evidence.motion.closed.orbits.friction.unstable], stable=False),
             ),
-            Part(
-                "when it appears",
-                Assertion(
-                    statement="it is there only when the gap is large enough",
-                    derived=len(limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP))) < 2,
-                    evidence=(
-                        f"it has $A = {right.amplitude:.4f}\\,b$ for every gap, since $N$ depends on $b/A$ "
-                        "alone"
-                    ),
-                    method="scaling of the describing function in the gap",
-                ),
-                at_the_tiny_gap(evidence.numbers.displacement_only, right),
-            ),
+            _when_it_appears(evidence),
         ),
         explanation=(
             "Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles "
             "exist for every gap or for none. The second one lies just above the edge of the dead band, $A = "
             "b/2$. The locus that Listing A.9 plots starts at $b/2 + 10^{-6}$ m and reaches it only for gaps "
-            f"above {PLOT_OFFSET / (right.amplitude - 0.5):.1e} m: that is why it is missing for 4e-6 m and "
-            "there for 4e-5 m."
+            f"above {power_of(PLOT_OFFSET / (right.amplitude - 0.5), 1)} m: that is why it is missing for "
+            "$4\\times10^{-6}$ m and there for $4\\times10^{-5}$ m."
         ),
         consequence=(
             "A trimmer with a small gap has the same two limit cycles as one with a large gap, in "
@@ -280,4 +183,21 @@ def _second_limit_cycle(evidence: Evidence, second: _SecondWay) -> Claim:
         ),
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
+    )
+
+
+def _when_it_appears(evidence: Evidence) -> Part:
+    cycles = evidence.cycles
+    right = cycles.friction.unstable
+    return Part(
+        "when it appears",
+        Assertion(
+            statement="it is there only when the gap is large enough",
+            derived=len(limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP))) < 2,
+            evidence=(
+                f"it has $A = {right.amplitude:.4f}\\,b$ for every gap, since $N$ depends on $b/A$ alone"
+            ),
+            method="scaling of the describing function in the gap",
+        ),
+        at_the_tiny_gap(evidence.numbers.displacement_only, right),
     )

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import power_of
+from report.claims.second_ways import second_way
 from report.claims.section_5_2_1 import LARGE_GAP
 from report.claims.section_5_2_1_simulated import SECOND_WAY, SOURCE, amplitude_part
 from report.comparisons.assertion import Assertion
@@ -12,9 +15,13 @@ from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.impulse_response import ABOVE, CHECKED
+from report.numbers.record import Record
+from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 
+THIRD_OF_A_SECOND = Record(0.3, 1_000_231)
+"""A record whose bin nearest to the exact frequency has the printed digits; its length is not given."""
 EDGE = 2e-8
 """Gap that the section takes for the smallest with a limit cycle, m."""
 
@@ -30,13 +37,15 @@ def one_impulse_part(evidence: Evidence) -> Part:
     return Part(
         "one impulse for all gaps",
         Assertion(
-            statement="there is one after which the loop dies out for 1e-8 m and goes on for 3e-8 m",
+            statement=(
+                "there is one after which the loop dies out for $10^{-8}$ m and goes on for "
+                "$3\\times10^{-8}$ m"
+            ),
             derived=not numbers.one_threshold,
             evidence=(
-                "impulse over gap alone decides: of "
-                f"{len(numbers.impulses)} impulses over nine decades those below "
-                f"{1e6 * numbers.threshold:.2f} µs die out and those above go on, so 1e-8 m goes on wherever "
-                "3e-8 m does"
+                f"impulse over gap alone decides: of {len(numbers.impulses)} impulses over nine decades "
+                f"those below {1e6 * numbers.threshold:.2f} µs die out and those above go on, so $10^{{-8}}$ "
+                "m goes on wherever $3\\times10^{-8}$ m does"
             ),
             method="scaling of the model; exact simulation over the whole range",
         ),
@@ -56,24 +65,33 @@ def _impulse(evidence: Evidence) -> Claim:
         parts=(
             one_impulse_part(evidence),
             Part(
-                "what is left for 1e-8 m after an impulse that 3e-8 m goes on after",
+                "what is left for $10^{-8}$ m after an impulse that $3\\times10^{-8}$ m goes on after",
                 Assertion(
                     statement="no oscillation",
                     derived=smallest.amplitude < smallest.gap / 2,
                     evidence=(
                         f"{1e9 * smallest.amplitude:.1f} nm, beside {1e9 * left[1].amplitude:.1f} nm for "
-                        f"2e-8 m and {1e9 * largest.amplitude:.1f} nm for 3e-8 m"
+                        f"$2\\times10^{{-8}}$ m and {1e9 * largest.amplitude:.1f} nm for $3\\times10^{{-8}}$ "
+                        "m"
                     ),
-                    method=f"exact simulation of the three gaps with {smallest.impulse:.0e} m s",
+                    method=f"exact simulation of the three gaps with {power_of(smallest.impulse)} m s",
+                ),
+                Confirmation(
+                    "the exact orbit for $10^{-8}$ m, by shooting",
+                    CloseNumbers(
+                        evidence.motion.closed.orbits.friction.stable.amplitude * smallest.gap,
+                        smallest.amplitude,
+                        1e-4,
+                    ),
                 ),
             ),
         ),
         explanation=(
             "Impulse, gap and motion times one factor are again a motion, so with one impulse it is the "
-            f"larger gap that dies out, if any: 3e-8 m does below {3e-8 * numbers.threshold:.2e} m s, 1e-8 m "
-            "below a third of that. Printed is the opposite order. Where all go on, they oscillate as "
-            f"1 : 2 : 3, beside a first swing of {numbers.peak:.0f}/s times the impulse; on one scale the "
-            "smallest is easily not seen."
+            "larger gap that dies out, if any: $3\\times10^{-8}$ m does below "
+            f"{power_of(3e-8 * numbers.threshold, 2)} m s, $10^{{-8}}$ m below a third of that. Printed is "
+            "the opposite order. Where all go on, they oscillate as 1 : 2 : 3, beside a first swing of "
+            f"{numbers.peak:.0f}/s times the impulse; on one scale the smallest is easily not seen."
         ),
         consequence=(
             "The simulation does not support a threshold in the gap, which chapters 6 and 7 quote: what "
@@ -88,38 +106,16 @@ def _touching(evidence: Evidence) -> Claim:
     system, listing = evidence.numbers.displacement_only, evidence.cycles.listing
     predicted, repeated = (limit_cycles(each, FrictionBacklash(EDGE)) for each in (system, listing))
     stable = max(predicted, key=lambda cycle: cycle.amplitude)
-    runs = [run for run in evidence.motion.closed.impulses.runs if run.gap == EDGE]
-    simulated = max(run.amplitude for run in runs)
     return Claim(
         id="txt-5.2.1-touching",
         parts=(
-            Part(
-                "the curves for 2e-8 m",
-                Assertion(
-                    statement="they just touch, so that no limit cycle is predicted",
-                    derived=not predicted or all(cycle.near_tangency for cycle in predicted),
-                    evidence=(
-                        f"they cross {len(predicted)} times, at {math.degrees(stable.crossing_angle):.0f} "
-                        f"degrees for the stable one, with {1e9 * stable.amplitude:.1f} nm"
-                    ),
-                    method="all solutions of harmonic balance for that gap",
-                ),
-                Confirmation("the coefficients of Listing A.9", CloseNumbers(len(repeated), len(predicted))),
-            ),
-            Part(
-                "the small oscillation that is simulated",
-                Assertion(
-                    statement="it agrees with what harmonic balance gives",
-                    derived=abs(simulated / stable.amplitude - 1) < 0.01,
-                    evidence=f"{1e9 * simulated:.1f} nm, beside {1e9 * stable.amplitude:.1f} nm",
-                    method="exact simulation, struck hard enough",
-                ),
-            ),
+            _curves(predicted, repeated, stable),
+            _simulated(evidence, stable),
         ),
         explanation=(
-            "The section predicts none for 2e-8 m, sees a small oscillation in the simulation, and concludes "
-            "that the two agree. They do, but only because the prediction is another one: the curves of "
-            "this gap are those of every gap and cross twice."
+            "The section predicts none for $2\\times10^{-8}$ m, sees a small oscillation in the simulation, "
+            "and concludes that the two agree. They do, but only because the prediction is another one: the "
+            "curves of this gap are those of every gap and cross twice."
         ),
         consequence="The agreement that is found speaks for the method and against the threshold.",
         impact=Impact.DOWNSTREAM,
@@ -127,10 +123,43 @@ def _touching(evidence: Evidence) -> Claim:
     )
 
 
+def _simulated(evidence: Evidence, stable: LimitCycle) -> Part:
+    runs = [run for run in evidence.motion.closed.impulses.runs if run.gap == EDGE]
+    simulated = max(run.amplitude for run in runs)
+    return Part(
+        "the small oscillation that is simulated",
+        Assertion(
+            statement="it agrees with what harmonic balance gives",
+            derived=abs(simulated / stable.amplitude - 1) < 0.01,
+            evidence=f"{1e9 * simulated:.1f} nm, beside {1e9 * stable.amplitude:.1f} nm",
+            method="exact simulation, struck hard enough",
+        ),
+        Confirmation(
+            "the exact orbit, by shooting",
+            CloseNumbers(evidence.motion.closed.orbits.friction.stable.amplitude * EDGE, simulated, 1e-4),
+        ),
+    )
+
+
+def _curves(predicted: Sequence[LimitCycle], repeated: Sequence[LimitCycle], stable: LimitCycle) -> Part:
+    return Part(
+        "the curves for $2\\times10^{-8}$ m",
+        Assertion(
+            statement="they just touch, so that no limit cycle is predicted",
+            derived=not predicted or all(cycle.near_tangency for cycle in predicted),
+            evidence=(
+                f"they cross {len(predicted)} times, at {math.degrees(stable.crossing_angle):.0f} "
+                f"degrees for the stable one, with {1e9 * stable.amplitude:.1f} nm"
+            ),
+            method="all solutions of harmonic balance for that gap",
+        ),
+        Confirmation("the coefficients of Listing A.9", CloseNumbers(len(repeated), len(predicted))),
+    )
+
+
 def _larger_gap(evidence: Evidence) -> Claim:
     orbits = evidence.motion.closed.orbits
     exact = orbits.friction.stable.frequency
-    listing = evidence.cycles.friction_listing.stable.frequency
     return Claim(
         id="txt-5.2.1-simulated-4e-5",
         parts=(
@@ -140,9 +169,8 @@ def _larger_gap(evidence: Evidence) -> Claim:
                 PrintedDigits("733.33", exact, "Hz"),
                 Confirmation(SECOND_WAY, CloseNumbers(orbits.friction_by_durations[1], exact)),
                 Slip(
-                    "the prediction of table 5.1, with rounded coefficients and its last digit cut off, "
-                    "stands for the simulation",
-                    math.floor(100 * listing) / 100,
+                    "the nearest bin of a spectrum over 0.3 s is read, of which bins are 3.33 Hz apart",
+                    THIRD_OF_A_SECOND.nearest(exact),
                     Verdict.EXPLAINED,
                 ),
             ),
@@ -151,10 +179,11 @@ def _larger_gap(evidence: Evidence) -> Claim:
         ),
         explanation=(
             "Ten times the gap gives ten times the motion at the same frequency, so this simulation repeats "
-            "the one for 4e-6 m, and its two readings, 734.00 and 733.33 Hz, cannot both be right. The "
-            f"exact multipliers agree that only the outer limit cycle shows: {_largest(orbits)[0]:.4f} per "
-            f"period for it, {_largest(orbits)[1]:.3f} for the inner one. From the inner one a motion goes "
-            "out to the other or dies out in the gap, by which side it starts on."
+            "the one for $4\\times10^{-6}$ m. Its two readings, 734.00 and 733.33 Hz, are the nearest bins "
+            "of one second and of 0.3 s, if 733.33 Hz is not the prediction of table 5.1 copied. The exact "
+            f"multipliers agree that only the outer limit cycle shows: {_largest(orbits)[0]:.4f} per period "
+            f"for it, {_largest(orbits)[1]:.3f} for the inner one. From the inner one a motion goes out to "
+            "the other or dies out in the gap, by which side it starts on."
         ),
         consequence=(
             "The inner limit cycle is the edge of what dies out: a weak disturbance leaves the loop at rest."
@@ -185,11 +214,17 @@ def _settled_part(orbits: ExactOrbits) -> Part:
             ),
             method="Floquet multipliers of the exact orbits",
         ),
+        Confirmation(
+            "a motion that starts 0.1 % outside of the second one and ends on the first",
+            CloseNumbers(orbits.left_by[1], orbits.friction.stable.amplitude, 1e-5),
+        ),
     )
 
 
 def _leaving_part(orbits: ExactOrbits) -> Part:
     inside, outside = orbits.left_by
+    multipliers = orbits.friction.unstable.nontrivial_multipliers
+    outward = multipliers[abs(multipliers) > 1]
     goes_out = [end > orbits.friction.unstable.amplitude for end in (inside, outside)]
     return Part(
         "where a motion goes that leaves the second one",
@@ -200,5 +235,9 @@ def _leaving_part(orbits: ExactOrbits) -> Part:
                 f"started 0.1 % outside it ends at {outside:.4f} gaps, started 0.1 % inside it dies out"
             ),
             method="exact simulation of both",
+        ),
+        second_way(
+            "its one multiplier outside of the unit circle, real and positive: it is left to either side",
+            len(outward) == 1 and outward[0].imag == 0 and outward[0].real > 1,
         ),
     )

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 import control
 import sympy
 
 from derivations.backlash import GAP, friction_waveform
 from derivations.symbols import A
-from derivations.waveform import describing_function
+from derivations.waveform import THETA, describing_function
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import power_of
+from report.claims.quadrature import coefficient
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.comparisons.expression import SameExpression
@@ -17,6 +21,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 
 SOURCE = "trimmer/elements/friction_backlash.py"
 b = sympy.Symbol("b", positive=True)
+LIBRARY = control.friction_backlash_nonlinearity(1.0)
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -33,7 +38,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
 def _domain(evidence: Evidence) -> Claim:
     element = FrictionBacklash(1.0)
     edge = 1.0 / float(element.domain(1.0))
-    below, above = (element.describing_function(edge * factor) for factor in (0.999, 1.001))
+    above = element.describing_function(1.001 * edge)
     return Claim(
         id="eq-5.4",
         parts=(
@@ -47,8 +52,9 @@ def _domain(evidence: Evidence) -> Claim:
         explanation=(
             "In section 2.3.4 $b$ is half of the gap and the condition is right. In this section, its "
             "listings and its tables $b$ is the whole gap, and the pin reaches the bridge as soon as $A > "
-            f"b/2$ (below: {below:.0f}, above: {above.real:.1e}). Table 5.1 itself has a limit cycle at $A = "
-            f"{evidence.cycles.friction.unstable.amplitude:.3f}\\,b$, where equation 5.4 says there is none."
+            f"b/2$ (a thousandth above that the real part of $N$ is {power_of(float(above.real), 1)}). Table "
+            f"5.1 itself has a limit cycle at $A = {evidence.cycles.friction.unstable.amplitude:.3f}\\,b$, "
+            "where equation 5.4 says there is none."
         ),
         consequence=(
             "Half of the range of amplitudes with contact below $b$ is declared empty; the second limit "
@@ -82,6 +88,10 @@ def _proportionality() -> Claim:
                     ),
                     method="the derived describing function at two amplitudes, and its limit",
                 ),
+                Confirmation(
+                    "python-control's describing function at $A = 10b$",
+                    CloseNumbers(10 * LIBRARY.describing_function(10.0), quotients[1]),
+                ),
             ),
         ),
         explanation=(
@@ -112,6 +122,12 @@ def _external_input() -> Claim:
     )
 
 
+def _by_the_library(amplitude: float, inverse: complex) -> Confirmation:
+    """Confirm -1/N at an amplitude, in gaps."""
+    theirs = -1 / LIBRARY.describing_function(amplitude)
+    return Confirmation("python-control's describing function there", CloseNumbers(theirs, inverse, 1e-6))
+
+
 def _locus_directions() -> Claim:
     element = FrictionBacklash(1.0)
     far = complex(-1 / element.describing_function(1e6))
@@ -124,9 +140,10 @@ def _locus_directions() -> Claim:
                 Assertion(
                     statement="$-1/N$ tends to $-1$",
                     derived=abs(far + 1) < 1e-4,
-                    evidence=f"at $A = 10^6 b$ it is $-1$ to {abs(far + 1):.0e}",
+                    evidence=f"at $A = 10^6 b$ it is $-1$ to {power_of(abs(far + 1))}",
                     method="the describing function at large amplitude",
                 ),
+                _by_the_library(1e6, far),
             ),
             Part(
                 "with growing gap at fixed amplitude",
@@ -139,6 +156,7 @@ def _locus_directions() -> Claim:
                     ),
                     method="the describing function near the edge of the dead band",
                 ),
+                _by_the_library(0.5 * (1 + 1e-4), near[1]),
             ),
         ),
         explanation=(
@@ -150,12 +168,7 @@ def _locus_directions() -> Claim:
 
 
 def _library() -> Claim:
-    theirs = control.friction_backlash_nonlinearity(1.0)
-    ours = FrictionBacklash(1.0)
-    distance = max(
-        abs(complex(ours.describing_function(a)) - theirs.describing_function(a))
-        for a in (0.51, 0.7, 1.0, 4.0, 90.0)
-    )
+    saturated = control.saturation_nonlinearity(1.0).describing_function(2.0)
     names = [
         name
         for name in (
@@ -168,17 +181,7 @@ def _library() -> Claim:
     return Claim(
         id="txt-5.2.1-second-implementation",
         parts=(
-            Part(
-                "agreement",
-                Assertion(
-                    statement="the library's describing function of backlash agrees with the listing's",
-                    derived=distance < 1e-12,
-                    evidence=(
-                        f"they differ by {distance:.0e} at most, at five amplitudes from 0.51 to 90 gaps"
-                    ),
-                    method="python-control evaluated beside ours",
-                ),
-            ),
+            _agreement(),
             Part(
                 "what the library holds",
                 Assertion(
@@ -186,6 +189,10 @@ def _library() -> Claim:
                     derived=len(names) == 1,
                     evidence=f"it has {', '.join(f'`{name}`' for name in names)}",
                     method="names in the installed python-control",
+                ),
+                Confirmation(
+                    "that of saturation, called for twice its bound",
+                    CloseNumbers(saturated, 2 / math.pi * (math.asin(0.5) + 0.5 * math.sqrt(0.75))),
                 ),
             ),
         ),
@@ -197,4 +204,30 @@ def _library() -> Claim:
         consequence="A check of the friction listing against the library would have been possible.",
         impact=Impact.LOCAL,
         source=SOURCE,
+    )
+
+
+def _agreement() -> Part:
+    ours = FrictionBacklash(1.0)
+    distance = max(
+        abs(complex(ours.describing_function(a)) - LIBRARY.describing_function(a))
+        for a in (0.51, 0.7, 1.0, 4.0, 90.0)
+    )
+    values = {A: sympy.Integer(4), GAP: sympy.Integer(1)}
+    wave = friction_waveform()
+    sine, cosine = (coefficient(wave, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
+    return Part(
+        "agreement",
+        Assertion(
+            statement="the library's describing function of backlash agrees with the listing's",
+            derived=distance < 1e-12,
+            evidence=(
+                f"they differ by {power_of(distance)} at most, at five amplitudes from 0.51 to 90 gaps"
+            ),
+            method="python-control evaluated beside ours",
+        ),
+        Confirmation(
+            "quadrature of the waveform at four gaps",
+            CloseNumbers((sine + 1j * cosine) / 4, LIBRARY.describing_function(4.0)),
+        ),
     )

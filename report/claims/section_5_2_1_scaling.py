@@ -7,6 +7,7 @@ from dataclasses import replace
 import control
 
 from report.claim import Claim, Confirmation, Impact, Part
+from report.claims.printed import power_of
 from report.claims.second_ways import by_waveform
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
@@ -75,9 +76,9 @@ def _threshold(claim_id: str, printed: str, cycles: LimitCycleNumbers) -> Claim:
         explanation=(
             "There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle every gap "
             "has one, with an amplitude in proportion: at $b = 10^{-8}$ m it is "
-            f"{1e8 * stable * 1e-8:.2f}e-8 m. A locus that is plotted from an amplitude of $b/2 + 10^{{-6}}$ "
-            f"m on, as Listing A.9 does, meets $G$ only for gaps above {seen_from:.1e} m; another start "
-            "gives another apparent threshold."
+            f"{power_of(stable * 1e-8, 2)} m. A locus that is plotted from an amplitude of $b/2 + 10^{{-6}}$ "
+            f"m on, as Listing A.9 does, meets $G$ only for gaps above {power_of(seen_from, 1)} m; another "
+            "start gives another apparent threshold."
         ),
         consequence=(
             "Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small "

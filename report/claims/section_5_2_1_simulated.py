@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
+
+import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from report.claims.printed import power_of
 from report.claims.section_5_2_1 import ROUNDED, SMALL_GAP
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
@@ -66,14 +70,22 @@ def _amplitude(orbits: ExactOrbits) -> Claim:
     return Claim(
         id="txt-5.2.1-simulated-amplitude",
         parts=(
-            Part("half of the difference of the readings", PrintedDigits("3.2995e-05", half, "m")),
+            Part(
+                "half of the difference of the readings",
+                PrintedDigits("3.2995e-05", half, "m"),
+                Confirmation(
+                    "exact fractions",
+                    CloseNumbers(float((Fraction("3.303e-5") + Fraction("3.2961e-5")) / 2), half),
+                ),
+            ),
             amplitude_part(orbits, "amplitude of the limit cycle", "3.2995e-05", SMALL_GAP),
         ),
         explanation=(
-            f"Half of peak to peak of the two readings is {half:.6e} m, printed without its last digit. The "
-            f"exact limit cycle has {exact:.4e} m, {100 * (exact / half - 1):.2f} % more; with the rounded "
-            f"coefficients of Listing A.9 it has {rounded:.4e} m. It reaches equally far both ways, so the "
-            "unequal readings hold something else too: steps of the solver, or a start that had not died out."
+            f"Half of peak to peak of the two readings is {power_of(half, 6)} m, printed without its last "
+            f"digit. The exact limit cycle has {power_of(exact, 4)} m, {100 * (exact / half - 1):.2f} % "
+            f"more; with the rounded coefficients of Listing A.9 it has {power_of(rounded, 4)} m. It reaches "
+            "equally far both ways, so the unequal readings hold something else too: steps of the solver, or "
+            "a start that had not died out."
         ),
         consequence="The error of the prediction is smaller than the section finds.",
         impact=Impact.LOCAL,
@@ -85,13 +97,18 @@ def _amplitude_error(evidence: Evidence) -> Claim:
     orbits = evidence.motion.closed.orbits
     predicted, exact = evidence.cycles.friction.stable.amplitude, orbits.friction.stable.amplitude
     error, second = (100 * (predicted / each - 1) for each in (exact, orbits.friction_by_durations[0]))
+    quotient = abs(3.3138e-5 - 3.2995e-5) / 3.2995e-5
     other = evidence.cycles.inertia.unstable.amplitude / orbits.inertia.unstable.amplitude - 1
     return Claim(
         id="txt-5.2.1-amplitude-error",
         parts=(
             Part(
                 "arithmetic",
-                PrintedDigits("0.4334", 100 * abs(3.3138e-5 - 3.2995e-5) / 3.2995e-5, "%"),
+                PrintedDigits("0.4334", 100 * quotient, "%"),
+                Confirmation(
+                    "exact fractions",
+                    CloseNumbers(float(Fraction("3.3138e-5") / Fraction("3.2995e-5") - 1), quotient),
+                ),
             ),
             Part(
                 "error of the prediction",
@@ -141,7 +158,6 @@ def _frequency_error(evidence: Evidence) -> Claim:
         100 * (cycles.friction.stable.frequency / each - 1)
         for each in (orbits.friction.stable.frequency, orbits.friction_by_durations[1])
     ]
-    bin_read = ONE_SECOND.nearest(orbits.friction_listing.stable.frequency)
     return Claim(
         id="txt-5.2.1-frequency-error",
         parts=(
@@ -158,16 +174,7 @@ def _frequency_error(evidence: Evidence) -> Claim:
                     Verdict.EXPLAINED,
                 ),
             ),
-            Part(
-                "error of the prediction",
-                PrintedDigits("0.046", errors[0], "%"),
-                Confirmation(SECOND_WAY, CloseNumbers(errors[1], errors[0], 1e-6)),
-                Slip(
-                    f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz",
-                    100 * (predicted / bin_read - 1),
-                    Verdict.EXPLAINED,
-                ),
-            ),
+            _error_itself(orbits, predicted, errors),
         ),
         explanation=(
             f"From the two printed frequencies the error is {quoted:.3f} %, twice what is printed; with a "
@@ -178,6 +185,26 @@ def _frequency_error(evidence: Evidence) -> Claim:
         impact=Impact.LOCAL,
         source=SOURCE,
     )
+
+
+def _error_itself(orbits: ExactOrbits, predicted: float, errors: list[float]) -> Part:
+    bin_read = ONE_SECOND.nearest(orbits.friction_listing.stable.frequency)
+    return Part(
+        "error of the prediction",
+        PrintedDigits("0.046", errors[0], "%"),
+        Confirmation(SECOND_WAY, CloseNumbers(errors[1], errors[0], 1e-6)),
+        Slip(
+            f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz",
+            100 * (predicted / bin_read - 1),
+            Verdict.EXPLAINED,
+        ),
+    )
+
+
+def _numpy_bin(record: Record, frequency: float) -> float:
+    """Return the bin nearest to a frequency as NumPy has it, Hz."""
+    bins = np.fft.rfftfreq(record.samples, record.duration / (record.samples - 1))
+    return float(bins[np.argmin(np.abs(bins - frequency))])
 
 
 def _record(orbits: ExactOrbits) -> Claim:
@@ -202,6 +229,7 @@ def _record(orbits: ExactOrbits) -> Claim:
                     ),
                     method="multiples of the sample rate over the number of samples",
                 ),
+                Confirmation("NumPy's bins", CloseNumbers(_numpy_bin(STATED, peak), nearest)),
             ),
         ),
         explanation=(

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
-from report.claims.section_5_2_1_driven import LOOP_CLOSED
+from report.claims.driven_open_loop import LOOP_CLOSED
+from report.claims.printed import power_of
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
@@ -80,8 +81,8 @@ def _open_loop(evidence: Evidence) -> Part:
             derived=block.repeat > SETTLED or min(abs(multiple - peak), abs(nearest - peak)) < BIN,
             evidence=(
                 f"odd multiples of 100 Hz stay, the nearest at {multiple:.0f} Hz with "
-                f"{1e6 * block.harmonics[7]:.1f} µm (even ones are below {even:.0e} of the first); what dies "
-                f"out has the natural frequencies, the nearest at {nearest:.1f} Hz"
+                f"{1e6 * block.harmonics[7]:.1f} µm (even ones are below {power_of(even)} of the first); "
+                f"what dies out has the natural frequencies, the nearest at {nearest:.1f} Hz"
             ),
             method="periodic input of a stable linear system; exact simulation, gap 0.4 mm",
         ),

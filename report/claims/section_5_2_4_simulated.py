@@ -8,13 +8,15 @@ import sympy
 from derivations.friction import FORCE
 from derivations.symbols import A
 from report.claim import Claim, Confirmation, Impact, Part
-from report.claims.second_ways import by_harmonics
+from report.claims.printed import power_of
+from report.claims.second_ways import by_harmonics, second_way
 from report.claims.section_5_2_4 import FRICTION
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
+from report.numbers.time_stepping import FINE_STEP
 from trimmer.elements.relay import Relay
 from trimmer.linear import InputChannels, pin_model
 from trimmer.motion.loops import ClosedLoop
@@ -43,8 +45,9 @@ def relay_part(numbers: RelayNumbers, label: str) -> Part:
             derived=min(growth) < STEADY,
             evidence=(
                 "the swings become smaller and faster without end: after impulses of "
-                f"{weakest.impulse:g} to {strongest.impulse:g} s per unit of the relay the frequency grows "
-                f"as $e^{{{growth[0]:.2f}\\,t}}$ and the swings fall as $e^{{{-2 * growth[0]:.1f}\\,t}}$"
+                f"{power_of(weakest.impulse)} to {strongest.impulse:g} s per unit of the relay the frequency "
+                f"grows as $e^{{{growth[0]:.2f}\\,t}}$ and the swings fall as "
+                f"$e^{{{-2 * growth[0]:.1f}\\,t}}$"
             ),
             method="exact simulation of the loop with an ideal relay",
         ),
@@ -69,6 +72,10 @@ def friction_part(numbers: RelayNumbers, label: str) -> Part:
             ),
             method="exact simulation with true stick, impulses over six decades",
         ),
+        Confirmation(
+            f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event",
+            CloseNumbers(max(numbers.last_turn_in_steps), last, 0.02),
+        ),
     )
 
 
@@ -82,7 +89,7 @@ def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, 
             statement=statement,
             derived=not all(candidates.in_phase),
             evidence=(
-                f"from {low:g} Hz to {high:.0e} Hz a square wave returns with zeros at its jumps at "
+                f"from {low:g} Hz to {power_of(high)} Hz a square wave returns with zeros at its jumps at "
                 f"{frequencies} Hz only, and there in phase with itself, so the relay would work against it"
             ),
             method="Tsypkin's condition in closed form, which is exact for two switchings a period",
@@ -126,7 +133,7 @@ def _high_frequency(evidence: Evidence) -> Claim:
 def _linear_in_force(evidence: Evidence) -> Claim:
     factor = sympy.Symbol("k", positive=True)
     scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
-    difference = _difference_of_scaled(evidence)
+    difference, signal = _difference_of_scaled(evidence), sympy.Symbol("y", real=True)
     return Claim(
         id="txt-5.2.4-linear-in-fc",
         parts=(
@@ -136,8 +143,14 @@ def _linear_in_force(evidence: Evidence) -> Claim:
                 Assertion(
                     statement="ten times the force, and the impulse, gives ten times the motion",
                     derived=difference < 1e-9,
-                    evidence=f"over 20 ms the motions differ by {difference:.0e} of the largest displacement",
+                    evidence=(
+                        f"over 20 ms the motions differ by {power_of(difference)} of the largest displacement"
+                    ),
                     method="exact simulation of both",
+                ),
+                second_way(
+                    "the relay's law, which is of first degree in signal and level",
+                    factor * FORCE * sympy.sign(factor * signal) == factor * FORCE * sympy.sign(signal),
                 ),
             ),
         ),

@@ -6,7 +6,8 @@ import sympy
 
 from derivations.dimensions import FORCE, LENGTH, NUMBER, dimension_of
 from derivations.symbols import DIMENSIONS, k2, m2
-from report.claim import Claim, Confirmation, Impact, Part
+from report.claim import Claim, Impact, Part
+from report.claims.second_ways import second_way
 from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
 
@@ -24,7 +25,6 @@ def claims(_: Evidence) -> tuple[Claim, ...]:
     """Return the claim."""
     beside = dimension_of(k2 * sympy.Symbol("u"), {**DIMENSIONS, sympy.Symbol("u"): LENGTH})
     inertia = dimension_of(m2 * sympy.Symbol("a"), {**DIMENSIONS, sympy.Symbol("a"): FORCE / DIMENSIONS[m2]})
-    statement = "$F_c$ is a number without unit, as behind 0.015, 1.5 and 0.6"
     return (
         Claim(
             id="txt-5.2.4-force-unit",
@@ -32,7 +32,7 @@ def claims(_: Evidence) -> tuple[Claim, ...]:
                 Part(
                     "",
                     Assertion(
-                        statement=statement,
+                        statement="$F_c$ is a number without unit, as behind 0.015, 1.5 and 0.6",
                         derived=beside == NUMBER,
                         evidence=(
                             f"in equation 3.2 it stands beside $k_2u$, in {beside}; "
@@ -40,16 +40,7 @@ def claims(_: Evidence) -> tuple[Claim, ...]:
                         ),
                         method="dimension check of equation 3.2",
                     ),
-                    Confirmation(
-                        "mass times acceleration in the same equation",
-                        Assertion(
-                            statement=statement,
-                            derived=inertia == NUMBER,
-                            asserted=False,
-                            evidence=f"$m_2\\ddot q_2$ is in {inertia}",
-                            method="the other terms of that equation",
-                        ),
-                    ),
+                    second_way(f"$m_2\\ddot q_2$ in the same equation, in {inertia}", inertia == FORCE),
                 ),
             ),
             explanation=(

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 import mpmath
+import numpy as np
+from scipy.optimize import brentq
 
 from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
 from report.comparisons.assertion import Assertion
@@ -18,10 +20,12 @@ from report.numbers.equivalent_nonlinearity import (
     Point,
     printed_function,
 )
+from report.numbers.friction_in_place import force_response
 from report.numbers.limit_cycle_numbers import DIGITS, LISTING_DENOMINATOR, LISTING_NUMERATOR
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE
 from trimmer import frequency_response
 from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.elements.friction_backlash import FrictionBacklash
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 PRINTED = "737.514"
@@ -100,10 +104,12 @@ def _prediction(evidence: Evidence) -> Claim:
             f"With the right friction term there is no limit cycle at {FORCE} N: friction between cutter and "
             f"guard ends it at {numbers.force_of_merger:.4f} N for this gap. A limit cycle near 737.5 Hz "
             "comes from line 18 of Listing A.6, whose term has the wrong sign and feeds the oscillation "
-            f"(with the pin's velocity too {both.frequency:.2f} Hz). The printed last digit asks for a fifth "
-            "to a quarter of the stated $F_c/(\\omega b)$, as with 0.15 N; other inputs give it too, so its "
-            "origin stays open. Equation 5.14 itself, which the text names as what is drawn, gives "
-            f"{numbers.as_printed.frequency:.0f} Hz."
+            f"(with the pin's velocity too {both.frequency:.2f} Hz). The stronger it is, the nearer the "
+            "frequency comes to that where the real part of $1/G$ is $-1$, "
+            f"{_where_force_does_not_count(evidence):.3f} Hz with the coefficients of Listing A.9, which no "
+            "pole of the loop without play has. The printed last digit asks for a fifth to a quarter of the "
+            "stated $F_c/(\\omega b)$, as with 0.15 N; what gave it stays open. Equation 5.14 itself, which "
+            f"the text names as what is drawn, gives {numbers.as_printed.frequency:.0f} Hz."
         ),
         consequence=(
             "The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken "
@@ -113,6 +119,17 @@ def _prediction(evidence: Evidence) -> Claim:
         impact=Impact.DOWNSTREAM,
         source=SOURCE,
     )
+
+
+def _where_force_does_not_count(evidence: Evidence) -> float:
+    """Return the frequency to which Listing A.6 tends with a growing force, with rounded coefficients, Hz."""
+    (cycle,) = evidence.cycles.equivalent.rounded
+    listing = evidence.cycles.listing
+
+    def real_part(frequency: float) -> float:
+        return (1 / complex(frequency_response(listing, 2 * math.pi * frequency))).real + 1
+
+    return float(brentq(real_part, cycle.frequency - 1, cycle.frequency + 1))
 
 
 def _loop_closes(evidence: Evidence, element: complex, omega: float) -> Confirmation:
@@ -177,6 +194,22 @@ def _amplitude(evidence: Evidence) -> Claim:
     )
 
 
+def at_the_merger(evidence: Evidence) -> Confirmation:
+    """Confirm the solution with the largest force by solving the equations of motion at its frequency."""
+    merger = evidence.cycles.equivalent.in_place.merger
+    model = force_response(evidence.numbers.parameters)
+    turning = 2j * math.pi * merger.frequency * np.eye(model.nstates) - model.A
+    by_force = complex((model.C @ np.linalg.solve(turning, model.B)).item())
+    omega = 2 * math.pi * merger.frequency
+    by_pin = complex(frequency_response(evidence.numbers.displacement_only, omega))
+    backlash = complex(FrictionBacklash(1.0).describing_function(merger.amplitude))
+    stiffness = 4j * merger.force_per_gap / (math.pi * merger.amplitude)
+    return Confirmation(
+        "both responses at the last solution, where the loop closes",
+        CloseNumbers(backlash * by_pin + stiffness * by_force, -1.0, 1e-6),
+    )
+
+
 def _amplitude_in_place(evidence: Evidence) -> Part:
     numbers = evidence.cycles.equivalent
     merger = numbers.in_place.merger
@@ -193,6 +226,7 @@ def _amplitude_in_place(evidence: Evidence) -> Part:
             ),
             method="all solutions of harmonic balance, friction between cutter and guard",
         ),
+        at_the_merger(evidence),
     )
 
 

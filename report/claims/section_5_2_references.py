@@ -9,6 +9,7 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, PrintedDigits
 from report.evidence import Evidence
 from report.inventory import read_inventory
+from report.numbers.limit_cycle_numbers import LISTING_DENOMINATOR, LISTING_NUMERATOR, friction_by_newton
 from report.sections import read_sections
 
 SOURCE = "report/claims/section_5_2_references.py"
@@ -42,7 +43,7 @@ def _refers(label: str, named: str, meant: str, what: str) -> Part:
                 f"that is “{entries[named].title}”; meant is "
                 f"{meant.replace('fig-', 'figure ').replace('lst-', 'Listing ')}, “{entries[meant].title}”"
             ),
-            method=f"the inventory's subjects of the two; the second stands in section {place}",
+            method=f"read in the captions of the two; the second stands in section {place}",
         ),
     )
 
@@ -62,7 +63,7 @@ def _to_the_models() -> Claim:
                         f"section 3.1 is “{named.title}”; the simulations in open loop, figures 3.6 to 3.8, "
                         f"stand in section {place.number}"
                     ),
-                    method="sections and their figures",
+                    method="read in the headings of the sections and the places of their figures",
                 ),
             ),
         ),
@@ -114,22 +115,10 @@ def _of_zero_force() -> Claim:
 def _quoted(evidence: Evidence) -> Claim:
     predicted = evidence.cycles.friction_listing.stable.frequency
     rounded = f"{predicted:.2f}"
-    wrong = [digits for digits in QUOTED.values() if not PrintedDigits(digits, predicted).compare().agrees]
     return Claim(
         id="txt-5.2.5-quoted-prediction",
         parts=(
-            Part(
-                "the frequency for a gap of 4e-6 m",
-                Assertion(
-                    statement="one prediction is quoted everywhere, to as many digits as stand there",
-                    derived=not wrong,
-                    evidence=(
-                        ", ".join(f"{digits} Hz in {place}" for place, digits in QUOTED.items())
-                        + f"; {wrong[0]} is {predicted:.4f} cut off" * bool(wrong)
-                    ),
-                    method="each quoted number against the listing's coefficients",
-                ),
-            ),
+            _digits(evidence, predicted),
             Part(
                 "the difference to 737.514 Hz",
                 PrintedDigits(DIFFERENCE, 100 * (COMPARED / float(rounded) - 1), "%"),
@@ -149,12 +138,33 @@ def _quoted(evidence: Evidence) -> Claim:
         ),
         explanation=(
             f"Listing A.9's coefficients give {predicted:.4f} Hz, so 733.3 and 733.34 Hz are right roundings "
-            "of one number and 733.33 Hz is not. The amplitude fares alike: 3.3138e-5 m becomes 3.313e-5 m "
-            "in section 5.2.5. The percentage of that section follows from the number that is cut off."
+            "of one number and 733.33 Hz is not. The amplitude fares alike: $3.3138\\times10^{-5}$ m becomes "
+            "$3.313\\times10^{-5}$ m in section 5.2.5. The percentage of that section follows from the "
+            "number that is cut off."
         ),
         consequence=(
             "The difference is 0.5692 % from the rounded number; it compares with a wrong term in any case."
         ),
         impact=Impact.LOCAL,
         source="report/numbers/limit_cycle_numbers.py",
+    )
+
+
+def _digits(evidence: Evidence, predicted: float) -> Part:
+    _, by_newton = friction_by_newton(
+        LISTING_NUMERATOR, LISTING_DENOMINATOR, evidence.cycles.friction_listing.stable
+    )
+    wrong = [digits for digits in QUOTED.values() if not PrintedDigits(digits, predicted).compare().agrees]
+    return Part(
+        "the frequency for a gap of $4\\times10^{-6}$ m",
+        Assertion(
+            statement="one prediction is quoted everywhere, to as many digits as stand there",
+            derived=not wrong,
+            evidence=(
+                ", ".join(f"{digits} Hz in {place}" for place, digits in QUOTED.items())
+                + f"; {wrong[0]} is {predicted:.4f} cut off" * bool(wrong)
+            ),
+            method="each quoted number against the listing's coefficients",
+        ),
+        Confirmation("Newton's method in 30 digits", CloseNumbers(by_newton / (2 * math.pi), predicted)),
     )

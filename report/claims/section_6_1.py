@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import sympy
 
 from derivations.backlash import (
@@ -13,13 +16,23 @@ from derivations.backlash import (
 )
 from derivations.symbols import A
 from derivations.waveform import THETA, Waveform
-from report.claim import Claim, Impact, Part
+from report.claim import Claim, Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from trimmer.balance.leakage import harmonic_leakage
+from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.viscous_backlash import ViscousBacklash
+
+GAP_HERE, TIME_CONSTANT = 0.2, 1.0
+"""Gap over amplitude, and M/D in s, for which the numeric elements are looked at."""
+BEFORE_TURNING = -0.1
+"""Phase at which the load is in contact, before the pin moves fastest or the load is let go, rad."""
+LET_GO, STEP = math.pi / 4 + 0.05, 0.1
+"""Phase shortly after the load is let go, and step, rad."""
 
 
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
@@ -38,8 +51,10 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
                         ("first", "second"), _slopes_in_contact(friction_waveform()), strict=True
                     )
                 ),
-                _not_linear_in_contact("inertia-controlled", inertia_waveform()),
-                _not_linear_in_contact("viscous-controlled", general_waveform()),
+                _not_linear_in_contact("inertia-controlled", inertia_waveform(), InertiaBacklash(GAP_HERE)),
+                _not_linear_in_contact(
+                    "viscous-controlled", general_waveform(), ViscousBacklash(GAP_HERE, TIME_CONSTANT)
+                ),
                 _not_linear_in_flight(),
             ),
             explanation=(
@@ -74,7 +89,7 @@ def _slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
     return [sympy.simplify(value.diff(THETA) / pin.diff(THETA)) for value in following]
 
 
-def _not_linear_in_contact(name: str, wave: Waveform) -> Part:
+def _not_linear_in_contact(name: str, wave: Waveform, element: Element) -> Part:
     slopes = _slopes_in_contact(wave)
     return Part(
         f"{name}, in contact",
@@ -84,11 +99,23 @@ def _not_linear_in_contact(name: str, wave: Waveform) -> Part:
             evidence=f"its slope is {' and '.join(map(str, slopes))} in the two contacts of a period",
             method="slopes of the derived waveform where it follows the pin",
         ),
+        Confirmation(
+            "the numeric element at two phases just before the pin turns round",
+            CloseNumbers(_slope(element, BEFORE_TURNING), 1.0),
+        ),
     )
+
+
+def _slope(element: Element, phase: float) -> float:
+    """Return the slope of output against input near a phase (rad), for a pin of amplitude and rad/s one."""
+    phases = phase + np.array([0.0, 1e-3])
+    return float(np.diff(element.waveform(phases, 1.0, 1.0))[0] / np.diff(np.sin(phases))[0])
 
 
 def _not_linear_in_flight() -> Part:
     flight = free_flight()
+    phases = LET_GO + STEP * np.arange(3)
+    first, second = np.diff(ViscousBacklash(GAP_HERE, TIME_CONSTANT).waveform(phases, 1.0, 1.0))
     law = sympy.simplify(GAMMA * flight.diff(THETA, 2) + flight.diff(THETA))
     return Part(
         "in flight, with inertia and friction",
@@ -97,5 +124,9 @@ def _not_linear_in_flight() -> Part:
             derived=law != 0,
             evidence="the derived flight satisfies $M\\ddot y + D\\dot y = 0$ exactly",
             method="the derived flight put into that equation",
+        ),
+        Confirmation(
+            "equal steps of the numeric element's flight, whose lengths fall as $e^{-Dt/M}$",
+            CloseNumbers(float(second / first), math.exp(-STEP), 1e-9),
         ),
     )

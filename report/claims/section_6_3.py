@@ -23,47 +23,14 @@ LARGER_GAP, PLAY_OF_EXPERIMENT = 4e-5, 2e-4
 def claims(evidence: Evidence) -> tuple[Claim, ...]:
     """Return the claim."""
     mass = evidence.numbers.parameters.m2
-    needed = mass * DRIVE_AMPLITUDE * OMEGA**2
     own = mass * LARGER_GAP * evidence.cycles.friction.stable.amplitude
     at_the_cycle = own * evidence.cycles.friction.stable.omega**2
-    ahead, seconds = _flight(mass)
     return (
         Claim(
             id="txt-6.3-friction-dominates",
             parts=(
-                Part(
-                    "force that holds the load when the pin turns back",
-                    Assertion(
-                        statement="friction exceeds the load's inertia, so that the load stops with the pin",
-                        derived=needed < LARGEST_FORCE,
-                        evidence=(
-                            f"$m_2A\\omega^2$ is {needed:.2f} N under the drive, 3 g at 1.5 mm and 100 Hz; "
-                            f"friction is assumed below {LARGEST_FORCE:.1f} N"
-                        ),
-                        method="the thesis's mass, drive and bound of the force",
-                    ),
-                    Confirmation(
-                        "second differences of the pin's sampled motion",
-                        CloseNumbers(mass * _largest_acceleration(), needed, 1e-5),
-                    ),
-                ),
-                Part(
-                    "a load of 3 g with 1.0 N of friction, let go by the pin",
-                    Assertion(
-                        statement="it stays within the gap until the pin comes back for it",
-                        derived=ahead < PLAY_OF_EXPERIMENT,
-                        evidence=(
-                            f"it would run {1e3 * ahead:.2f} mm ahead of the pin before it stops, so it "
-                            f"crosses the gap of {1e6 * LARGER_GAP:.0f} µm, and one of "
-                            f"{1e6 * PLAY_OF_EXPERIMENT:.0f} µm too"
-                        ),
-                        method="deceleration by a constant force, beside the pin's sine",
-                    ),
-                    Confirmation(
-                        "SciPy's integration of the flight",
-                        CloseNumbers(_integrated(mass, seconds), ahead, 1e-6),
-                    ),
-                ),
+                _force_needed(mass),
+                _let_go(mass),
             ),
             explanation=(
                 "Sections 2.3.4, 5.2.1 and 6.3 take friction for dominant because the spring presses hard; "
@@ -78,6 +45,47 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
             ),
             impact=Impact.DOWNSTREAM,
             source="report/claims/section_6_3.py",
+        ),
+    )
+
+
+def _let_go(mass: float) -> Part:
+    ahead, seconds = _flight(mass)
+    return Part(
+        "a load of 3 g with 1.0 N of friction, let go by the pin",
+        Assertion(
+            statement="it stays within the gap until the pin comes back for it",
+            derived=ahead < PLAY_OF_EXPERIMENT,
+            evidence=(
+                f"it would run {1e3 * ahead:.2f} mm ahead of the pin before it stops, so it "
+                f"crosses the gap of {1e6 * LARGER_GAP:.0f} µm, and one of "
+                f"{1e6 * PLAY_OF_EXPERIMENT:.0f} µm too"
+            ),
+            method="deceleration by a constant force, beside the pin's sine",
+        ),
+        Confirmation(
+            "SciPy's integration of the flight",
+            CloseNumbers(_integrated(mass, seconds), ahead, 1e-6),
+        ),
+    )
+
+
+def _force_needed(mass: float) -> Part:
+    needed = mass * DRIVE_AMPLITUDE * OMEGA**2
+    return Part(
+        "force that holds the load when the pin turns back",
+        Assertion(
+            statement="friction exceeds the load's inertia, so that the load stops with the pin",
+            derived=needed < LARGEST_FORCE,
+            evidence=(
+                f"$m_2A\\omega^2$ is {needed:.2f} N under the drive, 3 g at 1.5 mm and 100 Hz; "
+                f"friction is assumed below {LARGEST_FORCE:.1f} N"
+            ),
+            method="the thesis's mass, drive and bound of the force",
+        ),
+        Confirmation(
+            "second differences of the pin's sampled motion",
+            CloseNumbers(mass * _largest_acceleration(), needed, 1e-5),
         ),
     )
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from report.claims.driven_open_loop import open_loop
 from report.claims.section_5_2_1 import SMALL_GAP
-from report.claims.section_5_2_1_driven import open_loop
 from report.claims.section_5_2_2_simulated import largest_other_line
 from report.evidence import Evidence
 from report.figures.style import BLACK, LINES, new_figure, style

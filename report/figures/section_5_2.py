@@ -20,9 +20,10 @@ SECOND_IMPLEMENTATION = Drawing(
 LARGER_GAP = Drawing(
     "fig-5.10",
     "Intersections and oscillation for a gap of 40 µm",
-    "a: $G$ and $-1/N$ of friction-controlled backlash with $b$ = 4e-5 m (thesis, figure 5.10). Full point: "
-    "stable limit cycle; open point: unstable. The curve is that of every other gap; only the amplitudes "
-    "along it belong to this one. b: how far the exact loop swings after an impulse, and the settled motion.",
+    "a: $G$ and $-1/N$ of friction-controlled backlash with $b$ = $4\\times10^{-5}$ m (thesis, figure 5.10). "
+    "Full point: stable limit cycle; open point: unstable. The curve is that of every other gap; only the "
+    "amplitudes along it belong to this one. b: how far the exact loop swings after an impulse, and the "
+    "settled motion.",
     "The dashed curve leaves the large loop of G at its lower side, at 21.1 micrometres and 553.6 hertz, "
     "unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz, stable. Below, "
     "a band that widens to 0.33 millimetres, and four periods of a sine of that size.",
@@ -66,9 +67,9 @@ LATER = (
     Drawing(
         "fig-5.22",
         "Equivalent nonlinearity without friction",
-        "$G$ with $-1/N$ for $b$ = 4e-6 m and $F_c$ = 0 (thesis, figure 5.22). Listing A.6 gives backlash "
-        "without friction and its two limit cycles. Equation 5.14, whose real part lacks a factor, gives a "
-        "curve along the negative real axis.",
+        "$G$ with $-1/N$ for $b$ = $4\\times10^{-6}$ m and $F_c$ = 0 (thesis, figure 5.22). Listing A.6 "
+        "gives backlash without friction and its two limit cycles. Equation 5.14, whose real part lacks a "
+        "factor, gives a curve along the negative real axis.",
         "A dashed curve with two marked intersections, at 2.11 and 33.26 micrometres; a dash-dotted straight "
         "line along the negative real axis meets G nowhere.",
         equivalent_nonlinearity.without_force,
@@ -76,10 +77,11 @@ LATER = (
     Drawing(
         "fig-5.23",
         "Equivalent nonlinearity with 0.6 N",
-        "a: $G$ with $-1/N$ for $b$ = 4e-6 m and $F_c$ = 0.6 N (thesis, figure 5.23). By Listing A.6 there "
-        "is one intersection, with an amplitude of 16.9 mm. With the right sign the curve leaves $-1$ "
-        "upwards and meets $G$ nowhere. b: spectrum of the exact loop with that gap and force, all bodies "
-        "displaced alike at the start; dotted: natural modes of the loop without play and friction.",
+        "a: $G$ with $-1/N$ for $b$ = $4\\times10^{-6}$ m and $F_c$ = 0.6 N (thesis, figure 5.23). By "
+        "Listing A.6 there is one intersection, with an amplitude of 16.9 mm. With the right sign the curve "
+        "leaves $-1$ upwards and meets $G$ nowhere. b: spectrum of the exact loop with that gap and force, "
+        "all bodies displaced alike at the start; dotted: natural modes of the loop without play and "
+        "friction.",
         "Two half circles from minus one to zero, one below the real axis, which crosses G close to minus "
         "one, and one above it, which does not. Below, a spectrum with three rounded peaks at 222, 370 and "
         "737 hertz, the same for three starts.",
@@ -88,9 +90,9 @@ LATER = (
     Drawing(
         "fig-5.24",
         "Contours for several forces, and what friction does",
-        "Left: Listing A.6 for $b$ = 4e-6 m and several $F_c$ (thesis, figure 5.24); the intersection moves "
-        "to the right and stops. Right: amplitude over force for friction between cutter and guard; the "
-        "stable and the unstable limit cycle meet, and beyond that force there is none.",
+        "Left: Listing A.6 for $b$ = $4\\times10^{-6}$ m and several $F_c$ (thesis, figure 5.24); the "
+        "intersection moves to the right and stops. Right: amplitude over force for friction between cutter "
+        "and guard; the stable and the unstable limit cycle meet, and beyond that force there is none.",
         "Left, five curves from minus one cross G at points that crowd together. Right, for each of two "
         "loops a falling solid curve and a rising dotted one that end in one point, at 8.1 and 6.3 "
         "kilonewton per metre of gap.",

@@ -105,6 +105,13 @@ def friction_by_newton(
         return float(ratio), float(scaled * near.omega)
 
 
+def friction_exactly(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, float]:
+    """Return A/gap and ω (rad/s) by ``friction_by_newton`` from the exact coefficients of the derivation."""
+    return friction_by_newton(
+        tuple(map(float, numbers.numerator)), tuple(map(float, numbers.denominator)), near
+    )
+
+
 def inertia_by_newton(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, float]:
     """Return A/gap and ω (rad/s) of inertia-controlled backlash by Newton's method in the contact angle."""
     with mpmath.workdps(DIGITS):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
+from report.numbers.time_stepping import last_turn_in_steps
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_friction import ViscousFriction
@@ -97,6 +98,7 @@ class RelayNumbers:
         alone: With a relay alone.
         with_viscous: With a relay and a gain of ``VISCOUS``, the block of figure 5.20 on y.
         friction: The block of figure 5.20 on y', one run for each of ``IMPULSES``.
+        last_turn_in_steps: What ``last_turn`` of these is in a second way, s.
         acceleration: y'' after a unit step of the element's output, C A B.
         damping: How fast y' decays by itself at high frequency, -C A^2 B / (C A B), 1/s.
         sampled: Frequency (Hz) and amplitude over the level that a relay looked at once a step keeps up.
@@ -106,6 +108,7 @@ class RelayNumbers:
     alone: PeriodicCandidates
     with_viscous: PeriodicCandidates
     friction: tuple[FrictionRun, ...]
+    last_turn_in_steps: tuple[float, ...]
     acceleration: float
     damping: float
     sampled: tuple[float, float]
@@ -120,6 +123,7 @@ def solve_relay(system: control.StateSpace) -> RelayNumbers:
         alone=_candidates(A, B[:, 0], C[0]),
         with_viscous=_candidates(A - VISCOUS * B @ C, B[:, 0], C[0]),
         friction=tuple(_rub(system, impulse) for impulse in IMPULSES),
+        last_turn_in_steps=tuple(last_turn_in_steps(system, impulse, VISCOUS) for impulse in IMPULSES),
         acceleration=acceleration,
         damping=-float((C @ A @ A @ B).item()) / acceleration,
         sampled=_sampled(system),

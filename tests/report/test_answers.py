@@ -31,7 +31,7 @@ def test_every_corrected_result_names_its_claim_and_a_corrected_value(evidence: 
 
 def test_exact_and_predicted_values_differ_as_the_error_says(evidence: Evidence) -> None:
     rows = corrected_results(evidence)
-    amplitude = next(row for row in rows if row.quantity == "amplitude, stable, $b$ = 4e-6 m")
+    amplitude = next(row for row in rows if row.quantity == r"amplitude, stable, $b$ = $4\times10^{-6}$ m")
     # Harmonic balance is off by 0.31 % (tests/trimmer/orbits/test_periodic_orbits.py).
     ratio = float(amplitude.harmonic_balance) / float(amplitude.exact_orbit)
     assert abs(ratio - 1.0031) < 1e-4

@@ -8,7 +8,7 @@ from report.claim import ContradictionError, Verdict, judge
 from report.claims import (
     chapter_7_friction,
     figures_5_2_5,
-    figures_5_2_harmonic_balance,
+    figures_5_2_heavy_load,
     section_5_2,
     section_5_2_5,
 )
@@ -98,8 +98,8 @@ def test_a_harmonic_that_comes_back_would_be_noticed(evidence, inventory, monkey
     monkeypatch.setattr(section_5_2, "harmonic_leakage", lambda *_: (0.5,))
     (claim,) = section_5_2.claims(evidence)
     assert verdicts(claim, inventory)[3] is Verdict.ERRATUM
-    monkeypatch.setattr(figures_5_2_harmonic_balance, "harmonic_leakage", lambda *_: (0.5,))
-    figure = found(figures_5_2_harmonic_balance.claims(evidence), "fig-5.15")
+    monkeypatch.setattr(figures_5_2_heavy_load, "harmonic_leakage", lambda *_: (0.5,))
+    figure = found(figures_5_2_heavy_load.claims(evidence), "fig-5.15")
     assert verdicts(figure, inventory)[0] is Verdict.REPRODUCED
 
 

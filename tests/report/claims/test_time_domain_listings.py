@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from report.claims.appendix_a_friction_block import friction_block
 from report.claims.appendix_a_time_domain import (
     DRIVE_AMPLITUDE,
     DRIVE_GAP,
     DRIVE_OMEGA,
     PERIOD,
     contact_time,
-    friction_block,
     inertia_block,
 )
 from trimmer.elements.friction_backlash import FrictionBacklash
