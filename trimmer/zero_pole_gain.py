@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Self
 
 import control
 import numpy as np
-from scipy.linalg.lapack import dgebal
+from scipy.linalg.lapack import dgebal, dgeev
 
 from trimmer.frequency_domain import UnsupportedSystemError, require_siso
 
@@ -53,7 +53,7 @@ class ZeroPoleGain:
             gain = numerator[0] / denominator[0]
             return cls(float(gain), _ordered(np.roots(numerator)), _ordered(np.roots(denominator)))
         gain, zeros = _gain_and_zeros(system)
-        return cls(gain, _ordered(zeros), _ordered(np.linalg.eigvals(system.A)))
+        return cls(gain, _ordered(zeros), _ordered(_eigenvalues(system.A)))
 
     @property
     def relative_degree(self) -> int:
@@ -136,8 +136,18 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
         bound = float((np.abs(row) @ np.abs(column))[0, 0])
         row = row @ A
     # The rows are independent, as their products with B, A B, ... are triangular.
-    free = np.linalg.qr(np.array(held).T, mode="complete")[0][:, len(held) :] if held else np.eye(len(A))
-    return markov, np.linalg.eigvals(free.T @ (A - column @ row / markov) @ free)
+    free = np.linalg.svd(np.array(held))[2][len(held) :] if held else np.eye(len(A))
+    return markov, _eigenvalues(free @ (A - column @ row / markov) @ free.T)
+
+
+def _eigenvalues(matrix: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Eigenvalues from LAPACK itself: NumPy's checks take longer than the work on a small matrix."""
+    if matrix.size == 0:
+        return np.empty(0, dtype=complex)
+    real, imaginary, _, _, failed = dgeev(matrix, compute_vl=0, compute_vr=0)
+    if failed:
+        raise np.linalg.LinAlgError("the eigenvalues of the system do not converge")
+    return np.asarray(real + 1j * imaginary)
 
 
 def _balanced(matrix: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

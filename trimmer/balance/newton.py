@@ -39,8 +39,10 @@ def solve_in(
         inside = boxes.contains(u, x)
         converged = (np.abs(u_step) <= _CONVERGED * u) & (np.abs(x_step) <= _CONVERGED)
         solved = converged & inside
-        open_boxes = inside & ~solved
-        if not open_boxes.any() or boxes.take(open_boxes).hold(u[solved], x[solved]).any(axis=1).all():
+        left = inside & ~solved
+        if solved.any():
+            left[left] = ~boxes.take(left).hold(u[solved], x[solved]).any(axis=1)
+        if not left.any():
             break
     return u, x, solved
 

@@ -113,8 +113,9 @@ def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Soluti
     tried_regions = regions.take(tried)
     u, x, converged = solve_in(problem.response, problem.curve, tried_regions, test.u[tried], test.x[tried])
     # What lies in the region of a solution is that solution.
-    again = np.triu(tried_regions.hold(u, x) & converged[:, None], 1).any(axis=0)
-    first = converged & ~again & ~found.regions.hold(u, x).any(axis=0)
+    place = np.arange(tried.size)
+    again = tried_regions.hold(u, x) & converged[:, None] & (place[:, None] < place)
+    first = converged & ~again.any(axis=0) & ~found.regions.hold(u, x).any(axis=0)
     found = _Solutions(
         np.concatenate([found.u, u[first]]),
         np.concatenate([found.x, x[first]]),

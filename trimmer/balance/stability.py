@@ -24,6 +24,7 @@ from trimmer.balance.closed_loop import closed_loop_poles
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import Loop
 
     Reals = NDArray[np.float64]
@@ -57,14 +58,24 @@ def other_unstable_poles(loop: Loop, gains: Complexes, amplitudes: Reals, omegas
         amplitudes: At the element's input.
         omegas: rad/s.
     """
-    response = loop.response
-    mean_gains, place = np.unique(loop.curve.element.mean_gain(amplitudes), return_inverse=True)
-    poles = closed_loop_poles(response, np.concatenate([gains, mean_gains]))
-    swinging, of_mean = poles[: gains.size], poles[gains.size :]
-    own = np.abs(swinging - 1j * omegas[:, None] / response.reference).argmin(axis=1)
-    swinging[np.arange(gains.size), own] = 0.0
-    unstable = (swinging.real > _ROUNDING * np.abs(swinging)) & (swinging.imag > _ROUNDING * np.abs(swinging))
-    drifting = (of_mean.real > _ROUNDING * np.abs(of_mean)) & (
-        np.abs(of_mean.imag) <= _NEARLY_REAL * np.abs(of_mean)
-    )
-    return np.asarray(unstable.sum(axis=1) + drifting.sum(axis=1)[place])
+    poles = closed_loop_poles(loop.response, gains)
+    own = np.abs(poles - 1j * omegas[:, None] / loop.response.reference).argmin(axis=1)
+    poles[np.arange(gains.size), own] = 0.0
+    rounding = _ROUNDING * np.abs(poles)
+    swinging = ((poles.real > rounding) & (poles.imag > rounding)).sum(axis=1)
+    return np.asarray(swinging + _drifting_poles(loop.response, loop.curve.element.mean_gain(amplitudes)))
+
+
+def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> NDArray[np.intp] | int:
+    """Count the positive real roots of 1/G(s) + N_mean.
+
+    Where 1/G has no zero or pole on the positive axis it keeps the sign of its gain; there is no root then if
+    N_mean does not have the other sign.
+    """
+    on_axis = np.abs(response.roots.imag) <= _NEARLY_REAL * np.abs(response.roots)
+    if not (on_axis & (response.roots.real > 0)).any() and (response.gain.real * mean_gains >= 0).all():
+        return 0
+    poles = closed_loop_poles(response, mean_gains.astype(complex))
+    sizes = np.abs(poles)
+    drifting = (poles.real > _ROUNDING * sizes) & (np.abs(poles.imag) <= _NEARLY_REAL * sizes)
+    return np.asarray(drifting.sum(axis=1))

@@ -20,6 +20,7 @@ from tests.trimmer.balance.loops import (
     solutions_on_grid,
 )
 from tests.trimmer.trimmers import exact_response, stable_systems
+from trimmer.balance.limit_cycle import Certificate, LimitCycle
 from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -99,10 +100,20 @@ def test_python_control_finds_the_same_as_far_as_its_grid_allows() -> None:
 def test_as_many_as_on_a_fine_grid(G, element, gain: float) -> None:
     G = G * gain / max(1.0, abs(frequency_response(G, 1.0)))
     balance = harmonic_balance(G, element)
-    # The grid cannot see what lies within its last side, at the edge of the domain, or a near tangency.
-    if all(cycle.crossing_angle > 0.02 and cycle.amplitude > 0.5001 for cycle in balance.limit_cycles):
-        assert balance.certificate.complete
-        assert len(balance.limit_cycles) == count_on_grid(G, element, balance.certificate.omegas)
+    certificate = balance.certificate
+    if all(is_seen_on_grid(cycle) for cycle in balance.limit_cycles) and not is_marginal(certificate):
+        assert certificate.complete
+        assert len(balance.limit_cycles) == count_on_grid(G, element, certificate.omegas)
+
+
+def is_seen_on_grid(cycle: LimitCycle) -> bool:
+    """Say whether it is no near tangency and lies off the first and last sides of the grid's polygons."""
+    return cycle.crossing_angle > 0.02 and 0.5001 < cycle.amplitude < 1e5
+
+
+def is_marginal(certificate: Certificate) -> bool:
+    """Say whether the curves touch at infinite amplitude: G(j omega) is -1 there, as in 4/(s + 1)^4."""
+    return any(math.isinf(region.amplitudes[1]) for region in certificate.undecided)
 
 
 @given(st.floats(-9, 9).map(lambda exponent: 10**exponent))
