@@ -15,8 +15,9 @@ help: ## list the targets
 report: python ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
 	@$(BOOTSTRAP) requirements.lock -- trimmer report
 
+# The tests of a file share what they make once.
 test: python ## run the tests; ARGS="-k claim" passes options to pytest
-	@$(BOOTSTRAP) requirements-dev.lock -- python -m pytest -n auto --maxprocesses 4 $(ARGS)
+	@$(BOOTSTRAP) requirements-dev.lock -- python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
 
 lint: python ## ruff (rules and format), mypy, import-linter; changes nothing
 	@$(BOOTSTRAP) requirements-dev.lock -- ruff check .

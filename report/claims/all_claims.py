@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
-from report.claim import Claim, Entry
+from report.claim import Entry
 from report.claims import (
     appendix_a,
     appendix_a_9,
@@ -98,7 +98,6 @@ from report.claims import (
     section_6_3,
     section_6_scope,
 )
-from report.evidence import Evidence
 
 SECTIONS = (
     section_2_2_1_pin,
@@ -196,18 +195,6 @@ SECTIONS = (
 
 class ClaimIdError(ValueError):
     """An id that the inventory does not know, or that two claims share."""
-
-
-def all_claims(evidence: Evidence, inventory: Mapping[str, Entry]) -> tuple[Claim, ...]:
-    """Return every claim, in the order of the inventory.
-
-    Raises:
-        ClaimIdError: if an id is unknown or stands twice.
-    """
-    claims = [claim for section in SECTIONS for claim in section.claims(evidence)]
-    require_known_once((claim.id for claim in claims), inventory)
-    order = {claim_id: place for place, claim_id in enumerate(inventory)}
-    return tuple(sorted(claims, key=lambda claim: order[claim.id]))
 
 
 def require_known_once(ids: Iterable[str], inventory: Mapping[str, Entry]) -> None:

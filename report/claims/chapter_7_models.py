@@ -28,7 +28,7 @@ def claims(evidence: Evidence) -> tuple[Claim, ...]:
 def _models(evidence: Evidence) -> Claim:
     friction = evidence.cycles.friction.stable
     loads = [cycle for found in evidence.cycles.viscous for cycle in found if cycle.stable]
-    amplitudes = [cycle.amplitude for cycle in loads]
+    smallest, largest = min(cycle.amplitude for cycle in loads), evidence.cycles.largest_viscous.amplitude
     return Claim(
         id="txt-7-models",
         parts=(
@@ -39,10 +39,10 @@ def _models(evidence: Evidence) -> Claim:
                 "friction-controlled backlash in place of the others",
                 Assertion(
                     statement="its limit cycle is not much smaller than that of any load",
-                    derived=max(amplitudes) < (1 + BELOW) * friction.amplitude,
+                    derived=largest < (1 + BELOW) * friction.amplitude,
                     evidence=(
-                        f"it has {friction.amplitude:.2f} gaps, other loads have {min(amplitudes):.2f} to "
-                        f"{max(amplitudes):.2f}"
+                        f"it has {friction.amplitude:.2f} gaps, other loads have {smallest:.2f} to "
+                        f"{largest:.2f}"
                     ),
                     method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
                 ),
@@ -59,8 +59,8 @@ def _models(evidence: Evidence) -> Claim:
             "the thesis's own, which are 11 % apart. Coulomb friction alone has none, as section 5.2.4 says; "
             "if all models with play are meant, the sentence is right. The recommendation to use "
             "friction-controlled backlash holds: its frequency is within 3 % of any other load's, its "
-            f"amplitude at most {100 * (max(amplitudes) / friction.amplitude - 1):.0f} % too small and, for "
-            f"a load of inertia alone, {100 * (friction.amplitude / min(amplitudes) - 1):.0f} % too large."
+            f"amplitude at most {100 * (largest / friction.amplitude - 1):.1f} % too small and, for "
+            f"a load of inertia alone, {100 * (friction.amplitude / smallest - 1):.0f} % too large."
         ),
         consequence="A designer may use the simplest model: but for a few percent it is on the safe side.",
         impact=Impact.LOCAL,

@@ -162,7 +162,7 @@ def _in_parallel() -> Claim:
             "text, and its $N_f$ needs the amplitude $A/|G_g|$. As an example the figure is right; the "
             "trimmer is not of this form, since its friction acts between cutter and guard."
         ),
-        source="report/claims/section_2_4.py",
+        source=SOURCE,
     )
 
 

@@ -38,7 +38,7 @@ b = sympy.Symbol("b", positive=True)
 
 def claims(_: Evidence) -> tuple[Claim, ...]:
     """Return the claims in thesis order."""
-    return (_inertia_controlled(), _viscous_controlled())
+    return (_inertia_controlled(), _velocities(), _viscous_controlled())
 
 
 def _inertia_controlled() -> Claim:
@@ -60,14 +60,23 @@ def _inertia_controlled() -> Claim:
                 "distance of the two sides of the characteristic",
                 SameExpression(b, following.value - following_back.value),
             ),
-            *(_velocity_at_separation(number) for number in (0, 1)),
-            _argument_of_cosine(),
         ),
         explanation=(
-            "The load separates where the pin is fastest, at $\\omega t = n\\pi$, and flies at the pin's "
-            "velocity there, $u' = A\\omega\\cos(n\\pi)$. The text takes that as $A\\omega$ for every $n$; "
-            "for odd $n$ the pin moves the other way. Its $\\cos(\\omega n\\pi)$ puts a phase where a time "
-            "belongs."
+            "The load separates where the pin is fastest, at $\\omega t = n\\pi$, and meets the other side "
+            "of the characteristic after its free flight, as drawn."
+        ),
+        source=SOURCE,
+    )
+
+
+def _velocities() -> Claim:
+    return Claim(
+        id="txt-2.3.4-separation-velocity",
+        parts=(*(_velocity_at_separation(number) for number in (0, 1)), _argument_of_cosine()),
+        explanation=(
+            "The load flies at the pin's velocity at the separation, $u' = A\\omega\\cos(n\\pi)$. The text "
+            "takes that as $A\\omega$ for every $n$; for odd $n$ the pin moves the other way. Its "
+            "$\\cos(\\omega n\\pi)$ puts a phase where a time belongs."
         ),
         consequence="None: the third piece of equation 2.42 has the factor $\\cos(\\omega T/2) = -1$.",
         impact=Impact.NOTATION,

@@ -14,7 +14,7 @@ from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from trimmer import filtering_ratio
 
-SOURCE = "derivations/waveform.py"
+SOURCE = "report/claims/section_2_3_method.py"
 LIMIT_CYCLE_OMEGA = 4607.7
 COSINE_PART = sympy.Symbol("a_1", real=True)
 SINE_PART = sympy.Symbol("b_1", positive=True)
@@ -42,7 +42,7 @@ def _harmonic_balance() -> Claim:
             "Round the loop with negative feedback a sinusoid $Y$ comes back as $-NGY$. It sustains itself "
             "with a nonzero amplitude exactly if $1 + NG = 0$."
         ),
-        source="derivations/stability.py",
+        source=SOURCE,
     )
 
 

@@ -96,7 +96,8 @@ def _proportionality() -> Claim:
         ),
         explanation=(
             "$N$ is a function of $b/A$ and not a multiple of it. It tends to one, not to zero, when $b/A$ "
-            "does. The proportion printed is that of a relay."
+            "does. The proportion printed is that of a relay. Nor does what the text draws from it follow: "
+            "$-A/b$ comes closer to zero as $b$ grows, where $-1/N$ at a given amplitude moves away from it."
         ),
         consequence=(
             "The text concludes from it that a larger gap moves the curve until it meets $G$ a second time. "
@@ -118,7 +119,7 @@ def _external_input() -> Claim:
             "Equation 2.1 with an eccentricity of 1.5 mm and 100 turns a second. The motor of the experiment "
             "turned faster, see the places where its frequency is quoted."
         ),
-        source="derivations/symbols.py",
+        source="report/claims/section_5_2_1_measures.py",
     )
 
 

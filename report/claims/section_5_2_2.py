@@ -47,7 +47,7 @@ def _harmonic_balance() -> Claim:
             "Equation 2.25 with the ratio $\\beta = b/A$ as variable, on which alone the describing function "
             "depends."
         ),
-        source="derivations/stability.py",
+        source="report/claims/section_5_2_2.py",
     )
 
 

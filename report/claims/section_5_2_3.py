@@ -77,7 +77,7 @@ def _harmonic_balance() -> Claim:
             "unknowns. The driving frequency, which the text asks for, does not appear: the frequency in "
             "$\\gamma$ is that of the limit cycle."
         ),
-        source="derivations/stability.py",
+        source="report/claims/section_5_2_3.py",
     )
 
 
@@ -116,7 +116,6 @@ def _only_between(evidence: Evidence) -> Claim:
     stable = [cycle for each in cycles.viscous for cycle in each if cycle.stable]
     loads = [ViscousBacklash(1.0, time_constant) for time_constant in TIME_CONSTANTS]
     frequencies = [cycle.frequency for cycle in stable]
-    amplitudes = [cycle.amplitude for cycle in stable]
     return Claim(
         id="txt-5.2.3-band",
         parts=(
@@ -139,7 +138,7 @@ def _only_between(evidence: Evidence) -> Claim:
         explanation=(
             "For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies "
             "between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by "
-            f"them: it reaches {max(amplitudes):.2f} gaps, where the limits have "
+            f"them: it reaches {cycles.largest_viscous.amplitude:.2f} gaps, where the limits have "
             f"{cycles.friction.stable.amplitude:.2f} and {cycles.inertia.stable.amplitude:.2f}."
         ),
         source="trimmer/balance/solve.py",

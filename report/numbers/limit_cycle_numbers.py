@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import control
 import mpmath
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 from report.numbers.equivalent_nonlinearity import EquivalentNumbers, solve_equivalent
 from report.numbers.linear_numbers import LinearNumbers
@@ -38,8 +39,9 @@ class LimitCycleNumbers:
 
     ``friction`` and ``inertia`` belong to the thesis's loop (pin displacement only), ``..._both_channels`` to
     the loop with the pin's velocity too, ``friction_listing`` to the rounded coefficients of Listing A.9.
-    ``viscous`` holds all limit cycles for each of ``TIME_CONSTANTS`` in the thesis's loop. ``equivalent`` is
-    about backlash and friction together, for the gaps and forces of section 5.2.5.
+    ``viscous`` holds all limit cycles for each of ``TIME_CONSTANTS`` in the thesis's loop,
+    ``largest_viscous`` the stable one of the load that makes it largest. ``equivalent`` is about backlash and
+    friction together, for the gaps and forces of section 5.2.5.
     """
 
     listing: control.TransferFunction
@@ -49,6 +51,7 @@ class LimitCycleNumbers:
     inertia: Pair
     inertia_both_channels: Pair
     viscous: tuple[tuple[LimitCycle, ...], ...]
+    largest_viscous: LimitCycle
     equivalent: EquivalentNumbers
 
 
@@ -58,6 +61,7 @@ def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
     thesis, both = numbers.displacement_only, numbers.both_channels
     friction, inertia = FrictionBacklash(1.0), InertiaBacklash(1.0)
     by_friction, by_friction_both = _pair(thesis, friction), _pair(both, friction)
+    viscous = tuple(_viscous(thesis, time_constant) for time_constant in TIME_CONSTANTS)
     return LimitCycleNumbers(
         listing=listing,
         friction=by_friction,
@@ -65,10 +69,8 @@ def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
         friction_both_channels=by_friction_both,
         inertia=_pair(thesis, inertia),
         inertia_both_channels=_pair(both, inertia),
-        viscous=tuple(
-            tuple(limit_cycles(thesis, ViscousBacklash(1.0, time_constant)))
-            for time_constant in TIME_CONSTANTS
-        ),
+        viscous=viscous,
+        largest_viscous=_largest(thesis, viscous),
         equivalent=solve_equivalent(
             numbers,
             listing,
@@ -76,6 +78,28 @@ def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
             (by_friction_both.unstable, by_friction_both.stable),
         ),
     )
+
+
+def _viscous(system: control.TransferFunction, time_constant: float) -> tuple[LimitCycle, ...]:
+    return tuple(limit_cycles(system, ViscousBacklash(1.0, time_constant)))
+
+
+def _largest(system: control.TransferFunction, viscous: tuple[tuple[LimitCycle, ...], ...]) -> LimitCycle:
+    """Return the stable limit cycle of largest amplitude over all loads, next to the largest of some."""
+
+    def stable(exponent: float) -> LimitCycle:
+        (cycle,) = (each for each in _viscous(system, 10.0**exponent) if each.stable)
+        return cycle
+
+    amplitudes = [max(cycle.amplitude for cycle in each if cycle.stable) for each in viscous]
+    exponents, place = np.log10(TIME_CONSTANTS), int(np.argmax(amplitudes))
+    best = minimize_scalar(
+        lambda exponent: -stable(exponent).amplitude,
+        bounds=(exponents[place - 1], exponents[place + 1]),
+        method="bounded",
+        options={"xatol": 1e-4},
+    )
+    return stable(best.x)
 
 
 def _pair(system: control.TransferFunction, element: FrictionBacklash | InertiaBacklash) -> Pair:

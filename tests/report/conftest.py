@@ -2,7 +2,7 @@
 
 import pytest
 
-from report.claims.all_claims import all_claims
+from report.claims.all_claims import SECTIONS, require_known_once
 from report.evidence import gather
 from report.inventory import read_inventory
 
@@ -18,5 +18,13 @@ def evidence():
 
 
 @pytest.fixture(scope="session")
-def claims(evidence, inventory):
-    return {claim.id: claim for claim in all_claims(evidence, inventory)}
+def claims_of_sections(evidence):
+    """Claims by the name of the module that makes them."""
+    return {section.__name__: section.claims(evidence) for section in SECTIONS}
+
+
+@pytest.fixture(scope="session")
+def claims(claims_of_sections, inventory):
+    made = [claim for claims in claims_of_sections.values() for claim in claims]
+    require_known_once((claim.id for claim in made), inventory)
+    return {claim.id: claim for claim in made}
