@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _STEPS = 12
 
-_CONVERGED = 1e-8
+_CONVERGED = 5e-8
 """Step, relative to u and as change of x, after which the next would be of the size of rounding."""
 
 
