@@ -32,6 +32,8 @@ def certificate_as_json(certificate: Certificate) -> dict[str, object]:
         "complete": certificate.complete,
         "boxes": certificate.boxes,
         "undecided": [_region(region) for region in certificate.undecided],
+        "smallest_gain": certificate.smallest_gain,
+        "winding_number": certificate.winding_number,
     }
 
 
