@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from functools import lru_cache
+
+import control
+import numpy as np
 
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.errors import LinearElementError, UnsupportedElementError
@@ -11,11 +14,8 @@ from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_feedback import with_feedback
 from trimmer.balance.linear_part import LinearGain, parted
 from trimmer.elements.element import Element
-from trimmer.frequency_domain import UnsupportedSystemError
+from trimmer.frequency_domain import UnsupportedSystemError, require_siso
 from trimmer.zero_pole_gain import ZeroPoleGain
-
-if TYPE_CHECKING:
-    import control
 
 _NOTHING = LinearGain()
 
@@ -69,7 +69,27 @@ def inverse_response(G: control.lti.LTI) -> InverseResponse:
     Raises:
         UnsupportedSystemError: if it is improper, or not what ``ZeroPoleGain.of`` accepts.
     """
-    factored = ZeroPoleGain.of(G)
+    require_siso(G)
+    return _inverse_response(_System(_coefficients(G), G))
+
+
+@dataclass(frozen=True)
+class _System:
+    """A system that is known again by its coefficients, whatever becomes of the object."""
+
+    coefficients: tuple[bytes, ...]
+    system: control.lti.LTI = field(compare=False)
+
+
+def _coefficients(G: control.lti.LTI) -> tuple[bytes, ...]:
+    fraction = isinstance(G, control.TransferFunction)
+    parts = (G.num[0][0], G.den[0][0]) if fraction else (G.A, G.B, G.C, G.D)
+    return tuple(np.asarray(part, dtype=float).tobytes() for part in parts)
+
+
+@lru_cache(maxsize=16)  # A sweep over gaps, loads or forces asks for the same system again and again.
+def _inverse_response(given: _System) -> InverseResponse:
+    factored = ZeroPoleGain.of(given.system)
     if factored.relative_degree < 0:
         raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
     return InverseResponse.of(factored)
