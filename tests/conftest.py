@@ -10,10 +10,14 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
 settings.load_profile("repeatable")
+# Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
+# examples would depend on which tests ran before.
+HypothesisProvider._local_constants = Constants()
 
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 _ROUNDING = 1e-13
 """Ratio of a sum to the sum of its terms' magnitudes below which its sign is taken for rounding."""
 
+_NEGLIGIBLE = 1e-9
+"""Share of the smallest root below which a place is taken for the origin: slopes keep their signs there."""
+
 _SAME = 16 * np.finfo(float).eps
 """Relative distance within which a root that was polished is that of a known one."""
 
@@ -79,8 +82,9 @@ def _sign_changes(
     terms: Callable[[float], NDArray[np.float64]], system: ZeroPoleGain, candidates: NDArray[np.complex128]
 ) -> Iterator[tuple[float, bool]]:
     """Yield (omega, falls) for each sign change of a sum of terms; each lies beside one of the candidates."""
-    beside = np.concatenate([candidates.imag, system.roots.imag, np.abs(system.roots)])
-    beside = np.unique(beside[beside > 0])
+    sizes = np.abs(system.roots)
+    beside = np.concatenate([candidates.imag, system.roots.imag, sizes])
+    beside = np.unique(beside[beside > _NEGLIGIBLE * sizes[sizes > 0].min(initial=np.inf)])
     if beside.size == 0:
         return
     between = np.sqrt(beside[:-1]) * np.sqrt(beside[1:])

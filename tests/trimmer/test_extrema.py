@@ -90,6 +90,13 @@ def test_systems_without_extrema(system: control.TransferFunction) -> None:
     assert resonance_peaks(system) == dips(system) == ()
 
 
+def test_a_candidate_next_to_zero_does_not_hide_the_only_peak() -> None:
+    # For this damping an eigenvalue at the origin comes out with an imaginary part of 1e-33.
+    damping = 0.276076852920577
+    (peak,) = resonance_peaks(control.tf([-3.0], [1.0, damping, 1.0]))
+    assert peak.omega == pytest.approx(math.sqrt(1.0 - 0.5 * damping**2), rel=1e-12)
+
+
 @given(stable_systems())
 def test_no_grid_sees_an_extremum_that_was_not_found(system: control.TransferFunction) -> None:
     omega = np.geomspace(1e-3, 1e3, 20_001)
