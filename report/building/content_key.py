@@ -11,10 +11,9 @@ from importlib.metadata import version
 from pathlib import Path
 
 from report.building.provenance import libraries
+from report.building.source_closure import PACKAGES, ROOT
 
-PACKAGES = ("derivations", "trimmer", "report")
 SUFFIXES = (".py", ".csv", ".m.j2")
-ROOT = Path(__file__).parents[2]
 
 
 def content_key() -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
+
+from trimmer.command_line.json_values import finite
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import Certificate, UndecidedRegion
@@ -39,14 +40,10 @@ def certificate_as_json(certificate: Certificate) -> dict[str, object]:
 
 def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
     return {
-        "amplitudes": [_finite(end) for end in region.amplitudes],
-        "omegas": [_finite(end) for end in region.omegas],
+        "amplitudes": [finite(end) for end in region.amplitudes],
+        "omegas": [finite(end) for end in region.omegas],
     }
 
 
 def _range(ends: tuple[float, float]) -> str:
     return f"{ends[0]:.9g} to {ends[1]:.9g}"
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

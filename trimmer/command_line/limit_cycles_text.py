@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
 from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
+from trimmer.command_line.json_values import finite
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
 def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
     """Give time constants as JSON; an infinite one, which is inertia-controlled backlash, is null."""
     content = [
-        {"time_constant": _finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
+        {"time_constant": finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
         for each in found
     ]
     return json.dumps({"time_constants": content}, indent=2, allow_nan=False)
@@ -88,7 +89,3 @@ def _cycle_row(cycle: LimitCycle) -> tuple[str, ...]:
     numbers = (cycle.amplitude, cycle.omega, cycle.frequency)
     stable = "yes" if cycle.stable else "no"
     return (*(f"{number:.6g}" for number in numbers), stable, f"{math.degrees(cycle.crossing_angle):.3g}")
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

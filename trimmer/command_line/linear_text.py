@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
+from trimmer.command_line.json_values import finite, pair
 from trimmer.displacement import Body
 from trimmer.linear import InputChannels
 from trimmer.linear_summary import CRITICAL_POINT, LinearSummary
@@ -63,23 +64,23 @@ def as_json(summary: LinearSummary) -> str:
         "stable": _is_stable(summary),
         "modes": [
             {
-                "eigenvalue": _pair(mode.eigenvalue),
+                "eigenvalue": pair(mode.eigenvalue),
                 "omega_natural": mode.omega_natural,
                 "omega_damped": mode.omega_damped,
                 "frequency": mode.frequency,
                 "damping_ratio": mode.damping_ratio,
-                "shape": [_pair(entry) for entry in mode.shape],
+                "shape": [pair(entry) for entry in mode.shape],
             }
             for mode in summary.modes
         ],
-        "poles": [_pair(pole) for pole in summary.factored.poles],
-        "zeros": [_pair(zero) for zero in summary.factored.zeros],
-        "static_gain": _finite(summary.factored.static_gain),
+        "poles": [pair(pole) for pole in summary.factored.poles],
+        "zeros": [pair(zero) for zero in summary.factored.zeros],
+        "static_gain": finite(summary.factored.static_gain),
         "gain_crossings": summary.gain_crossings,
         "real_axis_crossings": [{"omega": c.omega, "value": c.value} for c in summary.real_axis_crossings],
-        "bandwidth": _finite(summary.low_pass.bandwidth) if summary.low_pass else None,
+        "bandwidth": finite(summary.low_pass.bandwidth) if summary.low_pass else None,
         "bandwidth_crossings": summary.low_pass.crossings if summary.low_pass else None,
-        "peaks": [{"omega": e.omega, "magnitude": _finite(e.magnitude)} for e in summary.peaks],
+        "peaks": [{"omega": e.omega, "magnitude": finite(e.magnitude)} for e in summary.peaks],
         "dips": [{"omega": e.omega, "magnitude": e.magnitude} for e in summary.dips],
         "roll_off": summary.roll_off,
         "encirclements": summary.encirclements,
@@ -142,14 +143,6 @@ def _number(value: float) -> str:
 
 def _complex(value: complex) -> str:
     return f"{value.real:.6g}" if value.imag == 0 else f"{value.real:.6g} ± {value.imag:.6g}j"
-
-
-def _pair(value: complex) -> tuple[float, float]:
-    return (value.real, value.imag)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def _hertz(omega: float) -> float:

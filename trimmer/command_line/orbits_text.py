@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
+from trimmer.command_line.json_values import pair
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
         "period": orbit.period,
         "frequency": orbit.frequency,
         "stable": orbit.stable,
-        "multipliers": [[value.real, value.imag] for value in orbit.multipliers.tolist()],
+        "multipliers": [pair(value) for value in orbit.multipliers.tolist()],
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
         "switching_times": orbit.switching_times.tolist(),
         "residual": orbit.residual,

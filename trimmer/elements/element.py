@@ -137,8 +137,7 @@ class Element(ABC):
         if np.count_nonzero(missing):
             for part in parts:
                 part[missing.ravel()] = np.nan
-        value, by_u, by_log_omega = (part.reshape(amplitudes.shape)[()] for part in parts)
-        return Expansion(value, by_u, by_log_omega)
+        return Expansion(*(_scalar_if_0d(part.reshape(amplitudes.shape)) for part in parts))
 
     @abstractmethod
     def domain(self, omega: ArrayLike | None = None) -> Reals:

@@ -1,0 +1,15 @@
+"""Numbers as JSON can hold them."""
+
+from __future__ import annotations
+
+import math
+
+
+def finite(value: float) -> float | None:
+    """Return a number as it is, and None, which is null in JSON, in place of infinity and NaN."""
+    return value if math.isfinite(value) else None
+
+
+def pair(value: complex) -> tuple[float, float]:
+    """Return the real and the imaginary part."""
+    return value.real, value.imag
