@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -82,18 +84,18 @@ def test_imports_are_kept_and_those_of_a_changed_source_are_read_again(
     first = SourceTree.kept(store, root)
     assert first == SourceTree.read(root)
 
-    parsed: list[bytes] = []
-    parse = source_closure.ast.parse
+    read: list[str] = []
+    imports = source_closure._imports
 
-    def noted(content: bytes) -> object:
-        parsed.append(content)
-        return parse(content)
+    def noted(module: ast.Module) -> Iterator[str]:
+        read.append(ast.unparse(module))
+        return imports(module)
 
-    monkeypatch.setattr(source_closure.ast, "parse", noted)
+    monkeypatch.setattr(source_closure, "_imports", noted)
     assert SourceTree.kept(store, root) == first
-    assert parsed == []
+    assert read == []
     (package / "second.py").write_text("from report.fourth import VALUE\n")
     changed = SourceTree.kept(store, root)
-    assert parsed == [b"from report.fourth import VALUE\n"]
+    assert read == ["from report.fourth import VALUE"]
     assert "report/fourth.py" in changed.closure("report.first")
     assert "report/third.py" not in changed.closure("report.first")
