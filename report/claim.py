@@ -60,6 +60,23 @@ class Impact(Enum):
     DOWNSTREAM = "downstream"
 
 
+class Severity(Enum):
+    """How much it matters that a statement is wrong."""
+
+    CONCLUSION = "conclusion"
+    RESULT = "result"
+    SLIP = "slip"
+    NONE = "none"
+
+
+class Certainty(Enum):
+    """How sure a finding is: proven, computed in two ways, or depending on how the text is read."""
+
+    PROVEN = "proven"
+    COMPUTED = "computed"
+    READING = "reading"
+
+
 @dataclass(frozen=True)
 class Mathematics:
     """A formula to show, as LaTeX without dollar signs."""
@@ -102,12 +119,16 @@ class Outcome:
     method: str
 
 
-class Comparison(Protocol):
-    """One way of holding a printed thing against a derived one; its tolerance lives in it."""
+class Check(Protocol):
+    """Whether two sides agree; its tolerance lives in it."""
 
     def compare(self) -> Outcome:
-        """Say whether the printed side agrees with the derived side."""
+        """Say whether the two sides agree."""
         ...
+
+
+class Comparison(Check, Protocol):
+    """One way of holding a printed thing against a derived one."""
 
     def with_derived(self, derived: Any) -> Self:
         """Return the same printed side, held against another derived one."""
@@ -150,7 +171,7 @@ class Confirmation:
     """A second, independent derivation of the derived side; it has to agree, or judging stops."""
 
     means: str
-    comparison: Comparison
+    comparison: Check
 
 
 @dataclass(frozen=True)
@@ -158,7 +179,7 @@ class Part:
     """One checkable part of a claim.
 
     ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where it works
-    on an instance of what is printed.
+    on an instance of what is printed; ``item`` names the printed thing that the part judges.
     """
 
     label: str
@@ -167,6 +188,7 @@ class Part:
     slip: Slip | None = None
     printed_form: Shown | None = None
     derived_form: Shown | None = None
+    item: str = ""
 
 
 @dataclass(frozen=True)
@@ -176,6 +198,7 @@ class Uncheckable:
     label: str
     printed: Shown
     missing: str
+    item: str = ""
 
 
 @dataclass(frozen=True)
@@ -183,7 +206,8 @@ class Claim:
     """A statement of the thesis with all that is needed to judge it.
 
     ``explanation`` and ``consequence`` are pandoc Markdown with TeX mathematics between dollar signs;
-    ``source`` names the file of this project that derives the right side.
+    ``source`` names the file of this project that derives the right side. ``lines`` are the first and the
+    last of the passage in the text that was read; they, ``severity`` and ``certainty`` may be missing.
     """
 
     id: str
@@ -192,6 +216,9 @@ class Claim:
     source: str
     impact: Impact = Impact.NONE
     consequence: str = ""
+    lines: tuple[int, int] | None = None
+    severity: Severity | None = None
+    certainty: Certainty | None = None
 
 
 @dataclass(frozen=True)

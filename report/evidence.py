@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from derivations.laplace import GeneralSystem, TransformedSystem, general_system, transform
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
+from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
 from report.numbers.linear_numbers import LinearNumbers, solve_linear
 from report.numbers.motion_numbers import MotionNumbers, solve_motion
@@ -31,6 +32,11 @@ class Evidence:
     numbers: LinearNumbers
     cycles: LimitCycleNumbers
     motion: MotionNumbers
+
+    @property
+    def orbits(self) -> ExactOrbits:
+        """The exact orbits of the closed loops of section 5.2."""
+        return self.motion.closed.orbits
 
 
 def derive() -> Derived:

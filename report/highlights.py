@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import math
 
-from report.claims.section_5_1_2 import CUTTER, GUARD
-from report.claims.section_5_1_2_low_pass import HARMONICS, LIMIT_CYCLE_OMEGA, highest_unfiltered
+from report.chapters.chapter_5.claims.section_5_1_2 import CUTTER, GUARD
+from report.chapters.chapter_5.claims.section_5_1_2_low_pass import (
+    HARMONICS,
+    LIMIT_CYCLE_OMEGA,
+    highest_unfiltered,
+)
 from report.document import Highlight
 from report.evidence import Evidence
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers

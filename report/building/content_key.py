@@ -12,22 +12,23 @@ from pathlib import Path
 
 from report.building.provenance import libraries
 from report.building.source_closure import PACKAGES, ROOT
+from report.folders import templates
 
-SUFFIXES = (".py", ".csv", ".m.j2")
+SUFFIXES = (".py", ".csv")
 
 
 def content_key() -> str:
     """Return the digest of all that the content depends on."""
     digest = hashlib.sha256()
-    for path in _sources():
-        digest.update(f"{path.relative_to(ROOT).as_posix()}\0".encode())
+    for name, path in _sources().items():
+        digest.update(f"{name}\0".encode())
         digest.update(path.read_bytes())
     digest.update(repr((libraries(), version("trimmer"))).encode())
     return digest.hexdigest()
 
 
-def _sources() -> list[Path]:
-    files = (
-        path for package in PACKAGES for path in (ROOT / package).rglob("*") if path.name.endswith(SUFFIXES)
-    )
-    return sorted(files)
+def _sources() -> dict[str, Path]:
+    packages = (path for package in PACKAGES for path in (ROOT / package).rglob("*"))
+    sources = {path.relative_to(ROOT).as_posix(): path for path in packages if path.name.endswith(SUFFIXES)}
+    listings = {f"templates/octave/{path.name}": path for path in (templates() / "octave").iterdir()}
+    return dict(sorted({**sources, **listings}.items()))

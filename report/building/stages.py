@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, partial
 from importlib.metadata import version
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -19,17 +18,16 @@ from report.building.provenance import libraries
 from report.building.source_closure import SourceTree
 from report.building.stage_store import StageStore
 from report.building.tasks import Task, done
+from report.chapters.all_claims import SECTIONS, claims_of, require_known_once
+from report.chapters.all_figures import DRAWINGS
 from report.claim import Entry, Finding, judge
-from report.claims.all_claims import SECTIONS, require_known_once
 from report.corrected_results import corrected_results
 from report.document import Document
 from report.evidence import Evidence, derive, solve
-from report.figures.all_figures import DRAWINGS
+from report.folders import templates
 from report.highlights import highlights
 from report.inventory import read_inventory
 from report.octave.listings import corrected_programs
-
-OCTAVE_TEMPLATES = Path(__file__).parents[1] / "templates" / "octave"
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
@@ -79,7 +77,9 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree)
 
     Proofs, then the figures of motion and the last sections take longest.
     """
-    templates = [(path.name, path.read_text(encoding="utf-8")) for path in sorted(OCTAVE_TEMPLATES.iterdir())]
+    octave = [
+        (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
+    ]
     key = partial(_key, tree)
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
@@ -93,7 +93,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree)
         Task(
             "programs",
             "print",
-            key(["report.octave.listings", "report.evidence"], templates),
+            key(["report.octave.listings", "report.evidence"], octave),
             print_programs,
         ),
         *(
@@ -108,7 +108,7 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree)
             Task(
                 f"figure-{drawing.id}",
                 "draw",
-                key([*drawing.modules, "report.figures.drawing", "report.evidence"], drawing.words),
+                key([*drawing.modules, "report.drawing.drawing", "report.evidence"], drawing.words),
                 partial(drawing.finished, evidence),
             )
             for drawing in reversed(DRAWINGS)
@@ -135,13 +135,13 @@ def _versions() -> tuple[tuple[str, str], ...]:
 
 
 def _name(section: ModuleType) -> str:
-    return f"section-{section.__name__.rpartition('.')[2]}"
+    return f"section-{section.__name__}"
 
 
 def _judged(
     section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]
 ) -> tuple[tuple[Finding, ...], Alterations]:
-    claims = section.claims(evidence)
+    claims = claims_of(section, evidence)
     require_known_once((claim.id for claim in claims), inventory)
     return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
 

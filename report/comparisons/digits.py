@@ -117,3 +117,29 @@ class CloseNumbers:
     def derived_shown(self) -> Number:
         """The second number."""
         return Number(f"{self.derived:.10g}")
+
+
+@final
+@dataclass(frozen=True)
+class Equal:
+    """Whether two things are exactly the same, such as two counts."""
+
+    first: object
+    second: object
+
+    def compare(self) -> Outcome:
+        """Compare them."""
+        return Outcome(self.first == self.second, "the same")
+
+
+@final
+@dataclass(frozen=True)
+class Small:
+    """Whether what has to vanish stays below a bound in size."""
+
+    value: complex
+    bound: float = 1e-9
+
+    def compare(self) -> Outcome:
+        """Compare the size with the bound."""
+        return Outcome(abs(self.value) <= self.bound, f"at most {self.bound:g}")

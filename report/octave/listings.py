@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import sympy
@@ -23,12 +22,12 @@ from derivations.state_space import output_row
 from derivations.symbols import PARAMETERS, A
 from derivations.waveform import THETA
 from report.document import Program
+from report.folders import templates
 from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
 from trimmer.parameters import TrimmerParameters, parameter_table
 
-TEMPLATES = Path(__file__).parent.parent / "templates" / "octave"
 NAMES: dict[sympy.Expr, str] = {
     **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},
     A: "amplitude",
@@ -149,7 +148,7 @@ def _linear_context(derivation: LinearTrimmer, parameters: TrimmerParameters) ->
 
 def _environment() -> Environment:
     environment = Environment(
-        loader=FileSystemLoader(TEMPLATES),
+        loader=FileSystemLoader(templates() / "octave"),
         undefined=StrictUndefined,
         autoescape=False,
         trim_blocks=True,
@@ -170,7 +169,7 @@ def _environment() -> Environment:
 def _generated(template: str, source: str = "") -> str:
     formulas_from = f", formulas from {source} by SymPy's Octave printer" if source else ""
     return comment(
-        f"Generated from report/templates/octave/{template}{formulas_from}; do not edit. SI units throughout."
+        f"Generated from templates/octave/{template}{formulas_from}; do not edit. SI units throughout."
     )
 
 

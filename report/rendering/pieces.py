@@ -13,18 +13,18 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
-from pathlib import Path
 from typing import Self, TypeVar
 
 from report.building.source_closure import SourceTree
 from report.building.stage_store import StageStore
+from report.folders import templates
 from report.rendering.mathml import repaired
 from report.rendering.pandoc import read, write
 
 Piece = TypeVar("Piece", str, bytes)
 Form = TypeVar("Form", str, bytes)
 
-TEMPLATES = Path(__file__).parent.parent / "templates"
+TEMPLATES = templates()
 HTML_FILTER = TEMPLATES / "html.lua"
 TYPST_FILTER = TEMPLATES / "typst.lua"
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from report.claims.all_claims import SECTIONS, require_known_once
+from report.chapters.all_claims import SECTIONS, claims_of, require_known_once
 from report.evidence import gather
 from report.inventory import read_inventory
 
@@ -20,7 +20,7 @@ def evidence():
 @pytest.fixture(scope="session")
 def claims_of_sections(evidence):
     """Claims by the name of the module that makes them."""
-    return {section.__name__: section.claims(evidence) for section in SECTIONS}
+    return {section.__name__: claims_of(section, evidence) for section in SECTIONS}
 
 
 @pytest.fixture(scope="session")

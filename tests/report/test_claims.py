@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from report.building.source_closure import SourceTree
+from report.chapters.all_claims import SECTIONS
 from report.claim import Impact, Uncheckable, Verdict, judge
-from report.claims.all_claims import SECTIONS
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.inventory import PATH, read_inventory
 

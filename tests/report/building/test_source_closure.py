@@ -28,7 +28,8 @@ def tree() -> SourceTree:
 
 
 @pytest.mark.parametrize(
-    "module", ["derivations.backlash", "trimmer.motion.simulation", "report.claims.section_2_3_6"]
+    "module",
+    ["derivations.backlash", "trimmer.motion.simulation", "report.chapters.chapter_2.claims.section_2_3_6"],
 )
 def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree, module: str) -> None:
     run = subprocess.run(
@@ -40,9 +41,9 @@ def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree, modu
 
 
 def test_a_claim_does_not_depend_on_another_claim(tree: SourceTree) -> None:
-    paths = tree.closure("report.claims.section_2_3_6")
-    assert "report/claims/section_2_3_6.py" in paths
-    assert "report/claims/section_2_4.py" not in paths
+    paths = tree.closure("report.chapters.chapter_2.claims.section_2_3_6")
+    assert "report/chapters/chapter_2/claims/section_2_3_6.py" in paths
+    assert "report/chapters/chapter_2/claims/section_2_4.py" not in paths
 
 
 def test_other_libraries_are_left_out(tree: SourceTree) -> None:

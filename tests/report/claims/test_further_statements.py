@@ -4,9 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from report.chapters.chapter_3.claims import section_3_1_output, section_3_3_frequency
+from report.chapters.chapter_3.claims.driven_harmonics import confirm_friction, confirm_play
+from report.chapters.chapter_7.claims import play as chapter_7_play
+from report.chapters.chapter_7.claims import resonance as chapter_7_resonance
 from report.claim import ContradictionError, Verdict, judge
-from report.claims import chapter_7_play, chapter_7_resonance, section_3_1_output, section_3_3_frequency
-from report.claims.driven_harmonics import confirm_friction, confirm_play
 from report.numbers.driven_motion import GAP
 
 

@@ -4,14 +4,9 @@ from dataclasses import replace
 
 import pytest
 
+from report.chapters.chapter_5.claims import figures_5_2_5, figures_5_2_heavy_load, section_5_2, section_5_2_5
+from report.chapters.chapter_7.claims import friction as chapter_7_friction
 from report.claim import ContradictionError, Verdict, judge
-from report.claims import (
-    chapter_7_friction,
-    figures_5_2_5,
-    figures_5_2_heavy_load,
-    section_5_2,
-    section_5_2_5,
-)
 from report.numbers.equivalent_nonlinearity import listing_element
 from report.numbers.friction_in_place import Balances
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from report.claims.measured_peaks import (
+from report.chapters.chapter_3.claims.measured_peaks import (
     BIN,
     FRAMES_OF_TABLES,
     SAMPLE_RATE,

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from report.claim import Claim, ContradictionError, Part, judge
-from report.claims.impedance import BY_FRICTION, BY_THE_PIN, displacements
-from report.claims.printed import power, power_of
-from report.claims.second_ways import by_division_back, by_grid, by_matching_real_parts, second_way
 from report.comparisons.assertion import Assertion
+from report.comparisons.printed import power, power_of
+from report.comparisons.second_ways import by_division_back, by_grid, by_matching_real_parts, second_way
 from report.numbers.friction_in_place import force_response
+from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.linear_numbers import DRIVE_FREQUENCY
 from report.numbers.reference_loop import GAP
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from report.claims.appendix_a_friction_block import friction_block
-from report.claims.appendix_a_time_domain import (
+from report.chapters.appendix_a.claims.friction_block import friction_block
+from report.chapters.appendix_a.claims.time_domain import (
     DRIVE_AMPLITUDE,
     DRIVE_GAP,
     DRIVE_OMEGA,

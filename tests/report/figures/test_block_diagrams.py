@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.patches import Circle, Rectangle
 
-from report.figures import block_diagrams
+from report.chapters.chapter_2.figures import block_diagrams
 
 DIAGRAMS = {
     block_diagrams.linear_system: {"$G(s)$", "$u(t)$", "$y(t)$"},

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from report.figures.all_figures import DRAWINGS as ALL
-from report.figures.chapters_1_and_2 import DRAWINGS
-from report.figures.style import WIDTH
+from report.chapters.all_figures import DRAWINGS as ALL
+from report.chapters.chapter_2.figures.chapters_1_and_2 import DRAWINGS
+from report.drawing.style import WIDTH
 
 SMALLEST_TEXT = 7.5
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from report.figures import characteristics
-from report.figures.characteristics import AMPLITUDES
+from report.chapters.chapter_2.figures import characteristics
+from report.chapters.chapter_2.figures.characteristics import AMPLITUDES
 
 
 def area(x, y):

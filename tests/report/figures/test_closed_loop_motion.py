@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from report.figures import all_figures, closed_loop_motion, section_5_2_simulated
-from report.figures.style import WIDTH
+from report.chapters import all_figures
+from report.chapters.chapter_5.figures import closed_loop_motion, section_5_2_simulated
+from report.drawing.style import WIDTH
 from report.numbers.impulse_response import GAPS
 from report.numbers.relay_loop import IMPULSES
 

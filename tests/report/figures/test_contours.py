@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from report.figures import all_figures, contours, equivalent_nonlinearity, plane
+from report.chapters import all_figures
+from report.chapters.chapter_5.figures import contours, equivalent_nonlinearity
+from report.drawing import plane
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from report.figures.drawing import Drawing
+from report.drawing.drawing import Drawing
 
 
 def draw(evidence: Any, width: float = 1.0) -> Any:

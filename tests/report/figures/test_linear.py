@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from report.figures import linear
+from report.chapters.chapter_5.figures import linear
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE
 
 FIGURES = (

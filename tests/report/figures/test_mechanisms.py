@@ -5,7 +5,7 @@ import pytest
 from matplotlib.patches import Circle, Rectangle
 
 from derivations.mechanism import Body, Ground, Pin, trimmer
-from report.figures import mechanisms
+from report.chapters.chapter_2.figures import mechanisms
 
 
 @pytest.fixture(scope="module")

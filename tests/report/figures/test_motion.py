@@ -5,8 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from report.figures import appendix_e, chapters_3_and_4
-from report.figures.style import WIDTH
+from report.chapters.appendix_e.figures import appendix_e
+from report.chapters.chapter_3.figures import chapters_3_and_4
+from report.drawing.style import WIDTH
 from report.numbers.driven_motion import LARGEST_GAP
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
 

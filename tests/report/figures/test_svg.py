@@ -6,9 +6,9 @@ from xml.etree import ElementTree
 import matplotlib
 import pytest
 
-from report.figures.block_diagrams import feedback_system, linear_system
-from report.figures.style import LINES, new_figure, style
-from report.figures.svg import to_svg
+from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
+from report.drawing.style import LINES, new_figure, style
+from report.drawing.svg import to_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 

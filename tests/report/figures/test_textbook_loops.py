@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from report.figures import textbook_loops
+from report.chapters.chapter_2.figures import textbook_loops
 from report.numbers.textbook_loops import backlash_loop, relay_loop
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from report.figures import waveforms
-from report.figures.waveforms import GAMMAS, GAP, PHASES
+from report.chapters.chapter_2.figures import waveforms
+from report.chapters.chapter_2.figures.waveforms import GAMMAS, GAP, PHASES
 
 HALF = GAP / 2
 

@@ -7,11 +7,11 @@ import functools
 import numpy as np
 from matplotlib.figure import Figure as Drawing
 
+from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
 from report.document import Figure
-from report.figures.block_diagrams import feedback_system, linear_system
-from report.figures.read_out import Along, plot_along
-from report.figures.style import LINES, new_figure, style
-from report.figures.svg import to_svg
+from report.drawing.read_out import Along, plot_along
+from report.drawing.style import LINES, new_figure, style
+from report.drawing.svg import to_svg
 
 PEAK = 550.0
 """Frequency of the spectrum's peak, in Hz."""

@@ -1,0 +1,1 @@
+"""Claims: appendix A, the listings."""

@@ -1,0 +1,1 @@
+"""Appendix D, the equations of motion."""

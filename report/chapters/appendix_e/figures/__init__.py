@@ -1,0 +1,1 @@
+"""Figures: appendix E, further simulations."""

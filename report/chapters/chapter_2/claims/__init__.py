@@ -1,0 +1,1 @@
+"""Claims: chapter 2, theory."""

@@ -1,0 +1,1 @@
+"""Figures: chapter 2, theory."""

@@ -1,0 +1,1 @@
+"""Claims: chapter 3, experiment and simulation."""

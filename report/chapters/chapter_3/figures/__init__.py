@@ -1,0 +1,1 @@
+"""Figures: chapter 3, experiment and simulation."""

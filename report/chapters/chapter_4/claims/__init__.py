@@ -1,0 +1,1 @@
+"""Claims: chapter 4, the nonlinearities in the simulation."""

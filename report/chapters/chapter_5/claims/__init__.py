@@ -1,0 +1,1 @@
+"""Claims: chapter 5, simulation and results."""

@@ -1,0 +1,1 @@
+"""Figures: chapter 5, simulation and results."""

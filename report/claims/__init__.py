@@ -1,1 +1,0 @@
-"""The claims of the thesis, one module for each section or appendix."""

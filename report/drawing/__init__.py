@@ -1,0 +1,1 @@
+"""How figures are drawn: their style, parts that several share, and SVG."""

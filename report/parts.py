@@ -1,0 +1,133 @@
+"""Parts of claims, each in one call: what is printed, what is derived, a second way, and a slip.
+
+``second`` confirms the derived side independently; ``slip`` gives the printed side when it is repeated.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, TypedDict, Unpack
+
+import sympy
+
+from report.claim import Comparison, Confirmation, Part, Shown, Slip, Uncheckable, Verdict, Words
+from report.comparisons.assertion import Assertion
+from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
+from report.comparisons.expression import SameExpression, SameMatrix
+from report.text import filled
+
+
+class More(TypedDict, total=False):
+    """What any part may have.
+
+    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds; ``item`` names the
+    printed thing that the part judges.
+    """
+
+    second: Confirmation | None
+    slip: Slip | None
+    printed_form: Shown | None
+    derived_form: Shown | None
+    item: str
+
+
+def digits(label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]) -> Part:
+    """Hold printed digits against a number; half a unit of the last printed place is the tolerance."""
+    return part(label, PrintedDigits(printed, derived, unit), **more)
+
+
+def assertion(
+    label: str,
+    statement: str,
+    derived: bool,
+    evidence: str,
+    *,
+    method: str,
+    asserted: bool = True,
+    **more: Unpack[More],
+) -> Part:
+    """Hold what the thesis asserts, in our words, against what was found.
+
+    Args:
+        label: what the part is about; empty for the only part.
+        statement: the property, as Markdown.
+        derived: whether it holds.
+        evidence: what shows it, with its numbers, as Markdown.
+        method: how it was found.
+        asserted: False where the thesis denies the property.
+        more: see ``More``.
+    """
+    found = Assertion(filled(statement), bool(derived), filled(evidence), filled(method), asserted)
+    return part(label, found, **more)
+
+
+def expression(
+    label: str,
+    printed: sympy.Expr,
+    derived: sympy.Expr,
+    left: sympy.Basic | str | None = None,
+    *,
+    assume: sympy.Basic = sympy.true,
+    **more: Unpack[More],
+) -> Part:
+    """Hold a printed expression against a derived one; for ``left`` and ``assume`` see ``SameExpression``."""
+    return part(label, SameExpression(printed, derived, left, assume), **more)
+
+
+def matrix(
+    label: str,
+    printed: sympy.ImmutableMatrix,
+    derived: sympy.ImmutableMatrix,
+    left: sympy.Basic | str | None = None,
+    **more: Unpack[More],
+) -> Part:
+    """Hold a printed matrix against a derived one, entry by entry."""
+    return part(label, SameMatrix(printed, derived, left), **more)
+
+
+def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
+    """Return a part that makes a comparison."""
+    return Part(
+        filled(label),
+        comparison,
+        more.get("second"),
+        more.get("slip"),
+        more.get("printed_form"),
+        more.get("derived_form"),
+        more.get("item", ""),
+    )
+
+
+def uncheckable(label: str, printed: str, missing: str, *, item: str = "") -> Uncheckable:
+    """Return a part that cannot be checked: the words printed, and which data are missing for it."""
+    return Uncheckable(filled(label), Words(filled(printed)), filled(missing), item)
+
+
+def made_here(name: str, derived: Any) -> Slip:
+    """Name a slip that was made in this very place, and what is derived when it is repeated."""
+    return Slip(filled(name), derived, Verdict.ERRATUM)
+
+
+def repeated(name: str, derived: Any) -> Slip:
+    """Name a slip that was made somewhere else and is repeated here faithfully."""
+    return Slip(filled(name), derived, Verdict.EXPLAINED)
+
+
+def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:
+    """Confirm a number by another way to it, to a relative accuracy."""
+    return Confirmation(filled(means), CloseNumbers(first, second, relative))
+
+
+def equal(means: str, first: object, second: object) -> Confirmation:
+    """Confirm a count, or anything else that is exactly the same, by another way to it."""
+    return Confirmation(filled(means), Equal(first, second))
+
+
+def small(means: str, value: float, bound: float = 1e-9) -> Confirmation:
+    """Confirm that what has to vanish stays below a bound."""
+    return Confirmation(filled(means), Small(value, bound))
+
+
+def so(means: str, holds: bool) -> Confirmation:
+    """Confirm a finding by another way to it, of which is known whether it leads to the same finding."""
+    return Confirmation(filled(means), Equal(bool(holds), True))

@@ -1,0 +1,166 @@
+"""A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
+
+    @claim("eq-5.6", source="report/chapters/chapter_5/claims/loci.py")
+    def external_input(known: Evidence) -> Record:
+        yield expression("", printed, derived, left=r)
+        yield text("Equation 2.1 with an eccentricity of [[ size | f1 ]] mm.", size=1e3 * amplitude)
+
+Records are found by looking through the modules of ``report.chapters``; the inventory gives their order.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from importlib import import_module
+from pkgutil import walk_packages
+from types import ModuleType
+from typing import TYPE_CHECKING, TypeVar, final
+
+from report import chapters
+from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
+from report.document import Figure
+from report.drawing.svg import to_svg
+from report.evidence import Evidence
+from report.text import TextError, filled
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+    Draw = Callable[[Evidence], matplotlib.figure.Figure]
+
+
+PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
+MARK = "\0"
+
+
+class RecordError(ValueError):
+    """A record is not complete, or its text asks for what it does not give."""
+
+
+@final
+@dataclass(frozen=True)
+class Text:
+    """The text of a claim, as pandoc Markdown.
+
+    Attributes:
+        explanation: What is printed, what is true, why: one to four sentences.
+        consequence: What a wrong statement changes elsewhere; empty if nothing.
+    """
+
+    explanation: str
+    consequence: str = ""
+
+
+Item = Part | Uncheckable | Text
+Record = Iterator[Item]
+"""What the function of a claim yields: its parts in the order of the thesis, and one text."""
+
+
+@final
+@dataclass(frozen=True)
+class ClaimRecord:
+    """A claim before anything is judged.
+
+    Attributes:
+        id: As in the inventory.
+        source: Path of the file of this project that derives the right side.
+        items: Yields what the claim consists of.
+        impact: How far a wrong statement reaches.
+        lines: First and last line of the passage in the text that was read; None if they are not given.
+        severity: How much a wrong statement matters; None if it is not graded.
+        certainty: How sure the finding is; None if that is not said.
+    """
+
+    id: str
+    source: str
+    items: Callable[[Evidence], Record]
+    impact: Impact = Impact.NONE
+    lines: tuple[int, int] | None = None
+    severity: Severity | None = None
+    certainty: Certainty | None = None
+
+    def claim(self, known: Evidence) -> Claim:
+        """Return the claim with its numbers.
+
+        Raises:
+            RecordError: naming the claim, if a text lacks a number, or if there is not one text.
+        """
+        try:
+            items = tuple(self.items(known))
+        except TextError as error:
+            raise RecordError(f"claim {self.id}: {error}") from error
+        texts = [item for item in items if isinstance(item, Text)]
+        if len(texts) != 1:
+            raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
+        return Claim(
+            id=self.id,
+            parts=tuple(item for item in items if isinstance(item, Part | Uncheckable)),
+            explanation=texts[0].explanation,
+            source=self.source,
+            impact=self.impact,
+            consequence=texts[0].consequence,
+            lines=self.lines,
+            severity=self.severity,
+            certainty=self.certainty,
+        )
+
+
+def claim(
+    claim_id: str,
+    *,
+    source: str,
+    impact: Impact = Impact.NONE,
+    lines: tuple[int, int] | None = None,
+    severity: Severity | None = None,
+    certainty: Certainty | None = None,
+) -> Callable[[Callable[[Evidence], Record]], ClaimRecord]:
+    """Make a claim of a function that yields what it consists of; for the arguments see ``ClaimRecord``."""
+    return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty)
+
+
+def text(prose: str, **numbers: object) -> Text:
+    """Return the text of a claim: a paragraph that explains, and one on the consequence if there is any.
+
+    For prose and numbers see ``report.text.filled``.
+    """
+    return Text(*filled(PARAGRAPH.sub(MARK, prose.strip()), **numbers).split(MARK))
+
+
+@final
+@dataclass(frozen=True)
+class FigureRecord:
+    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and what draws it."""
+
+    id: str
+    title: str
+    caption: str
+    alternative_text: str
+    draw: Draw = field(repr=False)
+
+    def finished(self, known: Evidence) -> Figure:
+        """Draw it."""
+        svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
+        return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
+
+
+def figure(
+    figure_id: str, title: str, *, caption: str, alternative_text: str
+) -> Callable[[Draw], FigureRecord]:
+    """Make a figure of the function that draws it; caption and alternative text may be text blocks."""
+    return lambda draw: FigureRecord(figure_id, title, filled(caption), filled(alternative_text), draw)
+
+
+AnyRecord = TypeVar("AnyRecord", ClaimRecord, FigureRecord)
+
+
+def modules() -> tuple[ModuleType, ...]:
+    """Import all modules of the chapters, in the order of their names."""
+    found = walk_packages(chapters.__path__, f"{chapters.__name__}.")
+    return tuple(import_module(name) for name in sorted(module.name for module in found))
+
+
+def records(module: ModuleType, kind: type[AnyRecord]) -> tuple[AnyRecord, ...]:
+    """Return the records of a kind that a module makes, in the order in which they stand."""
+    return tuple(value for value in vars(module).values() if isinstance(value, kind))
