@@ -1,50 +1,84 @@
-# `make` alone lists the targets. Every target that needs Python packages installs them first, from a lock file
-# with hashes, into .venv; when nothing has changed that costs a few hundredths of a second.
+# `make` alone lists the targets. Those that need Python packages first install them, from a lock file with hashes,
+# into .venv; a file in .venv says that this is done, so that it costs nothing until a lock file changes.
 
 PYTHON ?= python3
-BOOTSTRAP = "$(PYTHON)" scripts/bootstrap.py
+# The interpreter behind it, if it is new enough: an active .venv may be the one that is replaced.
+BASE := $(shell "$(PYTHON)" -c "import sys; sys.version_info < (3, 11) or \
+  print(getattr(sys, '_base_executable', sys.executable), '%d.%d' % sys.version_info[:2])" 2>/dev/null)
+MADE := .venv/made-by-make
+PIP := .venv/bin/python -I -m pip --disable-pip-version-check --no-input install --quiet
 COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --no-header \
   --no-emit-index-url --no-emit-find-links pyproject.toml
+export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report test lint format derive lock benchmark check-install clean python
+.PHONY: help report test lint format derive lock benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
-report: python ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
-	@$(BOOTSTRAP) requirements.lock -- trimmer report
+report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
+	@trimmer report
 
 # The tests of a file share what they make once.
-test: python ## run the tests; ARGS="-k claim" passes options to pytest
-	@$(BOOTSTRAP) requirements-dev.lock -- python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
+test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to pytest
+	@python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
 
-lint: python ## ruff (rules and format), mypy, import-linter; changes nothing
-	@$(BOOTSTRAP) requirements-dev.lock -- ruff check .
-	@$(BOOTSTRAP) requirements-dev.lock -- ruff format --check .
-	@$(BOOTSTRAP) requirements-dev.lock -- mypy
-	@$(BOOTSTRAP) requirements-dev.lock -- lint-imports
+lint: .venv/for-development ## ruff (rules and format), mypy, import-linter; changes nothing
+	@ruff check .
+	@ruff format --check .
+	@mypy
+	@lint-imports
 
-format: python ## sort imports and format the sources
-	@$(BOOTSTRAP) requirements-dev.lock -- ruff check --select I --fix .
-	@$(BOOTSTRAP) requirements-dev.lock -- ruff format .
+format: .venv/for-development ## sort imports and format the sources
+	@ruff check --select I --fix .
+	@ruff format .
 
-derive: python ## write trimmer/generated again from the derivation
-	@$(BOOTSTRAP) requirements.lock -- trimmer derive --module trimmer/generated/linear_trimmer.py
+derive: .venv/for-use ## write trimmer/generated again from the derivation
+	@trimmer derive --module trimmer/generated/linear_trimmer.py
 
-lock: python ## write both lock files again, keeping versions that still fit; ARGS=--upgrade takes the newest
-	@$(BOOTSTRAP) requirements-dev.lock -- $(COMPILE) $(ARGS) --group build -o requirements.lock
-	@$(BOOTSTRAP) requirements-dev.lock -- $(COMPILE) $(ARGS) --group dev -c requirements.lock -o requirements-dev.lock
+lock: .venv/for-development ## write both lock files again, keeping versions that still fit; ARGS=--upgrade takes the newest
+	@$(COMPILE) $(ARGS) --group build -o requirements.lock
+	@$(COMPILE) $(ARGS) --group dev -c requirements.lock -o requirements-dev.lock
 
-benchmark: python ## measure the build and the start, each beside a peer in the same run
-	@$(BOOTSTRAP) requirements-dev.lock -- python benchmarks/run.py
+benchmark: .venv/for-development ## measure the build and the start, each beside a peer in the same run
+	@python benchmarks/run.py
 
-check-install: python ## build the wheel, install it in a fresh environment, use it from another folder (needs network)
-	@$(BOOTSTRAP) requirements-dev.lock -- python scripts/check_install.py
+check-install: .venv/for-development ## build the wheel, install it in a fresh environment, use it from another folder (needs network)
+	@python scripts/check_install.py
 
 clean: ## remove what the targets above have written, except .venv
 	rm -rf build dist .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 
-python:
-	@command -v "$(PYTHON)" >/dev/null 2>&1 || \
-	  { echo "error: '$(PYTHON)' is not there; install Python 3.11 or newer, or run make PYTHON=/path/to/python" >&2; exit 1; }
+.venv/for-use: requirements.lock pyproject.toml $(MADE)
+	$(install)
+
+.venv/for-development: requirements-dev.lock pyproject.toml $(MADE)
+	$(install)
+	@touch .venv/for-use # the development packages hold those for use
+
+# Wheels only: building a package would fetch build tools that no hash covers. All cores compile the packages.
+define install
+	@echo "installing the packages of $<; this takes a minute or two, once" >&2
+	@rm -f $@ && touch .venv/unfinished
+	@$(PIP) --require-hashes --no-deps --only-binary=:all: --no-compile --requirement $< || \
+	  { echo "error: the packages of $< were not installed; what pip says is above" >&2; exit 1; }
+	@-.venv/bin/python -I -m compileall -qq -j 0 .venv/lib >/dev/null
+	@$(PIP) --no-index --no-deps --no-build-isolation --editable .
+	@rm .venv/unfinished && touch $@
+endef
+
+# A virtual environment survives neither a move nor another Python, and an installation not being interrupted.
+ifneq ($(shell cat $(MADE) 2>/dev/null; ls .venv/unfinished 2>/dev/null),$(BASE) $(CURDIR))
+.PHONY: $(MADE)
+endif
+
+$(MADE):
+	@command -v "$(PYTHON)" >/dev/null || \
+	  { echo "error: '$(PYTHON)' is not there; install Python 3.11 or newer, or run make PYTHON=/path/to/it" >&2; exit 1; }
+	@test -n "$(BASE)" || { echo "error: this project needs Python 3.11 or newer, but '$(PYTHON)' is \
+	$$("$(PYTHON)" -V 2>&1); run make PYTHON=/path/to/newer/python" >&2; exit 1; }
+	@test -e $@ || test ! -e .venv || \
+	  { echo "error: the folder .venv was not made by make; move it away or remove it" >&2; exit 1; }
+	@"$(firstword $(BASE))" -m venv --clear .venv
+	@printf %s "$(BASE) $(CURDIR)" >$@
