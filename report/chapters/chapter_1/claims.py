@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities
-from report.chapters.chapter_2.claims.section_2_2_1_equations_of_motion import by_newton, matrix_of
+from report.chapters.chapter_2.claims.section_2_2_1 import by_newton, matrix_of
 from report.claim import Confirmation
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence

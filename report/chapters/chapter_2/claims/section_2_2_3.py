@@ -5,16 +5,7 @@ from __future__ import annotations
 import sympy
 from sympy.polys.matrices import DomainMatrix
 
-from derivations.stability import (
-    LINEAR_PART,
-    NONLINEAR_PART,
-    NUMBER_OF_POLES,
-    NUMBER_OF_ZEROS,
-    closed_loop,
-    double_integrator,
-    encirclements_of_origin,
-    exponential_norm,
-)
+from derivations import stability
 from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Impact
 from report.evidence import Evidence
@@ -46,7 +37,7 @@ def eigenvalue_problem(known: Evidence) -> Record:
 
 @claim("txt-2.2.3-corollary", source=SOURCE, impact=Impact.LOCAL)
 def corollary(_: Evidence) -> Record:
-    norm = exponential_norm(double_integrator())
+    norm = stability.exponential_norm(stability.double_integrator())
     (time,) = norm.free_symbols
     growth, late = stability_examples.growth_of_double_integrator(1000.0), float(norm.subs(time, 1000))
     yield assertion(
@@ -80,8 +71,8 @@ def corollary(_: Evidence) -> Record:
 
 @claim("eq-2.23", source=SOURCE)
 def argument_principle(_: Evidence) -> Record:
-    printed = NUMBER_OF_ZEROS - NUMBER_OF_POLES
-    yield expression("", printed, encirclements_of_origin(), sympy.Symbol("N"))
+    printed = stability.NUMBER_OF_ZEROS - stability.NUMBER_OF_POLES
+    yield expression("", printed, stability.encirclements_of_origin(), sympy.Symbol("N"))
     yield text(
         """
         The residues of the logarithmic derivative add up to zeros less poles. With the contour upwards along
@@ -93,8 +84,9 @@ def argument_principle(_: Evidence) -> Record:
 
 @claim("eq-2.24", source=SOURCE)
 def closed_loop_fraction(_: Evidence) -> Record:
-    printed = LINEAR_PART / (1 + LINEAR_PART * NONLINEAR_PART)
-    in_feedback = closed_loop(feedback=NONLINEAR_PART, forward=LINEAR_PART)
+    linear, nonlinear = stability.LINEAR_PART, stability.NONLINEAR_PART
+    in_feedback = stability.closed_loop(feedback=nonlinear, forward=linear)
+    printed = linear / (1 + linear * nonlinear)
     yield expression("$N$ in the feedback path", printed, in_feedback, sympy.Symbol("M"))
     yield text(
         """

@@ -1,4 +1,4 @@
-"""Claims of section 2.2.1 on pin, energies and equations of motion (2.1 to 2.9, figures 2.1 and 2.2)."""
+"""Claims of section 2.2.1: pin, energies, motion and state space (2.1 to 2.14, figures 2.1 and 2.2)."""
 
 from __future__ import annotations
 
@@ -7,18 +7,15 @@ import math
 import sympy
 
 from derivations.equations_of_motion import euler_lagrange
+from derivations.state_space import output_row
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2, c3, c4, k1, k2, k3, k4, k5
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.expression import SameExpression, SameMatrix
-from report.comparisons.printed import product, total
+from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.independent.bodies_and_pin import (
-    pin_from_acceleration,
-    sign_of_potential_energy,
-    work_from_rest,
-)
+from report.numbers.independent import bodies_and_pin
 from report.parts import digits, equal, expression, made_here, matrix
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
@@ -27,9 +24,13 @@ from trimmer import frequency_response
 SYMBOLS = "derivations/symbols.py"
 ENERGIES = "derivations/energies.py"
 MOTION = "derivations/equations_of_motion.py"
+STATE_SPACE = "derivations/state_space.py"
 RATE = 2 * sympy.pi * f
 PIN_MOTION = A * sympy.sin(RATE * t)
 TURNING_POINT = A * sympy.exp(RATE * sympy.I * t)
+STATE = sympy.ImmutableMatrix([*coordinates, *velocities])
+INPUT = sympy.ImmutableMatrix([u, u_dot])
+OUTPUT = output_row(of=1, relative_to=3, size=len(coordinates))
 AMPLITUDE_LOST = "the amplitude A is lost in the derivative"
 
 
@@ -51,7 +52,7 @@ def free_body_diagram(known: Evidence) -> Record:
     stiffness = matrix_of(derivation.potential_energy, coordinates)
     damping = matrix_of(derivation.rayleigh_function, velocities)
     pin = sympy.ImmutableMatrix([derivation.potential_energy.diff(u, q) for q in coordinates]).expand()
-    moved_together = sympy.ImmutableMatrix((stiffness * sympy.ones(len(coordinates), 1)).expand())
+    moved_together = sympy.ImmutableMatrix((stiffness * sympy.ones(4, 1)).expand())
     springs = [[k1 + k2, -k2, 0, 0], [-k2, k2 + k5, -k5, 0], [0, -k5, k3 + k4 + k5, -k4], [0, 0, -k4, k4]]
     dampers = [[c1 + c2, -c2, 0, 0], [-c2, c2, 0, 0], [0, 0, c3 + c4, -c4], [0, 0, -c4, c4]]
     second = equal("a count of the bodies", len(derivation.mechanism.bodies), free)
@@ -80,10 +81,9 @@ def eccentric_pin(_: Evidence) -> Record:
     turn = sympy.Matrix([[sympy.cos(angle), sympy.sin(angle)], [-sympy.sin(angle), sympy.cos(angle)]])
     across = (turn * sympy.Matrix([0, A]))[0]
     stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)
-    second = Confirmation(
-        "its acceleration towards the axis", SameExpression(pin_from_acceleration(), PIN_MOTION)
-    )
     turned = across.subs(angle, RATE * t)
+    by_acceleration = SameExpression(bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
+    second = Confirmation("its acceleration towards the axis", by_acceleration)
     yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text(
@@ -110,7 +110,7 @@ def pin_motion(_: Evidence) -> Record:
 @claim("eq-2.2", source=MOTION)
 def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
-    derived = kinetic + sign_of_potential_energy(known.derivation) * potential
+    derived = kinetic + bodies_and_pin.sign_of_potential_energy(known.derivation) * potential
     yield expression("", total(kinetic, -potential), derived, sympy.Symbol("L"))
     yield text(
         r"""
@@ -127,7 +127,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     values = {mass[i]: m for i, m in enumerate(masses, 1)}
     values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
     printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
-    yield expression("the sum for $n = 4$", printed, work_from_rest(), sympy.Symbol("T"))
+    yield expression("the sum for $n = 4$", printed, bodies_and_pin.work_from_rest(), sympy.Symbol("T"))
     yield text(
         """
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
@@ -139,8 +139,8 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
 
 @claim("eq-2.4", source=ENERGIES)
 def kinetic_energy(known: Evidence) -> Record:
-    derived = known.derivation.kinetic_energy
-    second = Confirmation("the work done on each mass", SameExpression(work_from_rest(), derived))
+    derived, work = known.derivation.kinetic_energy, bodies_and_pin.work_from_rest()
+    second = Confirmation("the work done on each mass", SameExpression(work, derived))
     yield expression("", trimmer_printed.kinetic_energy(), derived, sympy.Symbol("T"), second=second)
     yield text("The list of four masses gives the printed sum.")
 
@@ -167,12 +167,10 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     balances = [euler_lagrange(derivation.lagrangian, derivation.rayleigh_function, q) for q in coordinates]
     each_body = zip(masses, accelerations, derivation.newton, strict=True)
     newton = [mass * (acceleration - force) for mass, acceleration, force in each_body]
-    lagrange = (
-        r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q_i}\right) - \frac{\partial L}{\partial q_i}"
-    )
-    form = as_printed(rf"{lagrange} + \frac{{\partial R}}{{\partial \dot q_i}} = Q_i")
+    inertia = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q_i}\right)"
+    forces = r"\frac{\partial L}{\partial q_i} + \frac{\partial R}{\partial \dot q_i} = Q_i"
     printed, derived = sympy.ImmutableMatrix(balances), sympy.ImmutableMatrix(newton)
-    yield matrix("the four bodies, $Q_i = 0$", printed, derived, **form)
+    yield matrix("the four bodies, $Q_i = 0$", printed, derived, **as_printed(f"{inertia} - {forces}"))
     yield text(
         """
         For each of the four bodies the printed left side equals mass times acceleration less the forces of
@@ -269,5 +267,91 @@ def equations_of_motion(known: Evidence) -> Record:
         """
         All four lines follow from the energies, and again from the forces alone. Signs and indices of every
         term are right.
+        """
+    )
+
+
+def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
+    """Return the rates of the eight states by Newton's second law."""
+    return sympy.ImmutableMatrix([*velocities, *known.derivation.newton])
+
+
+def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.MatrixBase) -> Confirmation:
+    """Confirm a matrix of the state equation by derivatives."""
+    slopes = newton_rates(known).jacobian(variables)
+    return Confirmation("the slopes of Newton's accelerations", SameMatrix(slopes, derived))
+
+
+@claim("eq-2.10", source=STATE_SPACE)
+def general_form(known: Evidence) -> Record:
+    space = known.derivation.space
+    printed = as_printed(r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)")
+    rates = space.a * STATE + space.b * INPUT
+    output = (OUTPUT * STATE)[0] + (sympy.zeros(1, INPUT.rows) * INPUT)[0]
+    relative = coordinates[1] - coordinates[3]
+    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), **printed)
+    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, **printed)
+    yield text(
+        """
+        With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
+        Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four
+        displacements.
+        """
+    )
+
+
+@claim("eq-2.11", source=STATE_SPACE)
+def first_order_equations(known: Evidence) -> Record:
+    x1, x2, x3, x4, x5, x6, x7, x8 = states = sympy.symbols("x_1:9", real=True)
+    m1, m2, m3, m4 = masses
+
+    def minus(coefficient: sympy.Expr, state: sympy.Symbol) -> sympy.Expr:
+        return product(-1, coefficient, state)
+
+    printed = (
+        *(x5, x6, x7, x8),
+        over(total(minus(c1 + c2, x5), c2 * x6, minus(k1 + k2, x1), k2 * x2, -k2 * u, -c2 * u_dot), m1),
+        over(total(c2 * x5, -c2 * x6, k2 * x1, minus(k2 + k5, x2), k5 * x3, k2 * u, c2 * u_dot), m2),
+        over(total(minus(c3 + c4, x7), c4 * x8, k5 * x2, minus(k3 + k4 + k5, x3), k4 * x4), m3),
+        over(total(c4 * x7, -c4 * x8, k4 * x3, -k4 * x4), m4),
+    )
+    named = dict(zip(STATE, states, strict=True))
+    derived = [rate.subs(named) for rate in (*velocities, *known.derivation.accelerations)]
+    lines = zip(printed, derived, newton_rates(known).subs(named), strict=True)
+    for index, (line, rate, newton) in enumerate(lines, start=1):
+        left = rf"\dot{{x}}_{{{index}}}"
+        second = Confirmation("Newton's second law", SameExpression(newton, rate))
+        yield expression(rf"$\dot x_{index}$", line, rate, left, second=second)
+    yield text("All eight lines follow from equation 2.9 with the states as numbered.")
+
+
+@claim("eq-2.12", source=STATE_SPACE)
+def state_matrix(known: Evidence) -> Record:
+    derived, printed = known.derivation.space.a, trimmer_printed.state_matrix()
+    yield matrix("", printed, derived, sympy.Symbol("A"), second=by_slopes(known, STATE, derived))
+    yield text("All 64 entries are right.")
+
+
+@claim("eq-2.13", source=STATE_SPACE)
+def input_matrix(known: Evidence) -> Record:
+    derived, printed = known.derivation.space.b, trimmer_printed.input_matrix()
+    yield matrix("", printed, derived, sympy.Symbol("B"), second=by_slopes(known, INPUT, derived))
+    yield text(
+        """
+        Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers elsewhere
+        would not ask for a velocity input.
+        """
+    )
+
+
+@claim("eq-2.14", source=STATE_SPACE)
+def output_matrix(_: Evidence) -> Record:
+    printed = trimmer_printed.output_matrix()
+    yield matrix("cutter relative to guard, $q_2 - q_4$", printed, OUTPUT, sympy.Symbol("C"))
+    yield text(
+        """
+        The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 writes
+        the output with the opposite sign, $x_4 - x_2$. Without feedback magnitudes and frequencies are the
+        same; in the closed loop the sign matters (see that section).
         """
     )
