@@ -156,12 +156,12 @@ def transfer_function(known: Evidence) -> Record:
         np.polyval([float(coefficient) for coefficient in polynomial], point)
         for polynomial in (numbers.numerator, numbers.denominator)
     )
-    formula = matrix_formula(numbers.parameters, point)
+    by_rule, formula = complex(numerator / denominator), matrix_formula(numbers.parameters, point)
     yield expression(
         "",
         transfer_formula(known),
         known.transformed.output / known.general.input_transform,
-        second=close("Cramer's rule on the equations of motion", formula, numerator / denominator),
+        second=close("Cramer's rule on the equations of motion", formula, by_rule),
         **as_printed(r"G(s) = \frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D"),
     )
     yield text(

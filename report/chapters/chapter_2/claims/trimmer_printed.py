@@ -1,16 +1,17 @@
 """The trimmer's formulas as the thesis prints them, transcribed once for the places that repeat them.
 
-Sources are equations 2.4, 2.5, 2.7 and 2.9 of the thesis; appendix D prints the same energies again.
+Sources are equations 2.4, 2.5, 2.7, 2.9 and 2.12 to 2.14; appendix D prints the same energies again.
 """
 
 from __future__ import annotations
+
+from typing import TypedDict
 
 import sympy
 
 from derivations.symbols import coordinates, dampings, masses, stiffnesses, u, u_dot, velocities
 from report.claim import Mathematics
 from report.comparisons.printed import half, over, product, total
-from report.parts import More
 
 m1, m2, m3, m4 = masses
 k1, k2, k3, k4, k5 = stiffnesses
@@ -19,9 +20,16 @@ q1, q2, q3, q4 = coordinates
 v1, v2, v3, v4 = velocities
 
 
-def as_printed(latex: str) -> More:
-    """Return what a part shows on both sides in place of the instance of a formula that it compares."""
-    return More(printed_form=Mathematics(latex), derived_form=Mathematics(latex))
+class Form(TypedDict):
+    """What a part shows on its two sides in place of the instance of a formula that it compares."""
+
+    printed_form: Mathematics
+    derived_form: Mathematics
+
+
+def as_printed(latex: str) -> Form:
+    """Return a form that is the same on both sides."""
+    return Form(printed_form=Mathematics(latex), derived_form=Mathematics(latex))
 
 
 def kinetic_energy() -> sympy.Expr:
