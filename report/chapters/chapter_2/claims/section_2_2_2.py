@@ -3,249 +3,184 @@
 from __future__ import annotations
 
 import cmath
-import math
 
-import mpmath
 import numpy as np
 import sympy
 
 from derivations.dimensions import dimension_of
 from derivations.laplace import transform_of_derivative
 from derivations.symbols import DIMENSIONS, s, t, u
-from report.claim import Claim, Confirmation, Impact, Mathematics, Part
-from report.comparisons.assertion import Assertion
+from report.chapters.chapter_2.claims.trimmer_printed import as_printed
+from report.claim import Claim, Impact, Mathematics
 from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
 from report.numbers.exact_response import response as exact_response
-from report.numbers.linear_numbers import DRIVE_FREQUENCY, LinearNumbers
-from trimmer import InputChannels, frequency_response, linear_model, pin_model, time_response
+from report.numbers.independent.linear_response import laplace_integral, matrix_formula, settled_gain
+from report.parts import assertion, close, expression, matrix, part
+from report.record import Record, claim, text
+from report.thesis import DRIVE_OMEGA
+from trimmer import frequency_response
 
 SOURCE = "derivations/laplace.py"
-SETTLING_TIME = 0.6
-SAMPLES_PER_PERIOD = 400
+IN_TIME = "trimmer/time_domain.py"
+IN_MANY_DIGITS = "exact coefficients, 40 digits"
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    settled = _settled_gain(evidence.numbers)
-    response = complex(frequency_response(evidence.numbers.displacement_only, 2 * math.pi * DRIVE_FREQUENCY))
-    exact = complex(exact_response(evidence.numbers, 2 * math.pi * DRIVE_FREQUENCY))
-    return (
-        _magnitude(abs(response), settled, exact),
-        _phase(response, settled, exact),
-        _output_in_laplace_domain(evidence),
-        _laplace_integral("eq-2.18", "Y", "y"),
-        _laplace_integral("eq-2.19", "U", "u"),
-        transformed_state_space(evidence, "eq-2.20"),
-        _transfer_function(evidence),
-        _block_diagram(evidence),
+def responses(known: Evidence) -> tuple[complex, complex, complex]:
+    """Return G at the drive from the model, from a simulation, and from the exact coefficients."""
+    exact = complex(exact_response(known.numbers, DRIVE_OMEGA))
+    response = complex(frequency_response(known.numbers.displacement_only, DRIVE_OMEGA))
+    return response, settled_gain(known.numbers.parameters), exact
+
+
+@claim("eq-2.15", source=IN_TIME)
+def magnitude(known: Evidence) -> Record:
+    gain, settled, exact = (abs(each) for each in responses(known))
+    yield part(
+        f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {settled:.5f}",
+        CloseNumbers(gain, settled, 1e-4),
+        second=close(IN_MANY_DIGITS, exact, gain),
+        **as_printed(r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|"),
+    )
+    yield text(
+        r"""
+        The trimmer, simulated until its transients are gone, answers a sine with a sine whose amplitude is
+        $|G(j\omega)|$ times the input's. The ratio of amplitudes is positive, so the bars on the left are not
+        needed.
+        """
     )
 
 
-def _settled_gain(numbers: LinearNumbers) -> complex:
-    """Fit a sine to the last period of a simulation and return output over input as a complex number."""
-    system = pin_model(numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
-    omega = 2 * math.pi * DRIVE_FREQUENCY
-    times = np.arange(0, SETTLING_TIME, 1 / (DRIVE_FREQUENCY * SAMPLES_PER_PERIOD))
-    output = time_response(system, np.sin(omega * times), times).output[-SAMPLES_PER_PERIOD:]
-    turning = np.exp(-1j * omega * times[-SAMPLES_PER_PERIOD:])
-    return complex(2j * np.mean(output * turning))
-
-
-def _magnitude(gain: float, settled: complex, exact: complex) -> Claim:
-    form = Mathematics("\\left|\\frac{A_y}{A_u}\\right| = |G(j\\omega)|")
-    return Claim(
-        id="eq-2.15",
-        parts=(
-            Part(
-                f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {abs(settled):.5f}",
-                CloseNumbers(gain, abs(settled), 1e-4),
-                Confirmation("exact coefficients, 40 digits", CloseNumbers(abs(exact), gain)),
-                printed_form=form,
-                derived_form=form,
-            ),
-        ),
-        explanation=(
-            "The trimmer, simulated until its transients are gone, answers a sine with a sine whose "
-            "amplitude is $|G(j\\omega)|$ times the input's. The ratio of amplitudes is positive, so the "
-            "bars on the left are not needed."
-        ),
-        source="trimmer/time_domain.py",
+@claim("eq-2.16", source=IN_TIME)
+def phase(known: Evidence) -> Record:
+    angle, settled, exact = (cmath.phase(each) for each in responses(known))
+    yield part(
+        f"at 100 Hz: the phase is {angle:.6f} rad, a simulation gives {settled:.6f} rad",
+        CloseNumbers(angle, settled, 1e-3),
+        second=close(IN_MANY_DIGITS, exact, angle),
+        **as_printed(r"\angle G(j\omega) = \phi(j\omega) = \phi"),
+    )
+    yield text(
+        r"""
+        The same simulation shows the phase of $G(j\omega)$ between input and output. The symbol $\phi$ stands
+        for a function of $\omega$ and for its value at once; nothing depends on it.
+        """
     )
 
 
-def _phase(response: complex, settled: complex, exact: complex) -> Claim:
-    phase, simulated = cmath.phase(response), cmath.phase(settled)
-    form = Mathematics("\\angle G(j\\omega) = \\phi(j\\omega) = \\phi")
-    return Claim(
-        id="eq-2.16",
-        parts=(
-            Part(
-                f"at 100 Hz: the phase is {phase:.6f} rad, a simulation gives {simulated:.6f} rad",
-                CloseNumbers(phase, simulated, 1e-3),
-                Confirmation("exact coefficients, 40 digits", CloseNumbers(cmath.phase(exact), phase)),
-                printed_form=form,
-                derived_form=form,
-            ),
-        ),
-        explanation=(
-            "The same simulation shows the phase of $G(j\\omega)$ between input and output. The symbol "
-            "$\\phi$ stands for a function of $\\omega$ and for its value at once; nothing depends on it."
-        ),
-        source="trimmer/time_domain.py",
-    )
-
-
-def transfer_formula(evidence: Evidence) -> sympy.Expr:
+def transfer_formula(known: Evidence) -> sympy.Expr:
     """Return C (s I − A)⁻¹ B + D of the general system, the inverse written out."""
-    system = evidence.general
+    system = known.general
     resolvent = (s * sympy.eye(system.a.rows) - system.a).inv()
     return (system.c * resolvent * system.b)[0] + system.d
 
 
-def _output_in_laplace_domain(evidence: Evidence) -> Claim:
-    comparison = SameExpression(
-        transfer_formula(evidence) * evidence.general.input_transform, evidence.transformed.output
-    )
-    form = Mathematics("Y(s) = G(s)U(s)")
-    return Claim(
-        id="eq-2.17",
-        parts=(Part("", comparison, printed_form=form, derived_form=form),),
-        explanation=(
-            "For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two "
-            "inputs and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. "
-            "Since $V = sU$, they become $Y = (G_1 + s G_2) U$."
-        ),
-        source=SOURCE,
+@claim("eq-2.17", source=SOURCE)
+def output_in_laplace_domain(known: Evidence) -> Record:
+    printed = transfer_formula(known) * known.general.input_transform
+    yield expression("", printed, known.transformed.output, **as_printed("Y(s) = G(s)U(s)"))
+    yield text(
+        """
+        For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two inputs
+        and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. Since $V =
+        sU$, they become $Y = (G_1 + s G_2) U$.
+        """
     )
 
 
-def _laplace_integral(claim_id: str, capital: str, small: str) -> Claim:
-    integrand = u * sympy.exp(-s * t)
-    transform_unit = DIMENSIONS[u] / DIMENSIONS[s]
+def transform_integral(capital: str, small: str) -> Record:
+    """Yield what the claims on the transforms of output and input consist of."""
+    unit = DIMENSIONS[u] / DIMENSIONS[s]
     printed = rf"{capital}(s) = \int_0^\infty {small}(t)e^{{-st}}"
-    return Claim(
-        id=claim_id,
-        parts=(
-            Part(
-                "",
-                Assertion(
-                    statement="what stands under the integral sign has the unit of the transform",
-                    derived=dimension_of(integrand, DIMENSIONS) == transform_unit,
-                    evidence=f"the transform is in {transform_unit}, the printed integrand alone is not",
-                    method="dimension check",
-                ),
-                _with_its_differential(),
-                printed_form=Mathematics(printed),
-                derived_form=Mathematics(rf"{printed}\,dt"),
-            ),
-        ),
-        explanation=(
-            f"The printed integral lacks $dt$. With it, the transform has the unit of ${small}$ times a "
-            "second, as equation 2.20 needs."
-        ),
-        consequence="None: the later equations use the transform with its $dt$.",
-        impact=Impact.NOTATION,
-        source=SOURCE,
-    )
-
-
-def _with_its_differential() -> Confirmation:
-    """Hold the integral with dt, by quadrature, against SymPy's transform of a function."""
     function, place = sympy.exp(-2 * t) * sympy.sin(t), 3
     listed = sympy.laplace_transform(function, t, s, noconds=True).subs(s, place)
-    integrand = sympy.lambdify(t, function * sympy.exp(-place * t), "mpmath")
-    return Confirmation(
-        "quadrature of the integral with $dt$, which gives SymPy's transform of $e^{-2t}\\sin t$",
-        CloseNumbers(float(mpmath.quad(integrand, [0, mpmath.inf])), float(listed)),
+    means = r"quadrature of the integral with $dt$, which gives SymPy's transform of $e^{-2t}\sin t$"
+    yield assertion(
+        "",
+        "what stands under the integral sign has the unit of the transform",
+        dimension_of(u * sympy.exp(-s * t), DIMENSIONS) == unit,
+        f"the transform is in {unit}, the printed integrand alone is not",
+        method="dimension check",
+        second=close(means, laplace_integral(function, place), float(listed)),
+        printed_form=Mathematics(printed),
+        derived_form=Mathematics(rf"{printed}\,dt"),
+    )
+    yield text(
+        """
+        The printed integral lacks $dt$. With it, the transform has the unit of $[[ small ]]$ times a second,
+        as equation 2.20 needs.
+
+        None: the later equations use the transform with its $dt$.
+        """,
+        small=small,
     )
 
 
-def transformed_state_space(evidence: Evidence, claim_id: str) -> Claim:
-    """Return the claim of equation 2.20, which appendix D prints again."""
-    system, solved = evidence.general, evidence.transformed
-    right_side = system.a * solved.state + system.b * system.input_transform
-    transform_of_rate = transform_of_derivative(sympy.Integer(0))
+@claim("eq-2.18", source=SOURCE, impact=Impact.NOTATION)
+def transform_of_output(_: Evidence) -> Record:
+    return transform_integral("Y", "y")
+
+
+@claim("eq-2.19", source=SOURCE, impact=Impact.NOTATION)
+def transform_of_input(_: Evidence) -> Record:
+    return transform_integral("U", "u")
+
+
+@claim("eq-2.20", source=SOURCE)
+def state_space_in_laplace_domain(known: Evidence) -> Record:
+    system, solved = known.general, known.transformed
+    right_side = sympy.ImmutableMatrix(system.a * solved.state + system.b * system.input_transform)
+    rate, transform_of_rate = s * sympy.Symbol("Q"), transform_of_derivative(sympy.Integer(0))
     output = (system.c * solved.state)[0] + system.d * system.input_transform
-    first, second = Mathematics("sQ(s) = AQ(s) + BU(s)"), Mathematics("Y(s) = CQ(s) + DU(s)")
-    return Claim(
-        id=claim_id,
-        parts=(
-            Part(
-                "transform of $\\dot q$ from rest", SameExpression(s * sympy.Symbol("Q"), transform_of_rate)
-            ),
-            Part(
-                "state equation",
-                SameMatrix(sympy.ImmutableMatrix(right_side), s * solved.state),
-                printed_form=first,
-                derived_form=first,
-            ),
-            Part(
-                "output equation",
-                SameExpression(output, solved.output),
-                printed_form=second,
-                derived_form=second,
-            ),
-        ),
-        explanation=(
-            "The transform of $\\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts "
-            "at rest, which is what a transfer function assumes. Checked on a general system of two states."
-        ),
-        source=SOURCE,
+    state_form, output_form = as_printed("sQ(s) = AQ(s) + BU(s)"), as_printed("Y(s) = CQ(s) + DU(s)")
+    yield expression(r"transform of $\dot q$ from rest", rate, transform_of_rate)
+    yield matrix("state equation", right_side, s * solved.state, **state_form)
+    yield expression("output equation", output, solved.output, **output_form)
+    yield text(
+        r"""
+        The transform of $\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at rest,
+        which is what a transfer function assumes. Checked on a general system of two states.
+        """
     )
 
 
-def _transfer_function(evidence: Evidence) -> Claim:
-    form = Mathematics("G(s) = \\frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D")
-    comparison = SameExpression(
-        transfer_formula(evidence), evidence.transformed.output / evidence.general.input_transform
-    )
-    return Claim(
-        id="eq-2.21",
-        parts=(
-            Part(
-                "",
-                comparison,
-                Confirmation("Cramer's rule on the equations of motion", _trimmer_instance(evidence)),
-                printed_form=form,
-                derived_form=form,
-            ),
-        ),
-        explanation=(
-            "The matrix formula gives what solving the transformed equations one by one gives. With the two "
-            "columns of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The "
-            "text sends the reader to appendix D for the rest of the derivation; it is in appendix A.1."
-        ),
-        source=SOURCE,
-    )
+def transformed_state_space(known: Evidence, claim_id: str) -> Claim:
+    """Return the claim of equation 2.20 under another id: appendix D prints it again."""
+    return claim(claim_id, source=SOURCE)(state_space_in_laplace_domain.items).claim(known)
 
 
-def _trimmer_instance(evidence: Evidence) -> CloseNumbers:
-    """Compare the matrix formula, in numbers, with the derived coefficients of the trimmer at one s."""
-    point = 300 + 2000j
-    numbers = evidence.numbers
-    model = linear_model(numbers.parameters)[0, 0]
-    formula = (model.C @ np.linalg.solve(point * np.eye(8) - model.A, model.B))[0, 0]
+@claim("eq-2.21", source=SOURCE)
+def transfer_function(known: Evidence) -> Record:
+    point, numbers = 300 + 2000j, known.numbers
     numerator, denominator = (
         np.polyval([float(coefficient) for coefficient in polynomial], point)
         for polynomial in (numbers.numerator, numbers.denominator)
     )
-    return CloseNumbers(complex(formula), complex(numerator / denominator))
+    by_rule, formula = complex(numerator / denominator), matrix_formula(numbers.parameters, point)
+    yield expression(
+        "",
+        transfer_formula(known),
+        known.transformed.output / known.general.input_transform,
+        second=close("Cramer's rule on the equations of motion", formula, by_rule),
+        **as_printed(r"G(s) = \frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D"),
+    )
+    yield text(
+        """
+        The matrix formula gives what solving the transformed equations one by one gives. With the two columns
+        of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The text sends the
+        reader to appendix D for the rest of the derivation; it is in appendix A.1.
+        """
+    )
 
 
-def _block_diagram(evidence: Evidence) -> Claim:
+@claim("fig-2.3", source=SOURCE)
+def block_diagram(known: Evidence) -> Record:
     block, signal = sympy.symbols("G U")
-    system = evidence.general
-    named = {block: transfer_formula(evidence), signal: system.input_transform}
-    form = Mathematics("Y = G\\,U")
-    comparison = SameExpression((block * signal).subs(named), evidence.transformed.output)
-    return Claim(
-        id="fig-2.3",
-        parts=(Part("", comparison, printed_form=form, derived_form=form),),
-        explanation=(
-            "The diagram stands for equation 2.17: one block that multiplies the input's transform by "
-            "$G(s)$. It is redrawn from the text, which is all that was at hand."
-        ),
-        source=SOURCE,
+    named = {block: transfer_formula(known), signal: known.general.input_transform}
+    yield expression("", (block * signal).subs(named), known.transformed.output, **as_printed(r"Y = G\,U"))
+    yield text(
+        """
+        The diagram stands for equation 2.17: one block that multiplies the input's transform by $G(s)$. It is
+        redrawn from the text, which is all that was at hand.
+        """
     )

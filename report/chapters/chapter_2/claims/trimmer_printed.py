@@ -1,37 +1,35 @@
 """The trimmer's formulas as the thesis prints them, transcribed once for the places that repeat them.
 
-Sources are equations 2.4, 2.5, 2.7 and 2.9 of the thesis; appendix D prints the same energies again.
+Sources are equations 2.4, 2.5, 2.7, 2.9 and 2.12 to 2.14; appendix D prints the same energies again.
 """
 
 from __future__ import annotations
 
+from typing import TypedDict
+
 import sympy
 
-from derivations.symbols import (
-    c1,
-    c2,
-    c3,
-    c4,
-    k1,
-    k2,
-    k3,
-    k4,
-    k5,
-    m1,
-    m2,
-    m3,
-    m4,
-    q1,
-    q2,
-    q3,
-    q4,
-    u,
-    u_dot,
-    velocities,
-)
+from derivations.symbols import coordinates, dampings, masses, stiffnesses, u, u_dot, velocities
+from report.claim import Mathematics
 from report.comparisons.printed import half, over, product, total
 
+m1, m2, m3, m4 = masses
+k1, k2, k3, k4, k5 = stiffnesses
+c1, c2, c3, c4 = dampings
+q1, q2, q3, q4 = coordinates
 v1, v2, v3, v4 = velocities
+
+
+class Form(TypedDict):
+    """What a part shows on its two sides in place of the instance of a formula that it compares."""
+
+    printed_form: Mathematics
+    derived_form: Mathematics
+
+
+def as_printed(latex: str) -> Form:
+    """Return a form that is the same on both sides."""
+    return Form(printed_form=Mathematics(latex), derived_form=Mathematics(latex))
 
 
 def kinetic_energy() -> sympy.Expr:
@@ -52,12 +50,7 @@ def potential_energy() -> sympy.Expr:
 
 def rayleigh_function() -> sympy.Expr:
     """Equation 2.7."""
-    return total(
-        half(c1, v1),
-        half(c2, total(v2, -v1, -u_dot)),
-        half(c3, v3),
-        half(c4, total(v4, -v3)),
-    )
+    return total(half(c1, v1), half(c2, total(v2, -v1, -u_dot)), half(c3, v3), half(c4, total(v4, -v3)))
 
 
 def accelerations() -> tuple[sympy.Expr, ...]:
@@ -69,22 +62,21 @@ def accelerations() -> tuple[sympy.Expr, ...]:
     return over(motor, m1), over(cutter, m2), over(housing, m3), over(guard, m4)
 
 
-def _minus(bracket: sympy.Expr, mass: sympy.Expr) -> sympy.Expr:
-    """Return minus a bracket over a mass, the bracket kept."""
-    return product(-1, over(bracket, mass))
-
-
 def state_matrix() -> sympy.ImmutableMatrix:
     """Equation 2.12, and lines 30 to 37 of Listing A.1."""
+
+    def minus(bracket: sympy.Expr, mass: sympy.Expr) -> sympy.Expr:
+        return product(-1, over(bracket, mass))
+
     return sympy.ImmutableMatrix(
         [
             [0, 0, 0, 0, 1, 0, 0, 0],
             [0, 0, 0, 0, 0, 1, 0, 0],
             [0, 0, 0, 0, 0, 0, 1, 0],
             [0, 0, 0, 0, 0, 0, 0, 1],
-            [_minus(k1 + k2, m1), k2 / m1, 0, 0, _minus(c1 + c2, m1), c2 / m1, 0, 0],
-            [k2 / m2, _minus(k2 + k5, m2), k5 / m2, 0, c2 / m2, -c2 / m2, 0, 0],
-            [0, k5 / m3, _minus(k3 + k4 + k5, m3), k4 / m3, 0, 0, _minus(c3 + c4, m3), c4 / m3],
+            [minus(k1 + k2, m1), k2 / m1, 0, 0, minus(c1 + c2, m1), c2 / m1, 0, 0],
+            [k2 / m2, minus(k2 + k5, m2), k5 / m2, 0, c2 / m2, -c2 / m2, 0, 0],
+            [0, k5 / m3, minus(k3 + k4 + k5, m3), k4 / m3, 0, 0, minus(c3 + c4, m3), c4 / m3],
             [0, 0, k4 / m4, -k4 / m4, 0, 0, c4 / m4, -c4 / m4],
         ]
     )

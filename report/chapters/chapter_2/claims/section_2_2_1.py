@@ -1,0 +1,357 @@
+"""Claims of section 2.2.1: pin, energies, motion and state space (2.1 to 2.14, figures 2.1 and 2.2)."""
+
+from __future__ import annotations
+
+import math
+
+import sympy
+
+from derivations.equations_of_motion import euler_lagrange
+from derivations.state_space import output_row
+from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
+from report.chapters.chapter_2.claims import trimmer_printed
+from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2, c3, c4, k1, k2, k3, k4, k5
+from report.claim import Confirmation, Impact, Part
+from report.comparisons.expression import SameExpression, SameMatrix
+from report.comparisons.printed import over, product, total
+from report.evidence import Evidence
+from report.numbers.independent import bodies_and_pin
+from report.parts import digits, equal, expression, made_here, matrix
+from report.record import Record, claim, text
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
+from trimmer import frequency_response
+
+SYMBOLS = "derivations/symbols.py"
+ENERGIES = "derivations/energies.py"
+MOTION = "derivations/equations_of_motion.py"
+STATE_SPACE = "derivations/state_space.py"
+RATE = 2 * sympy.pi * f
+PIN_MOTION = A * sympy.sin(RATE * t)
+TURNING_POINT = A * sympy.exp(RATE * sympy.I * t)
+STATE = sympy.ImmutableMatrix([*coordinates, *velocities])
+INPUT = sympy.ImmutableMatrix([u, u_dot])
+OUTPUT = output_row(of=1, relative_to=3, size=len(coordinates))
+AMPLITUDE_LOST = "the amplitude A is lost in the derivative"
+
+
+def matrix_of(function: sympy.Expr, variables: tuple[sympy.Expr, ...]) -> sympy.ImmutableMatrix:
+    """Return the matrix of a quadratic form."""
+    return sympy.ImmutableMatrix(sympy.hessian(function, variables))
+
+
+def by_newton(known: Evidence, variables: tuple[sympy.Expr, ...]) -> sympy.ImmutableMatrix:
+    """Return minus the forces on the bodies for a unit of each variable."""
+    slopes = sympy.Matrix(known.derivation.newton).jacobian(variables)
+    return sympy.ImmutableMatrix(-sympy.diag(*masses) * slopes).expand()
+
+
+@claim("fig-2.1", source="derivations/mechanism.py")
+def free_body_diagram(known: Evidence) -> Record:
+    derivation = known.derivation
+    free = matrix_of(derivation.kinetic_energy, velocities).rank()
+    stiffness = matrix_of(derivation.potential_energy, coordinates)
+    damping = matrix_of(derivation.rayleigh_function, velocities)
+    pin = sympy.ImmutableMatrix([derivation.potential_energy.diff(u, q) for q in coordinates]).expand()
+    moved_together = sympy.ImmutableMatrix((stiffness * sympy.ones(4, 1)).expand())
+    springs = [[k1 + k2, -k2, 0, 0], [-k2, k2 + k5, -k5, 0], [0, -k5, k3 + k4 + k5, -k4], [0, 0, -k4, k4]]
+    dampers = [[c1 + c2, -c2, 0, 0], [-c2, c2, 0, 0], [0, 0, c3 + c4, -c4], [0, 0, -c4, c4]]
+    second = equal("a count of the bodies", len(derivation.mechanism.bodies), free)
+    yield digits("number of masses", "4", free, second=second)
+    for label, printed, derived, variables in (
+        ("springs", springs, stiffness, coordinates),
+        ("dampers", dampers, damping, velocities),
+        ("where the pin's displacement acts", [k2, -k2, 0, 0], pin, (u,)),
+    ):
+        forces = Confirmation("the forces on each body", SameMatrix(by_newton(known, variables), derived))
+        yield matrix(label, sympy.ImmutableMatrix(printed), derived, second=forces)
+    yield matrix("springs with a fixed end", sympy.ImmutableMatrix([k1, 0, k3, 0]), moved_together)
+    yield text(
+        """
+        Read with the names in the text (motor, driving bridge, housing, guard, coil spring), the diagram's
+        four masses, five springs and four dampers give the printed matrices, by energies as by forces. Moved
+        together, the masses load the two springs with a fixed end alone. The drawing itself was not at hand;
+        it is drawn again from the text.
+        """
+    )
+
+
+@claim("fig-2.2", source=SYMBOLS)
+def eccentric_pin(_: Evidence) -> Record:
+    angle = sympy.Symbol("theta", real=True)
+    turn = sympy.Matrix([[sympy.cos(angle), sympy.sin(angle)], [-sympy.sin(angle), sympy.cos(angle)]])
+    across = (turn * sympy.Matrix([0, A]))[0]
+    stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)
+    turned = across.subs(angle, RATE * t)
+    by_acceleration = SameExpression(bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
+    second = Confirmation("its acceleration towards the axis", by_acceleration)
+    yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
+    yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
+    yield text(
+        """
+        A point at distance $A$ from the axis, turned $f$ times a second, is displaced as printed along the
+        motion, and $A$ is the amplitude as the caption says. Since the bridge's edges are flat and stand
+        across the motion, the pin's own radius drops out and the bridge gets the same sine. The displacement
+        is relative to the motor, as in the energies.
+        """
+    )
+
+
+@claim("eq-2.1", source=SYMBOLS)
+def pin_motion(_: Evidence) -> Record:
+    yield expression("", PIN_MOTION, sympy.im(TURNING_POINT), sympy.Symbol("x_i"))
+    yield text(
+        """
+        A pin at distance $A$ from the axis of a shaft that turns $f$ times a second, seen along one
+        direction, moves as printed. Its unit is the metre, as it must be.
+        """
+    )
+
+
+@claim("eq-2.2", source=MOTION)
+def lagrangian(known: Evidence) -> Record:
+    kinetic, potential = sympy.symbols("T U")
+    derived = kinetic + bodies_and_pin.sign_of_potential_energy(known.derivation) * potential
+    yield expression("", total(kinetic, -potential), derived, sympy.Symbol("L"))
+    yield text(
+        r"""
+        With $L = T + \sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law only for
+        $\sigma = -1$, so the printed difference is the right one.
+        """
+    )
+
+
+@claim("eq-2.3", source=ENERGIES)
+def kinetic_energy_in_general(_: Evidence) -> Record:
+    index = sympy.Symbol("i", integer=True)
+    mass, velocity = sympy.IndexedBase("m"), sympy.IndexedBase("v")
+    values = {mass[i]: m for i, m in enumerate(masses, 1)}
+    values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
+    printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
+    yield expression("the sum for $n = 4$", printed, bodies_and_pin.work_from_rest(), sympy.Symbol("T"))
+    yield text(
+        """
+        The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
+        are absolute; the sentence before the equation calls them relative, which is true of springs and not
+        of masses.
+        """
+    )
+
+
+@claim("eq-2.4", source=ENERGIES)
+def kinetic_energy(known: Evidence) -> Record:
+    derived, work = known.derivation.kinetic_energy, bodies_and_pin.work_from_rest()
+    second = Confirmation("the work done on each mass", SameExpression(work, derived))
+    yield expression("", trimmer_printed.kinetic_energy(), derived, sympy.Symbol("T"), second=second)
+    yield text("The list of four masses gives the printed sum.")
+
+
+@claim("eq-2.5", source=ENERGIES)
+def potential_energy(known: Evidence) -> Record:
+    derived, newton = known.derivation.potential_energy, known.derivation.newton
+    at_rest = {velocity: 0 for velocity in (*velocities, u_dot)}
+    forces = sympy.ImmutableMatrix([m * each.subs(at_rest) for m, each in zip(masses, newton, strict=True)])
+    slopes = sympy.ImmutableMatrix([-derived.diff(q) for q in coordinates])
+    second = Confirmation("the spring forces on each body at rest", SameMatrix(forces, slopes))
+    yield expression("", trimmer_printed.potential_energy(), derived, sympy.Symbol("U"), second=second)
+    yield text(
+        """
+        The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. With that,
+        the five springs give the printed sum.
+        """
+    )
+
+
+@claim("eq-2.6", source=MOTION)
+def euler_lagrange_equation(known: Evidence) -> Record:
+    derivation = known.derivation
+    balances = [euler_lagrange(derivation.lagrangian, derivation.rayleigh_function, q) for q in coordinates]
+    each_body = zip(masses, accelerations, derivation.newton, strict=True)
+    newton = [mass * (acceleration - force) for mass, acceleration, force in each_body]
+    inertia = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q_i}\right)"
+    forces = r"\frac{\partial L}{\partial q_i} + \frac{\partial R}{\partial \dot q_i} = Q_i"
+    printed, derived = sympy.ImmutableMatrix(balances), sympy.ImmutableMatrix(newton)
+    yield matrix("the four bodies, $Q_i = 0$", printed, derived, **as_printed(f"{inertia} - {forces}"))
+    yield text(
+        """
+        For each of the four bodies the printed left side equals mass times acceleration less the forces of
+        Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that $Q_i$
+        carries the input, but here it carries nothing.
+        """
+    )
+
+
+@claim("eq-2.7", source=ENERGIES)
+def rayleigh_function(known: Evidence) -> Record:
+    derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
+    second = Confirmation("the power balance", SameExpression(lost / 2, derived))
+    yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
+    yield text(
+        """
+        The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
+        in every motion.
+        """
+    )
+
+
+def velocity_part() -> Part:
+    """Return the part on the printed velocity of the pin."""
+    derived = PIN_MOTION.diff(t)
+    projected = SameExpression(sympy.re(RATE * TURNING_POINT), derived)
+    return expression(
+        "velocity of the pin",
+        product(RATE, sympy.cos(RATE * t)),
+        derived,
+        u_dot,
+        second=Confirmation("the velocity of a point on a circle", projected),
+        slip=made_here(AMPLITUDE_LOST, derived / A),
+    )
+
+
+def output_with_the_slip(known: Evidence) -> float:
+    """Return the output's amplitude (m) at the drive, with the printed velocity as second input."""
+    gain = abs(complex(frequency_response(known.numbers.displacement_only, DRIVE_OMEGA)))
+    damper_over_spring = known.numbers.parameters.c2 / known.numbers.parameters.k2
+    return gain * math.hypot(DRIVE_AMPLITUDE, damper_over_spring * DRIVE_OMEGA)
+
+
+@claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL)
+def pin_velocity(known: Evidence) -> Record:
+    yield velocity_part()
+    yield text(
+        r"""
+        The derivative of $A\sin(2\pi f t)$ keeps its amplitude, which the printed line loses. The units show
+        it too: the printed right side is in 1/s, a velocity is in m/s.
+
+        The printed velocity is [[ larger | f0 ]] times too large at $A = 1.5$ mm. Fed into the second input
+        at 100 Hz, it would give figure 5.1 an amplitude of [[ output | f1 ]] mm; the thesis finds 1.5 mm
+        there, and its loop drops the velocity (Listing A.1, line 58), so neither contains this slip.
+        """,
+        larger=1 / DRIVE_AMPLITUDE,
+        output=1e3 * output_with_the_slip(known),
+    )
+
+
+@claim("txt-2.2.1-single-input-velocity", source=SYMBOLS, impact=Impact.LOCAL)
+def pin_velocity_in_words(known: Evidence) -> Record:
+    amplitude = A * RATE
+    squared = sympy.trigsimp(PIN_MOTION.diff(t) ** 2 + (PIN_MOTION.diff(t, 2) / RATE) ** 2)
+    second = Confirmation("velocity and acceleration at any time", SameExpression(squared, amplitude**2))
+    yield velocity_part()
+    yield expression("its amplitude", RATE, amplitude, second=second, slip=made_here(AMPLITUDE_LOST, RATE))
+    yield text(
+        r"""
+        The factor before the cosine of equation 2.8 is $2\pi f$, [[ rate | f1 ]]/s at [[ frequency | f0 ]]
+        Hz. The velocity of a pin with an eccentricity of [[ size ]] mm has the amplitude $2\pi f A =
+        [[ velocity | f4 ]]$ m/s.
+
+        Equation 3.2 and the equations of motion take the velocity as an input. Figure 5.1 does not contain
+        the slip, which would make it [[ higher | f1 ]] times too high; the models behind chapter 3 are not
+        given.
+        """,
+        rate=DRIVE_OMEGA,
+        frequency=DRIVE_FREQUENCY,
+        size=1e3 * DRIVE_AMPLITUDE,
+        velocity=DRIVE_AMPLITUDE * DRIVE_OMEGA,
+        higher=output_with_the_slip(known) / DRIVE_AMPLITUDE,
+    )
+
+
+@claim("eq-2.9", source=MOTION)
+def equations_of_motion(known: Evidence) -> Record:
+    derivation, printed = known.derivation, trimmer_printed.accelerations()
+    lines = zip(printed, derivation.accelerations, derivation.newton, accelerations, strict=True)
+    for index, (line, derived, newton, left) in enumerate(lines, start=1):
+        second = Confirmation("Newton's second law for each body", SameExpression(newton, derived))
+        yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second)
+    yield text(
+        """
+        All four lines follow from the energies, and again from the forces alone. Signs and indices of every
+        term are right.
+        """
+    )
+
+
+def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
+    """Return the rates of the eight states by Newton's second law."""
+    return sympy.ImmutableMatrix([*velocities, *known.derivation.newton])
+
+
+def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.MatrixBase) -> Confirmation:
+    """Confirm a matrix of the state equation by derivatives."""
+    slopes = newton_rates(known).jacobian(variables)
+    return Confirmation("the slopes of Newton's accelerations", SameMatrix(slopes, derived))
+
+
+@claim("eq-2.10", source=STATE_SPACE)
+def general_form(known: Evidence) -> Record:
+    space = known.derivation.space
+    printed = as_printed(r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)")
+    rates = space.a * STATE + space.b * INPUT
+    output = (OUTPUT * STATE)[0] + (sympy.zeros(1, INPUT.rows) * INPUT)[0]
+    relative = coordinates[1] - coordinates[3]
+    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), **printed)
+    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, **printed)
+    yield text(
+        """
+        With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
+        Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four
+        displacements.
+        """
+    )
+
+
+@claim("eq-2.11", source=STATE_SPACE)
+def first_order_equations(known: Evidence) -> Record:
+    x1, x2, x3, x4, x5, x6, x7, x8 = states = sympy.symbols("x_1:9", real=True)
+    m1, m2, m3, m4 = masses
+
+    def minus(coefficient: sympy.Expr, state: sympy.Symbol) -> sympy.Expr:
+        return product(-1, coefficient, state)
+
+    printed = (
+        *(x5, x6, x7, x8),
+        over(total(minus(c1 + c2, x5), c2 * x6, minus(k1 + k2, x1), k2 * x2, -k2 * u, -c2 * u_dot), m1),
+        over(total(c2 * x5, -c2 * x6, k2 * x1, minus(k2 + k5, x2), k5 * x3, k2 * u, c2 * u_dot), m2),
+        over(total(minus(c3 + c4, x7), c4 * x8, k5 * x2, minus(k3 + k4 + k5, x3), k4 * x4), m3),
+        over(total(c4 * x7, -c4 * x8, k4 * x3, -k4 * x4), m4),
+    )
+    named = dict(zip(STATE, states, strict=True))
+    derived = [rate.subs(named) for rate in (*velocities, *known.derivation.accelerations)]
+    lines = zip(printed, derived, newton_rates(known).subs(named), strict=True)
+    for index, (line, rate, newton) in enumerate(lines, start=1):
+        left = rf"\dot{{x}}_{{{index}}}"
+        second = Confirmation("Newton's second law", SameExpression(newton, rate))
+        yield expression(rf"$\dot x_{index}$", line, rate, left, second=second)
+    yield text("All eight lines follow from equation 2.9 with the states as numbered.")
+
+
+@claim("eq-2.12", source=STATE_SPACE)
+def state_matrix(known: Evidence) -> Record:
+    derived, printed = known.derivation.space.a, trimmer_printed.state_matrix()
+    yield matrix("", printed, derived, sympy.Symbol("A"), second=by_slopes(known, STATE, derived))
+    yield text("All 64 entries are right.")
+
+
+@claim("eq-2.13", source=STATE_SPACE)
+def input_matrix(known: Evidence) -> Record:
+    derived, printed = known.derivation.space.b, trimmer_printed.input_matrix()
+    yield matrix("", printed, derived, sympy.Symbol("B"), second=by_slopes(known, INPUT, derived))
+    yield text(
+        """
+        Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers elsewhere
+        would not ask for a velocity input.
+        """
+    )
+
+
+@claim("eq-2.14", source=STATE_SPACE)
+def output_matrix(_: Evidence) -> Record:
+    printed = trimmer_printed.output_matrix()
+    yield matrix("cutter relative to guard, $q_2 - q_4$", printed, OUTPUT, sympy.Symbol("C"))
+    yield text(
+        """
+        The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 writes
+        the output with the opposite sign, $x_4 - x_2$. Without feedback magnitudes and frequencies are the
+        same; in the closed loop the sign matters (see that section).
+        """
+    )

@@ -1,0 +1,1 @@
+"""Solutions by ways of their own, which confirm what the claims derive."""
