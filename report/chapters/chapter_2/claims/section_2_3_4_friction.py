@@ -94,9 +94,10 @@ def characteristic(_: Evidence) -> Record:
         method="derivative of each height by the amplitude",
         second=close(TRACING, float(traced(HALF_GAP)[1].max()), 1 - HALF_GAP, STEP_ERROR),
     )
-    angle = np.arcsin(0.2)
+    passed = 0.2
+    angle = np.arcsin(passed)
     by_element = FrictionBacklash(2 * HALF_GAP).waveform([angle, np.pi - angle], 1.0)
-    by_steps = outputs_at(HALF_GAP, 0.2)
+    by_steps = outputs_at(HALF_GAP, passed)
     derived, found = (len({round(float(each), 2) for each in outputs}) for outputs in (by_element, by_steps))
     second = equal(TRACING, found, derived)
     yield digits("outputs for one input, on one closed path", "2", derived, second=second)
