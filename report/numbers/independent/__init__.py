@@ -1,1 +1,1 @@
-"""Solutions by ways of their own, which confirm what the claims derive."""
+"""Second ways to what claims derive: numerics that use nothing of the first way."""

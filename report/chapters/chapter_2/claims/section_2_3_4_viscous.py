@@ -1,9 +1,10 @@
-"""Claims of section 2.3.4 and appendix B.2 on N of viscous-controlled backlash (equations 2.47, B.3, B.4)."""
+"""Claims of section 2.3.4, appendix B.2 and figure 2.11 on viscous-controlled backlash (2.44 to 2.47)."""
 
 from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
 import sympy
 
 from derivations.backlash import (
@@ -12,90 +13,192 @@ from derivations.backlash import (
     GAP,
     SEPARATION,
     contact_ratio,
+    free_flight,
     general_waveform,
     separation_angle,
 )
-from derivations.symbols import A
+from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.symbols import DIMENSIONS, A, omega
 from derivations.waveform import THETA, describing_function
-from report.claim import Claim, Impact, Mathematics, Part, Slip, Verdict
+from report.claim import Confirmation, Impact, Mathematics, Part, Words
+from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
-from report.comparisons.printed import total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.printed import product, total
+from report.comparisons.quadrature import Values, coefficient, confirm
 from report.evidence import Evidence
+from report.numbers.independent.load_flight import contact_after_flight, contact_by_equation, zero_of_force
+from report.parts import close, expression, made_here, part, so
+from report.record import Record, claim, text
+from report.text import filled
+from trimmer.elements.viscous_backlash import ViscousBacklash
 
 SOURCE = "derivations/backlash.py"
-b = sympy.Symbol("b", positive=True)
 SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)
 ROOT = sympy.sqrt(1 + GAMMA**2)
 # A flight has to last: contact after separation, within half a turn.
 VALUES = {GAMMA: sympy.Rational(5, 4), CONTACT: sympy.Rational(9, 4)}
-IN_PHASE = Mathematics(
-    r"n_p = \frac{2\gamma^2}{\pi(1+\gamma^2)} \left(\frac{1+\gamma^2}{2\gamma^2} (\phi_s - \phi_c + \pi + "
-    r"\sin\phi_c \cos\phi_c) + \frac{1}{2\gamma} + "
-    r"\frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right) "
-    r"\left(\frac{1}{\gamma} \cos\phi_c - \sin\phi_c\right) - \frac{1}{\gamma} \sin^2\phi_c - "
-    r"\sin\phi_c \cos\phi_c\right)"
+IN_PHASE = filled(
+    r"""
+    n_p = \frac{2\gamma^2}{\pi(1+\gamma^2)} \left(\frac{1+\gamma^2}{2\gamma^2} (\phi_s - \phi_c + \pi +
+    \sin\phi_c \cos\phi_c) + \frac{1}{2\gamma} + \frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right)
+    \left(\frac{1}{\gamma} \cos\phi_c - \sin\phi_c\right) - \frac{1}{\gamma} \sin^2\phi_c - \sin\phi_c
+    \cos\phi_c\right)
+    """
 )
 FACTOR = r"\frac{-2\gamma^2}{\pi(1+\gamma^2)}"
-QUADRATURE = (
-    r"1 + \frac{1}{2\gamma^2} + \frac{1-\gamma^2}{2\gamma^2} \sin^2\phi_c",
-    r"\frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right) \left(\frac{1}{\gamma} \sin\phi_c + "
-    r"\cos\phi_c\right) + \frac{1}{\gamma} \sin\phi_c \cos\phi_c",
+BEHIND = r"1 + \frac{1}{2\gamma^2} + \frac{1-\gamma^2}{2\gamma^2} \sin^2\phi_c"
+LEFT_OUT = filled(
+    r"""
+    \frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right) \left(\frac{1}{\gamma} \sin\phi_c +
+    \cos\phi_c\right) + \frac{1}{\gamma} \sin\phi_c \cos\phi_c
+    """
 )
-
-
-def claims(_: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    derived = general_describing_function()
-    return (_complex_form(derived), _in_phase(derived), _quadrature(derived))
+"""The terms of n_q behind the factor in equation B.4, and those that its bracket leaves out."""
+QUADRATURE = Mathematics(rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)")
+LOAD, PLAY = 1.7, 0.6
+"""M omega / D and gap over amplitude for which the flight is integrated numerically."""
 
 
 @cache
 def general_describing_function() -> sympy.Expr:
     """Return N of the general element as a function of γ and the contact angle alone."""
-    ratio = contact_ratio()
-    function = describing_function(general_waveform(), A).subs(GAP, A * ratio)
+    function = describing_function(general_waveform(), A).subs(GAP, A * contact_ratio())
     return sympy.expand(function).subs(SEPARATION, separation_angle())
-
-
-def _point() -> dict[sympy.Expr, sympy.Expr]:
-    angle = separation_angle().subs(VALUES)
-    ratio = contact_ratio().subs(SEPARATION, angle).subs(VALUES)
-    return {**VALUES, A: sympy.Integer(1), SEPARATION: angle, GAP: ratio}
-
-
-def _complex_form(derived: sympy.Expr) -> Claim:
-    real, imaginary = sympy.re(derived), sympy.im(derived)
-    form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
-    numeric = _numeric()
-    return Claim(
-        id="eq-2.47",
-        parts=(
-            Part(
-                "",
-                SameExpression(real + sympy.I * imaginary, derived),
-                confirm(derived, numeric, _point()),
-                printed_form=form,
-                derived_form=form,
-            ),
-        ),
-        explanation=(
-            "$n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in "
-            "equation 2.35."
-        ),
-        source=SOURCE,
-    )
-
-
-@cache
-def _numeric() -> complex:
-    wave, values = general_waveform(), _point()
-    return coefficient(wave, sympy.sin(THETA), values) + 1j * coefficient(wave, sympy.cos(THETA), values)
 
 
 def gap_over_amplitude() -> sympy.Expr:
     """Return b/A from the derived contact equation."""
     return contact_ratio().subs(SEPARATION, separation_angle())
+
+
+def flight_lasts() -> sympy.Basic:
+    """Return that contact comes after separation, within half a turn."""
+    angle = separation_angle()
+    return sympy.And(sympy.Gt(CONTACT, angle), sympy.Lt(CONTACT, angle + sympy.pi))
+
+
+def point() -> Values:
+    """Return values of all symbols that belong together."""
+    angle = separation_angle().subs(VALUES)
+    ratio = contact_ratio().subs(SEPARATION, angle).subs(VALUES)
+    return {**VALUES, A: sympy.Integer(1), SEPARATION: angle, GAP: ratio}
+
+
+@cache
+def numeric() -> complex:
+    """Return N at that point by quadrature."""
+    real, imaginary = (coefficient(general_waveform(), f(THETA), point()) for f in (sympy.sin, sympy.cos))
+    return real + 1j * imaginary
+
+
+@claim("fig-2.11", source=SOURCE)
+def separation_and_contact(_: Evidence) -> Record:
+    before, angle = general_waveform().segments[-1].value, separation_angle()
+    label, pin = r"velocity of the load before $\phi_s$, over $\omega$", A * sympy.sin(THETA)
+    yield expression(label, pin.diff(THETA), before.diff(THETA), r"\dot y/\omega")
+    separation = float(angle.subs(GAMMA, LOAD))
+    second = close("a search for the zero of the contact force", zero_of_force(LOAD), separation)
+    label = r"phase $\phi_s$ of the separation"
+    yield expression(label, sympy.atan(1 / GAMMA), angle, r"\phi_s", second=second)
+    found = contact_by_equation(LOAD, PLAY, separation)
+    flown = contact_after_flight(LOAD, PLAY, separation)
+    # Where the numeric element is at the side of the gap that the pin brings up, just before and at contact.
+    phases = np.array([found - 1e-6, found])
+    apart = ViscousBacklash(PLAY, LOAD).waveform(phases, 1.0, 1.0) - np.sin(phases) - PLAY / 2
+    means = "the numeric element, which touches the other side there and not before"
+    yield part(
+        rf"phase $\phi_c$ of the next contact, for $\gamma = {LOAD}$ and $b/A = {PLAY}$",
+        CloseNumbers(found, flown),
+        second=so(means, abs(apart[0]) >= 1e-9 > abs(apart[1])),
+        printed_form=Words(rf"pin and load meet again at $\phi_c = {found:.6f}$"),
+        derived_form=Words(f"the flight, integrated in steps, ends at {flown:.6f}"),
+    )
+    yield text(
+        r"""
+        Pin and load move alike up to $\phi_s$ and meet again at $\phi_c$, as the text reads the figure. Equal
+        velocities do not give $\phi_s$, since they hold during the whole contact: it is the phase at which
+        the contact would have to pull, $\gamma y'' + y' = 0$. The printed equation for $\phi_c$ has a wrong
+        sign: see equation 2.46.
+        """
+    )
+
+
+@claim("eq-2.44", source=SOURCE)
+def separation(_: Evidence) -> Record:
+    angle = separation_angle()
+    force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
+    second = Confirmation("the force of the wall at that phase", SameExpression(force, sympy.Integer(0)))
+    yield expression("", sympy.atan(1 / GAMMA), angle, r"\phi_{s}", second=second)
+    yield text(
+        r"""
+        While the bridge follows the pin the wall has to push with $D\dot y + M\ddot y$, which reaches zero at
+        the printed phase. It is the phase of zero force; equal velocities, which the text gives as the
+        reason, hold during the whole contact.
+        """
+    )
+
+
+@claim("eq-2.45", source=SOURCE)
+def ratio(_: Evidence) -> Record:
+    mass, damping = sympy.symbols("M D", positive=True)
+    printed = mass / damping * omega
+    position, time = sympy.Function("y"), sympy.Symbol("t", real=True)
+    equation = mass * position(time).diff(time, 2) + damping * position(time).diff(time)
+    in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
+    second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
+    yield expression("", printed, second / first, GAMMA)
+    yield text(
+        r"""
+        With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
+        ratio. Its unit is [[ unit ]]: a pure number.
+        """,
+        unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}),
+    )
+
+
+@claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM)
+def contact_equation(_: Evidence) -> Record:
+    flight = product(GAMMA**2 / ROOT, sympy.exp((sympy.atan(1 / GAMMA) - CONTACT) / GAMMA))
+    right, wrong_root = sympy.latex(SINE + flight), sympy.sqrt(1 - GAMMA**2)
+    derived = gap_over_amplitude()
+    at_contact = {THETA: CONTACT, SEPARATION: separation_angle(), GAP: 0}
+    meeting = sympy.simplify((free_flight() - A * sympy.sin(THETA)).subs(at_contact) / A)
+    by_distance = SameExpression(meeting, ROOT - SINE - flight)
+    yield expression(
+        "solved for $b/A$",
+        wrong_root - SINE - flight,
+        derived,
+        r"\frac{b}{A}",
+        assume=sympy.Lt(GAMMA, 1),
+        second=Confirmation("the distance between flight and pin", by_distance),
+        slip=made_here("the sign under the root is minus instead of plus", derived - ROOT + wrong_root),
+        printed_form=Mathematics(rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}"),
+        derived_form=Mathematics(rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}"),
+    )
+    yield text(
+        r"""
+        The sum $\sin\phi_s + \gamma\cos\phi_s$ of the flight is $\sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
+        \gamma^2}$. For $\gamma > 1$ the printed root is imaginary, and no real contact angle exists.
+
+        Listing A.5 has the same sign, and section 5.2.3 evaluates it for $1 < \gamma < 3/2$: every viscous
+        contour drawn there rests on complex contact angles.
+        """
+    )
+
+
+@claim("eq-2.47", source=SOURCE)
+def complex_form(_: Evidence) -> Record:
+    derived = general_describing_function()
+    printed = sympy.re(derived) + sympy.I * sympy.im(derived)
+    form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
+    second = confirm(derived, numeric(), point())
+    yield expression("", printed, derived, second=second, printed_form=form, derived_form=form)
+    yield text(
+        """
+        $n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in
+        equation 2.35.
+        """
+    )
 
 
 def in_phase_part(label: str, derived: sympy.Expr) -> Part:
@@ -107,14 +210,15 @@ def in_phase_part(label: str, derived: sympy.Expr) -> Part:
         -(SINE**2) / GAMMA,
         -SINE * COSINE,
     )
-    printed = 2 * GAMMA**2 / (sympy.pi * (1 + GAMMA**2)) * bracket
-    real = sympy.re(derived)
-    return Part(
+    form, real = Mathematics(IN_PHASE), sympy.re(derived)
+    return expression(
         label,
-        SameExpression(printed, real, assume=_flight_lasts()),
-        confirm(real, complex(_numeric().real), _point()),
-        printed_form=IN_PHASE,
-        derived_form=IN_PHASE,
+        2 * GAMMA**2 / (sympy.pi * (1 + GAMMA**2)) * bracket,
+        real,
+        assume=flight_lasts(),
+        second=confirm(real, complex(numeric().real), point()),
+        printed_form=form,
+        derived_form=form,
     )
 
 
@@ -130,57 +234,49 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
     """Return the part on n_q as Listing A.5 has it, with the factor before all terms."""
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(derived)
-    form = Mathematics(rf"n_q = {FACTOR} \left({QUADRATURE[0]} + {QUADRATURE[1]}\right)")
-    return Part(
+    return expression(
         label,
-        SameExpression(factor * (behind + left_out), imaginary, assume=_flight_lasts()),
-        confirm(imaginary, complex(_numeric().imag), _point()),
-        printed_form=form,
-        derived_form=form,
+        factor * (behind + left_out),
+        imaginary,
+        assume=flight_lasts(),
+        second=confirm(imaginary, complex(numeric().imag), point()),
+        printed_form=QUADRATURE,
+        derived_form=QUADRATURE,
     )
 
 
-def _in_phase(derived: sympy.Expr) -> Claim:
-    return Claim(
-        id="eq-B.3",
-        parts=(in_phase_part("with $b/A$ from the contact equation", derived),),
-        explanation=(
-            "Put together with the right contact equation, the printed expression is the in-phase part of "
-            "the derived describing function."
-        ),
-        source=SOURCE,
+@claim("eq-B.3", source=SOURCE)
+def in_phase(_: Evidence) -> Record:
+    yield in_phase_part("with $b/A$ from the contact equation", general_describing_function())
+    yield text(
+        """
+        Put together with the right contact equation, the printed expression is the in-phase part of the
+        derived describing function.
+        """
     )
 
 
-def _flight_lasts() -> sympy.Basic:
-    return sympy.And(sympy.Gt(CONTACT, separation_angle()), sympy.Lt(CONTACT, separation_angle() + sympy.pi))
-
-
-def _quadrature(derived: sympy.Expr) -> Claim:
+@claim("eq-B.4", source=SOURCE, impact=Impact.LOCAL)
+def quadrature(_: Evidence) -> Record:
     factor, behind, left_out = quadrature_terms()
-    imaginary = sympy.im(derived)
-    return Claim(
-        id="eq-B.4",
-        parts=(
-            Part(
-                "with $b/A$ from the contact equation",
-                SameExpression(factor * behind + left_out, imaginary, assume=_flight_lasts()),
-                confirm(imaginary, complex(_numeric().imag), _point()),
-                Slip(
-                    "the bracket is closed before its last two terms",
-                    imaginary - factor * left_out + left_out,
-                    Verdict.ERRATUM,
-                ),
-                Mathematics(rf"n_q = {FACTOR} \left({QUADRATURE[0]}\right) + {QUADRATURE[1]}"),
-                Mathematics(rf"n_q = {FACTOR} \left({QUADRATURE[0]} + {QUADRATURE[1]}\right)"),
-            ),
-        ),
-        explanation=(
-            "The bracket behind the common factor closes after the term in $\\sin^2\\phi_c$; it has to hold "
-            "the last two terms as well. With the bracket around everything, as Listing A.5 has it, the "
-            "expression is the derived one."
-        ),
-        consequence="None: Listing A.5, which computes the contours, has the bracket right.",
-        impact=Impact.LOCAL,
-        source=SOURCE,
+    imaginary = sympy.im(general_describing_function())
+    slipped = imaginary - factor * left_out + left_out
+    yield expression(
+        "with $b/A$ from the contact equation",
+        factor * behind + left_out,
+        imaginary,
+        assume=flight_lasts(),
+        second=confirm(imaginary, complex(numeric().imag), point()),
+        slip=made_here("the bracket is closed before its last two terms", slipped),
+        printed_form=Mathematics(rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}"),
+        derived_form=QUADRATURE,
+    )
+    yield text(
+        r"""
+        The bracket behind the common factor closes after the term in $\sin^2\phi_c$; it has to hold the last
+        two terms as well. With the bracket around everything, as Listing A.5 has it, the expression is the
+        derived one.
+
+        None: Listing A.5, which computes the contours, has the bracket right.
+        """
     )

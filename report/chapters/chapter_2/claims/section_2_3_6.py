@@ -1,149 +1,311 @@
-"""Claims of section 2.3.6: harmonic balance in two equations (equations 2.53 to 2.56)."""
+"""Claims of section 2.3.6 and figures 2.13 and 2.14: harmonic balance solved, and its stable solutions."""
 
 from __future__ import annotations
 
+import math
+
+import control
+import numpy as np
 import sympy
 
 from report.chapters.appendix_a.claims.elements import friction_listing
-from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict, Words
-from report.comparisons.assertion import Assertion
+from report.claim import Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
+from report.numbers.independent.loop_poles import decays, feedback_poles
+from report.numbers.independent.symbolic_roots import first_root
+from report.numbers.textbook_loops import (
+    backlash_history,
+    backlash_loop,
+    encirclements_of,
+    graphical_intersections,
+    growing_poles,
+    relay_loop,
+)
+from report.parts import assertion, close, digits, equal, expression, made_here, part
+from report.record import Record, claim, text
+from report.text import filled
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
+LOOPS = "report/numbers/textbook_loops.py"
 REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real=True)
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
+AT_POINT = complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
+EXAMPLE = "$7/(s + 1)^3$ with friction-controlled backlash"
+STEP = 1.02
+"""Factor between the amplitude of a limit cycle and those of the operating points beside it."""
+DRAWN = 1e-5
+"""Relative difference allowed between a number read from 400 drawn points and the solution."""
+SETTLED = 0.01
+"""Relative difference allowed between a simulated and a predicted amplitude: the harmonics' share."""
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (
-        _real_part(),
-        _imaginary_part(),
-        _roles(evidence),
-        _graphical("eq-2.55"),
-        _graphical("eq-2.56"),
-    )
-
-
-def _numeric_loop() -> complex:
-    return complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
-
-
-def _real_part() -> Claim:
+@claim("eq-2.53", source=SOURCE)
+def real_part(_: Evidence) -> Record:
     printed = total(product(REAL_N, REAL_G), product(-1, IMAGINARY_N, IMAGINARY_G))
     derived = sympy.re(LOOP)
-    return Claim(
-        id="eq-2.53",
-        parts=(
-            Part(
-                "left side, equal to $-1$",
-                SameExpression(printed, derived),
-                Confirmation(
-                    "complex numbers", CloseNumbers(_numeric_loop().real, complex(derived.subs(POINT)))
-                ),
-            ),
-        ),
-        explanation="The real part of $NG$. For $G(j\\omega)$ the line writes $G(j, \\omega)$.",
-        source=SOURCE,
-    )
+    second = close("complex numbers", AT_POINT.real, complex(derived.subs(POINT)))
+    yield expression("left side, equal to $-1$", printed, derived, second=second)
+    yield text(r"The real part of $NG$. For $G(j\omega)$ the line writes $G(j, \omega)$.")
 
 
-def _imaginary_part() -> Claim:
+@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL)
+def imaginary_part(_: Evidence) -> Record:
     printed = total(product(IMAGINARY_N, IMAGINARY_G), product(IMAGINARY_N, REAL_G))
     derived = sympy.im(LOOP)
-    return Claim(
-        id="eq-2.54",
-        parts=(
-            Part(
-                "left side, equal to zero",
-                SameExpression(printed, derived),
-                Confirmation(
-                    "complex numbers", CloseNumbers(_numeric_loop().imag, complex(derived.subs(POINT)))
-                ),
-                Slip(
-                    "the first factor is the imaginary part of N instead of the real one",
-                    derived - REAL_N * IMAGINARY_G + IMAGINARY_N * IMAGINARY_G,
-                    Verdict.ERRATUM,
-                ),
-            ),
-        ),
-        explanation=(
-            "The imaginary part of $NG$ is $\\mathrm{Re}N\\,\\mathrm{Im}G + \\mathrm{Im}N\\,\\mathrm{Re}G$. "
-            "As printed the amplitude drops out: for $\\mathrm{Im}N \\ne 0$ it asks for $\\mathrm{Re}G = "
-            "-\\mathrm{Im}G$, whatever the nonlinearity."
-        ),
-        consequence="None: Listing A.9, lines 23 to 26, has the right form.",
-        impact=Impact.LOCAL,
-        source=SOURCE,
+    slip = "the first factor is the imaginary part of N instead of the real one"
+    slipped = derived - REAL_N * IMAGINARY_G + IMAGINARY_N * IMAGINARY_G
+    yield expression(
+        "left side, equal to zero",
+        printed,
+        derived,
+        second=close("complex numbers", AT_POINT.imag, complex(derived.subs(POINT))),
+        slip=made_here(slip, slipped),
+    )
+    yield text(
+        r"""
+        The imaginary part of $NG$ is $\mathrm{Re}N\,\mathrm{Im}G + \mathrm{Im}N\,\mathrm{Re}G$. As printed
+        the amplitude drops out: for $\mathrm{Im}N \ne 0$ it asks for $\mathrm{Re}G = -\mathrm{Im}G$, whatever
+        the nonlinearity.
+
+        None: Listing A.9, lines 23 to 26, has the right form.
+        """
     )
 
 
-def _roles(evidence: Evidence) -> Claim:
-    cycle = evidence.cycles.friction.stable
-    linear = complex(frequency_response(evidence.numbers.displacement_only, cycle.omega))
+@claim("txt-2.3.6-roles", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
+def roles(known: Evidence) -> Record:
+    yield expression(
+        "a real $N$, as of a relay",
+        IMAGINARY_G,
+        sympy.im(LOOP.subs(IMAGINARY_N, 0)) / REAL_N,
+        printed_form=Words("the imaginary equation, free of $N$"),
+    )
+    cycle = known.cycles.friction.stable
+    linear = complex(frequency_response(known.numbers.displacement_only, cycle.omega))
     doubled = 2 * cycle.amplitude
     left = (complex(FrictionBacklash(1.0).describing_function(doubled)) * linear).imag
-    return Claim(
-        id="txt-2.3.6-roles",
-        parts=(
-            Part(
-                "a real $N$, as of a relay",
-                SameExpression(IMAGINARY_G, sympy.im(LOOP.subs(IMAGINARY_N, 0)) / REAL_N),
-                printed_form=Words("the imaginary equation, free of $N$"),
-            ),
-            Part(
-                "a complex $N$, as of backlash",
-                Assertion(
-                    statement="the imaginary equation gives the frequency without the amplitude",
-                    derived=abs(left) < 1e-9,
-                    evidence=(
-                        f"at the predicted {cycle.frequency:.2f} Hz it is met at $A = "
-                        f"{cycle.amplitude:.2f}\\,b$; at twice that $\\mathrm{{Im}}\\,NG = {left:.4f}$"
-                    ),
-                    method="the imaginary part at two amplitudes",
-                ),
-                Confirmation(
-                    "the formula of Listing A.3",
-                    CloseNumbers((friction_listing(doubled, 1.0) * linear).imag, left),
-                ),
-            ),
+    by_listing = (friction_listing(doubled, 1.0) * linear).imag
+    yield assertion(
+        "a complex $N$, as of backlash",
+        "the imaginary equation gives the frequency without the amplitude",
+        abs(left) < 1e-9,
+        filled(
+            r"""
+            at the predicted [[ cycle.frequency | f2 ]] Hz it is met at $A = [[ cycle.amplitude | f2 ]]\,b$;
+            at twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
+            """,
+            cycle=cycle,
+            left=left,
         ),
-        explanation=(
-            "For a real $N$ the imaginary equation is $\\mathrm{Im}\\,G = 0$ and gives the frequency, the "
-            "real one the amplitude. Backlash has a complex $N$; then amplitude and frequency stand in both "
-            "equations, which have to be solved together, as Listing A.9 does."
-        ),
-        consequence=(
-            "Chapter 7 says again that the frequency comes from the transfer function alone; it comes from "
-            "both, as the different frequencies of the kinds of backlash show."
-        ),
-        impact=Impact.LOCAL,
-        source="trimmer/elements/friction_backlash.py",
+        method="the imaginary part at two amplitudes",
+        second=close("the formula of Listing A.3", by_listing, left),
+    )
+    yield text(
+        r"""
+        For a real $N$ the imaginary equation is $\mathrm{Im}\,G = 0$ and gives the frequency, the real one
+        the amplitude. Backlash has a complex $N$; then amplitude and frequency stand in both equations, which
+        have to be solved together, as Listing A.9 does.
+
+        Chapter 7 says again that the frequency comes from the transfer function alone; it comes from both, as
+        the different frequencies of the kinds of backlash show.
+        """
     )
 
 
-def _graphical(claim_id: str) -> Claim:
+def solved_for_plant() -> Part:
+    """Return the part on the condition of harmonic balance solved for G, which two equations print."""
     linear, nonlinear = sympy.symbols("G N")
-    derived = sympy.solve(1 + nonlinear * linear, linear)[0]
-    return Claim(
-        id=claim_id,
-        parts=(Part("", SameExpression(-1 / nonlinear, derived, left=linear)),),
-        explanation=(
-            "The condition of harmonic balance solved for $G$. "
-            + (
-                "For a describing function of two variables it is a family of curves, one for each "
-                "frequency, and only the point of equal frequency on both curves counts."
-                if claim_id == "eq-2.55"
-                else "Without dependence on frequency one curve serves all frequencies. Coulomb friction is "
-                "of this kind for either choice of its input. The text below it plots $N(A)$; $-1/N(A)$ is "
-                "meant."
-            )
+    return expression("", -1 / nonlinear, first_root(1 + nonlinear * linear, linear), linear)
+
+
+@claim("eq-2.55", source=SOURCE)
+def family_of_curves(_: Evidence) -> Record:
+    yield solved_for_plant()
+    yield text(
+        """
+        The condition of harmonic balance solved for $G$. For a describing function of two variables it is a
+        family of curves, one for each frequency, and only the point of equal frequency on both curves counts.
+        """
+    )
+
+
+@claim("eq-2.56", source=SOURCE)
+def one_curve(_: Evidence) -> Record:
+    yield solved_for_plant()
+    yield text(
+        """
+        The condition of harmonic balance solved for $G$. Without dependence on frequency one curve serves all
+        frequencies. Coulomb friction is of this kind for either choice of its input. The text below it plots
+        $N(A)$; $-1/N(A)$ is meant.
+        """
+    )
+
+
+@claim("fig-2.13", source=LOOPS)
+def graphical_balance(_: Evidence) -> Record:
+    loop = relay_loop()
+    samples = np.linspace(1.0, 2.0, 400), np.linspace(0.1, 0.4, 400)
+    ((frequency, amplitude),) = graphical_intersections(loop, *samples)
+    (cycle,) = loop.limit_cycles()
+    for label, read, solved, exact in (
+        ("frequency at K, from $G$", frequency, cycle.omega, sympy.sqrt(2)),
+        ("amplitude at K, from $-1/N$", amplitude, cycle.amplitude, 2 / (3 * sympy.pi)),
+    ):
+        yield part(
+            label,
+            CloseNumbers(read, solved, DRAWN),
+            second=close(f"the closed form ${sympy.latex(exact)}$", float(exact), solved),
+            printed_form=Words(f"read from the curves: {read:.6f}"),
+            derived_form=Words(f"solution of $1 + NG = 0$: {solved:.6f}"),
+        )
+    yield text(
+        """
+        The figure names no loop; taken is $1/(s(s+1)(s+2))$ with an ideal relay. Reading amplitude and
+        frequency at the intersection gives what solving the two equations gives, and what the closed form
+        gives. Where $-1/N$ passes a point twice, as of a relay with a dead zone, a point of intersection
+        stands for two amplitudes.
+        """
+    )
+
+
+@claim("fig-2.14", source=LOOPS)
+def two_limit_cycles(_: Evidence) -> Record:
+    loop = backlash_loop()
+    first, second = (cycle.amplitude for cycle in loop.limit_cycles())
+    for point, printed, amplitude in (
+        ("$L_1'$, amplitude above $A_1$", "1", STEP * first),
+        ("$L_1''$, amplitude below $A_1$", "0", first / STEP),
+        ("above $A_2$", "0", STEP * second),
+        ("below $A_2$", "1", second / STEP),
+    ):
+        turns = encirclements_of(loop.plant, complex(loop.inverse_element(amplitude)))
+        growing = equal("the poles of the loop with $N$ frozen", growing_poles(loop, amplitude), turns)
+        yield digits(f"turns of $G$ about the operating point {point}", printed, turns, second=growing)
+    _, from_between, _ = backlash_history().amplitudes[-1]
+    means = "a simulation that starts just above the first and goes up to the second"
+    yield assertion(
+        "order of the amplitudes",
+        r"$A_1 \le A_2$, the curve $-1/N$ entering at $L_1$ and leaving at $L_2$",
+        first < second,
+        f"{first:.3f} and {second:.3f} gaps",
+        method="both solutions of harmonic balance",
+        second=close(means, float(from_between), second, SETTLED),
+    )
+    yield text(
+        """
+        The figure names no loop; taken is [[ loop ]], which has two limit cycles. The operating points beside
+        them are encircled or not as the text says, counted by turns of the locus and by growing poles. With
+        another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves cross;
+        which of two limit cycles is the way in depends on where $-1/N$ begins.
+        """,
+        loop=EXAMPLE,
+    )
+
+
+@claim("txt-2.3.6-stability-rule", source="trimmer/balance/stability.py")
+def stability_rule(_: Evidence) -> Record:
+    yield side_of_the_crossing()
+    first, second = backlash_loop().limit_cycles()
+    from_below, from_between, from_above = (float(each) for each in backlash_history().amplitudes[-1])
+    yield assertion(
+        "$L_1$",
+        "the first limit cycle is stable",
+        first.stable,
+        filled(
+            """
+            of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
+            tenth above it at [[ above | f2 ]]
+            """,
+            loop=EXAMPLE,
+            first=first.amplitude,
+            below=from_below,
+            above=from_between,
         ),
-        source=SOURCE,
+        method="Loeb's criterion",
+        asserted=False,
+        second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
+    )
+    yield assertion(
+        "$L_2$",
+        "the second limit cycle is stable",
+        second.stable,
+        f"started above it, the same loop comes down to {from_above:.2f} gaps",
+        method="Loeb's criterion",
+        second=close("a simulation that comes down to it", from_above, second.amplitude, SETTLED),
+    )
+    yield text(
+        """
+        The rule is right where $G$ has no pole in the right half plane, as the trimmer's: with rising
+        amplitude $L_1$ goes to the encircled side and grows, $L_2$ goes to the other and shrinks back. That
+        is Loeb's criterion, and a simulated loop does it. With poles of $G$ in the right half plane,
+        encircled points can be the stable ones.
+        """
+    )
+
+
+def side_of_the_crossing() -> Part:
+    """Return the part that proves the rule: Loeb's determinant tells the side to which -1/N crosses G.
+
+    N and G and their slopes by amplitude and by frequency are any complex numbers with N G = -1.
+    """
+    real, imaginary = sympy.symbols("N_r p r", real=True), sympy.symbols("N_i q s", real=True)
+    gain, gain_slope, linear_slope = (x + sympy.I * y for x, y in zip(real, imaginary, strict=True))
+    by_amplitude, by_frequency = -gain_slope / gain, gain * linear_slope
+    loeb = sympy.im(sympy.expand_complex(sympy.conjugate(by_amplitude) * by_frequency))
+    crossing = sympy.im(sympy.expand_complex(sympy.conjugate(linear_slope) * gain_slope / gain**2))
+    loop = backlash_loop()
+    cycle, around = loop.limit_cycles()[0], np.array([1 - 1e-6, 1 + 1e-6])
+    # Small differences along the two curves give the angle between them.
+    locus = complex(np.diff(frequency_response(loop.plant, cycle.omega * around))[0])
+    inverse = complex(np.diff(loop.inverse_element(cycle.amplitude * around))[0])
+    sine = abs((locus.conjugate() * inverse).imag) / abs(locus * inverse)
+    means = "the angle of the crossing in the example"
+    return expression(
+        r"stable if $-1/N(A)$ crosses to the left of $G(j\omega)$ with rising amplitude",
+        product(sympy.Abs(gain) ** 2, crossing),
+        loeb,
+        second=close(means, sine, math.sin(cycle.crossing_angle), 1e-6),
+        printed_form=Mathematics(r"|N|^2\,\operatorname{Im}\left(\overline{G_\omega}\,(-1/N)_A\right) > 0"),
+        derived_form=Mathematics(r"X_A Y_\omega - X_\omega Y_A > 0"),
+    )
+
+
+@claim("txt-2.3.6-nyquist-premise", source=LOOPS, impact=Impact.NOTATION)
+def nyquist_premise(_: Evidence) -> Record:
+    loop, linear = backlash_loop(), control.tf([10], [1, 3, 3, 1])
+    growing = growing_poles(loop, STEP * loop.limit_cycles()[0].amplitude)
+    closed = feedback_poles(linear)
+    in_right_half = int((closed.real > 0).sum())
+    counterexamples = decays(loop.plant) and decays(linear) and growing > 0 and in_right_half > 0
+    means = "turns of the locus about $-1$, one for each growing pole"
+    yield assertion(
+        "",
+        "an open loop can be stable only if the closed loop is",
+        not counterexamples,
+        filled(
+            r"""
+            the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
+            $10/(s + 1)^3$ with unit feedback has poles at $[[ real | f3 ]] \pm [[ imaginary | f3 ]]j$
+            """,
+            growing=growing,
+            real=closed.real.max(),
+            imaginary=abs(closed.imag).max(),
+        ),
+        method="counterexamples, by their poles",
+        second=equal(means, encirclements_of(linear, -1.0), in_right_half),
+    )
+    yield text(
+        """
+        The sentence has the two loops exchanged: the Nyquist criterion takes the poles of the open loop as
+        known and tells the stability of the closed one. Read as it stands it says that a stable $G$ asks for
+        a stable loop; then no operating point could grow, and there were no unstable limit cycle.
+
+        None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable. Section 5.1.2 draws its
+        conclusion from the locus in the same wrong direction.
+        """
     )

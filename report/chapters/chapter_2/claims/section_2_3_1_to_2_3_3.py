@@ -1,0 +1,344 @@
+"""Claims of sections 2.3.1 to 2.3.3 and figures 2.5 and 2.6: harmonic balance and describing function."""
+
+from __future__ import annotations
+
+import control
+import numpy as np
+import sympy
+
+from derivations.backlash import GAMMA, separation_angle
+from derivations.symbols import A, omega, t
+from derivations.waveform import THETA, Segment, Waveform
+from report.claim import Confirmation, Impact, Mathematics
+from report.comparisons.assertion import Assertion
+from report.comparisons.expression import SameExpression
+from report.comparisons.printed import product, total
+from report.comparisons.second_ways import sampled_gain
+from report.evidence import Evidence
+from report.numbers.exact_response import gain
+from report.numbers.independent.van_der_pol import third_harmonic
+from report.numbers.textbook_loops import relay_loop
+from report.parts import assertion, close, expression, made_here
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_OMEGA
+from trimmer import filtering_ratio
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.viscous_backlash import ViscousBacklash
+
+SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_to_2_3_3.py"
+LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")
+COSINE_PART, SINE_PART = sympy.Symbol("a_1", real=True), sympy.Symbol("b_1", positive=True)
+MODULUS, ANGLE = sympy.sqrt(COSINE_PART**2 + SINE_PART**2), sympy.atan(COSINE_PART / SINE_PART)
+"""Magnitude and phase of the first harmonic, equations 2.32 and 2.33."""
+MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:3"), sympy.symbols("b_1:3")
+HARMONICS = [
+    a * sympy.cos(n * THETA) + b * sympy.sin(n * THETA)
+    for n, a, b in zip((1, 2), COSINES, SINES, strict=True)
+]
+SERIES = total(MEAN / 2, *HARMONICS)
+WAVE = Waveform((Segment(-sympy.pi, sympy.pi, SERIES),))
+"""A signal of two harmonics."""
+
+
+@claim("fig-2.5", source=SOURCE)
+def closed_loop(_: Evidence) -> Record:
+    # Rows: e = r - y, u = N e, y = G u, for the signals (e, u, y).
+    blocks = sympy.Matrix([[1, 0, 1], [-NONLINEAR, 1, 0], [0, -LINEAR, 1]])
+    plant, constant, point = relay_loop().plant, 0.7, 0.3 + 1.1j
+    closed = control.feedback(constant * plant, 1)
+    through_poles = complex(np.polyval(closed.den[0][0], point) / np.polyval(plant.den[0][0], point))
+    means = "the closed loop of python-control with a constant in the place of $N$"
+    yield expression(
+        "what has to be zero for an oscillation without reference",
+        total(product(NONLINEAR, LINEAR), sympy.Integer(1)),
+        blocks.det(),
+        second=close(means, 1 + constant * complex(plant(point)), through_poles),
+    )
+    yield text(
+        """
+        With $r = 0$ the signals of the loop are the solutions of three homogeneous equations, and differ from
+        zero only if their determinant $1 + NG$ is zero. The amplitude is that at the input of $N$. The
+        drawing was not at hand; it is drawn again from the text.
+        """
+    )
+
+
+@claim("eq-2.25", source=SOURCE)
+def harmonic_balance(_: Evidence) -> Record:
+    loop = sympy.expand((SIGNAL - LINEAR * (-NONLINEAR * SIGNAL)) / SIGNAL)
+    yield expression("", total(NONLINEAR * LINEAR, 1), loop)
+    yield text(
+        """
+        Round the loop with negative feedback a sinusoid $Y$ comes back as $-NGY$. It sustains itself with a
+        nonzero amplitude exactly if $1 + NG = 0$.
+        """
+    )
+
+
+@claim("eq-2.26", source="trimmer/low_pass.py")
+def filtering_hypothesis(known: Evidence) -> Record:
+    at, system = 4607.7, known.numbers.displacement_only
+    second, third, *others = (float(filtering_ratio(system, at, n)) for n in range(2, 20))
+    exact = float(gain(known.numbers, 3 * at) / gain(known.numbers, at))
+    yield assertion(
+        "at the predicted limit cycle",
+        "the linear part passes every harmonic less than the fundamental",
+        max(second, third, *others) < 1,
+        f"at {at} rad/s the second is passed {second:.3f}, the third {third:.3f} times as well",
+        method="frequency response at the harmonics",
+        second=close("exact coefficients, 40 digits", exact, third),
+        printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
+    )
+    yield text(
+        """
+        As a condition this is the usual one. It is stricter than needed: a nonlinearity that is odd makes no
+        even harmonics, and what counts is the ratio times the nonlinearity's own harmonic. Whether it is met
+        depends on the frequency; see section 5.1.2.
+        """
+    )
+
+
+@claim("txt-2.3.2-van-der-pol", source=SOURCE, impact=Impact.LOCAL)
+def van_der_pol(_: Evidence) -> Record:
+    alpha, position, velocity = sympy.symbols("alpha x v", real=True)
+    acceleration = -alpha * (position**2 - 1) * velocity - position
+    gained = sympy.expand(velocity * (acceleration + position))
+    time, radius, turning = sympy.symbols("t A omega", positive=True)
+    circle = radius * sympy.cos(time)
+    undamped = acceleration.subs({alpha: 0, position: circle, velocity: circle.diff(time)})
+    residual = SameExpression(circle.diff(time, 2) - undamped, sympy.Integer(0))
+    yield assertion(
+        r"$\alpha = 0$",
+        "there is a limit cycle, to which other motions tend",
+        gained.subs(alpha, 0) != 0,
+        filled(
+            r"""
+            $(x^2 + \dot x^2)/2$ changes by $[[ gained | latex ]]$, $v = \dot x$, and for $\alpha = 0$ not at
+            all: every motion keeps its amplitude
+            """,
+            gained=gained,
+        ),
+        method="balance of energy",
+        second=Confirmation("a circle of any radius solves the equation", residual),
+    )
+    sine = radius * sympy.sin(turning * time)
+    ellipse = (sine / radius) ** 2 + (sine.diff(time) / (radius * turning)) ** 2
+    to_one = SameExpression(sympy.expand_trig(ellipse), sympy.Integer(1))
+    yield assertion(
+        "the elliptic shape",
+        "a limit cycle of elliptic shape is not a sinusoid",
+        sympy.simplify(ellipse) != 1,
+        r"$x = A\sin\omega t$ satisfies $(x/A)^2 + (\dot x/(A\omega))^2 = 1$, an ellipse",
+        method="the sinusoid put into the equation of an ellipse",
+        second=Confirmation("simplification to one", to_one),
+    )
+    damping = 1.0
+    yield text(
+        r"""
+        For $\alpha = 0$ nothing is dissipated: every orbit is closed and none is a limit cycle by the
+        thesis's own definition, so the condition is $\alpha > 0$. And an ellipse over position and velocity
+        is a sinusoid, the very shape that the method assumes. Van der Pol's limit cycle is nearly that for
+        small $\alpha$, and leaves it as $\alpha$ grows: at $\alpha = [[ damping | f0 ]]$ the third harmonic
+        of the position has [[ third | f0 ]] % of the first.
+
+        None on numbers. The caution is right and section 6.1 repeats it; its example is the other end, large
+        $\alpha$.
+        """,
+        damping=damping,
+        third=100 * third_harmonic(damping),
+    )
+
+
+@claim("txt-2.3.3-amplitude-only", source="derivations/backlash.py", impact=Impact.LOCAL)
+def amplitude_only(_: Evidence) -> Record:
+    near_limit_cycle = 4609.5
+    element, separation = ViscousBacklash(1.0, 1e-3), separation_angle()
+    driven, cycling = (
+        complex(element.describing_function(2.0, each)) for each in (DRIVE_OMEGA, near_limit_cycle)
+    )
+    statement = "the describing functions of backlash and of Coulomb friction depend on the amplitude alone"
+    independent = Assertion(
+        statement=statement,
+        derived=GAMMA not in separation.free_symbols,
+        asserted=False,
+        evidence=f"the bridge separates at ${sympy.latex(separation)}$",
+        method=r"it contains $\gamma = M\omega/D$",
+    )
+    yield assertion(
+        "",
+        statement,
+        abs(driven - cycling) < 1e-9,
+        filled(
+            """
+            a load with $M/D$ of 1 ms has [[ a.real | f3 ]] [[ a.imag | signed3 ]] j at [[ drive | f0 ]] rad/s
+            and [[ b.real | f3 ]] [[ b.imag | signed3 ]] j at [[ near | f0 ]] rad/s, with two gaps of
+            amplitude
+            """,
+            a=driven,
+            b=cycling,
+            drive=DRIVE_OMEGA,
+            near=near_limit_cycle,
+        ),
+        method="the describing function of viscous-controlled backlash at two frequencies",
+        second=Confirmation("the derived phase of separation", independent),
+    )
+    yield text(
+        r"""
+        True of friction-controlled and inertia-controlled backlash and of a relay. Viscous-controlled
+        backlash, the general case, depends on $\gamma = M\omega/D$ too, as section 2.3.4 itself says, and so
+        does friction as section 5.2.5 writes it.
+
+        For a load with inertia and friction one curve does not serve all frequencies; equation 2.55 is to be
+        used and not 2.56.
+        """
+    )
+
+
+@claim("fig-2.6", source=SOURCE)
+def describing_function_block(_: Evidence) -> Record:
+    factor = (SINE_PART + sympy.I * COSINE_PART) / A
+    output = sympy.im(sympy.expand_complex(factor * A * sympy.exp(sympy.I * THETA)))
+    element = FrictionBacklash(0.6)
+    sampled, formula = sampled_gain(element, 1.0, 1.0), complex(element.describing_function(1.0))
+    yield expression(
+        r"output $M\sin(\omega t + \varphi)$ for the input $A\sin\omega t$",
+        MODULUS * sympy.sin(THETA + ANGLE),
+        output,
+        second=close("the first line in the spectrum of a backlash's output", sampled, formula, 1e-6),
+    )
+    yield text(
+        """
+        The block turns the phasor of its input by $N$ and gives the first harmonic of the element's output,
+        of the same frequency. The sentence after equation 2.27 speaks once of a shift in frequency; amplitude
+        and phase are meant.
+        """
+    )
+
+
+@claim("eq-2.27", source=SOURCE, impact=Impact.NOTATION)
+def sinusoid(_: Evidence) -> Record:
+    exponential, sine = A * sympy.exp(sympy.I * omega * t), A * sympy.sin(omega * t)
+    yield expression(
+        r"$A\sin(\omega t) = Ae^{j\omega t}$",
+        exponential,
+        sine,
+        "u",
+        second=Confirmation("Euler's formula", SameExpression(sympy.im(exponential), sine)),
+        slip=made_here("the imaginary part is not taken", exponential),
+    )
+    yield text(
+        r"""
+        A real sine is not a complex exponential: it is its imaginary part, $A\sin\omega t =
+        \mathrm{Im}\,Ae^{j\omega t}$. What is meant is the phasor that stands for the sine.
+
+        None: the ratio of phasors in equation 2.35 is right.
+        """
+    )
+
+
+definition = claim("txt-2.3.3-df-definition", source=SOURCE, impact=Impact.NOTATION)(sinusoid.items)
+
+
+@claim("eq-2.28", source=SOURCE)
+def fourier_series(_: Evidence) -> Record:
+    harmonics = (
+        WAVE.cosine_coefficient(n) * sympy.cos(n * THETA) + WAVE.sine_coefficient(n) * sympy.sin(n * THETA)
+        for n in (1, 2)
+    )
+    rebuilt = WAVE.cosine_coefficient(0) / 2 + sympy.Add(*harmonics)
+    form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
+    yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), printed_form=form, derived_form=form)
+    yield text(
+        """
+        A signal of two harmonics is rebuilt from its coefficients by the printed series, with half of $a_0$.
+        """
+    )
+
+
+@claim("eq-2.29", source=SOURCE)
+def fourier_coefficients(_: Evidence) -> Record:
+    yield expression("$a_0$", sympy.expand(WAVE.cosine_coefficient(0)), MEAN)
+    for n, symbol in enumerate(COSINES, start=1):
+        yield expression(f"$a_{n}$", sympy.expand(WAVE.cosine_coefficient(n)), symbol)
+    for n, symbol in enumerate(SINES, start=1):
+        yield expression(f"$b_{n}$", sympy.expand(WAVE.sine_coefficient(n)), symbol)
+    yield text("The printed integrals, over a signal of two harmonics, give back each of its coefficients.")
+
+
+@claim("eq-2.30", source=SOURCE)
+def fundamental_coefficients(_: Evidence) -> Record:
+    yield expression("$a_1$", sympy.expand(WAVE.cosine_coefficient()), COSINES[0])
+    yield expression("$b_1$", sympy.expand(WAVE.sine_coefficient()), SINES[0])
+    yield text("Equation 2.29 for $n = 1$.")
+
+
+@claim("eq-2.31", source=SOURCE)
+def first_harmonic(_: Evidence) -> Record:
+    printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
+    shifted = sympy.simplify(sympy.expand_trig(MODULUS * sympy.sin(THETA + ANGLE)))
+    form = Mathematics(r"M \sin(\omega t + \phi)")
+    yield expression(r"with $M$ and $\phi$ of equations 2.32 and 2.33", printed, shifted, derived_form=form)
+    yield text("The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$.")
+
+
+@claim("eq-2.32", source=SOURCE)
+def magnitude(_: Evidence) -> Record:
+    yield expression("", MODULUS, sympy.Abs(SINE_PART + sympy.I * COSINE_PART), "M")
+    yield text("The magnitude of $b_1 + ja_1$.")
+
+
+@claim("eq-2.33", source=SOURCE)
+def phase(_: Evidence) -> Record:
+    yield expression("for $b_1 > 0$", ANGLE, sympy.atan2(COSINE_PART, SINE_PART), r"\phi")
+    yield text(
+        """
+        The angle of $b_1 + ja_1$ as long as $b_1 > 0$, as for every backlash. The arctangent of a ratio loses
+        the quadrant: for $b_1 < 0$ it is off by half a turn, and Coulomb friction driven by a displacement
+        has $b_1 = 0$.
+        """
+    )
+
+
+@claim("eq-2.34", source=SOURCE, impact=Impact.NOTATION)
+def ratio_of_signals(_: Evidence) -> Record:
+    modulus, angle = sympy.symbols("M phi", positive=True)
+    printed = modulus * sympy.sin(omega * t + angle) / (A * sympy.sin(omega * t))
+    derived = modulus / A * sympy.exp(sympy.I * angle)
+    phasors = modulus * sympy.exp(sympy.I * (omega * t + angle)) / (A * sympy.exp(sympy.I * omega * t))
+    values = {modulus: 1, A: 1, angle: sympy.pi / 3, omega: 1}
+    early, late = (float(printed.subs(values).subs(t, instant)) for instant in (sympy.Rational(1, 2), 1))
+    yield expression(
+        "",
+        printed,
+        derived,
+        "N",
+        second=Confirmation("the ratio of the phasors", SameExpression(sympy.simplify(phasors), derived)),
+        slip=made_here("the ratio of the signals is taken, not that of their phasors", printed),
+    )
+    yield text(
+        r"""
+        The ratio of two sines depends on time (for $\phi = 60$ degrees it is [[ early | f2 ]] at $\omega t =
+        0.5$ and [[ late | f2 ]] at $\omega t = 1$) and is infinite at every zero of the input. The describing
+        function is the ratio of the phasors, a complex constant.
+
+        None: equation 2.35 takes the ratio of the phasors.
+        """,
+        early=early,
+        late=late,
+    )
+
+
+@claim("eq-2.35", source=SOURCE)
+def describing_function(_: Evidence) -> Record:
+    printed = (SINE_PART + sympy.I * COSINE_PART) / A
+    derived = MODULUS / A * sympy.exp(sympy.I * ANGLE)
+    point = {A: 2, COSINE_PART: -0.7, SINE_PART: 1.3}
+    second = close("numbers", complex(printed.subs(point)), complex(derived.subs(point)))
+    yield expression("", printed, sympy.simplify(sympy.expand_complex(derived)), "N", second=second)
+    yield text(
+        """
+        Output phasor over input phasor, for the convention that $a$ goes with the cosine and $b$ with the
+        sine.
+        """
+    )
