@@ -1,145 +1,191 @@
-"""Claims of sections 4.2.1 and 4.2.2 on the blocks of backlash in the simulation."""
+"""Claims of section 4.2: the blocks of backlash in the simulation, and the load with viscous friction."""
 
 from __future__ import annotations
 
 import math
 
-import control
 import numpy as np
 import sympy
-from numpy.typing import NDArray
-from scipy.optimize import brentq
 
-from derivations.backlash import (
-    CONTACT,
-    inertia_contact_ratio,
-    inertia_waveform,
-)
-from derivations.symbols import A
+from derivations.backlash import CONTACT, GAMMA, inertia_contact_ratio, inertia_waveform, separation_angle
+from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.symbols import DIMENSIONS, A, omega
 from derivations.waveform import THETA
-from report.chapters.appendix_a.claims.friction_block import friction_block, friction_parts
-from report.chapters.appendix_a.claims.time_domain import (
-    DRIVE_AMPLITUDE,
-    DRIVE_GAP,
-    DRIVE_OMEGA,
-    inertia_block,
-)
-from report.claim import Claim, Confirmation, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
-from report.comparisons.second_ways import second_way
+from report.chapters.appendix_a.claims.friction_block import friction_parts
+from report.chapters.appendix_a.claims.time_domain import DRIVE_GAP, inertia_block
+from report.chapters.chapter_4.claims.figures_4 import built_in_block, own_block, phases
+from report.claim import Impact
+from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from report.numbers.independent.free_load import free_speed, phase_of_flight, speed_left
+from report.parts import assertion, close, digits, expression, made_here, repeated, small, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from trimmer import FrictionBacklash, InertiaBacklash
 
-Reals = NDArray[np.float64]
 SOURCE = "derivations/backlash.py"
 b = sympy.Symbol("b", positive=True)
 SAMPLES = 3997
 """Samples of a period, where a block is run over time."""
+LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
+RATIO = 1 / 99
+"""Printed M/D, s."""
+PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 
 
-def claims(_: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_blocks(), _zero_gap())
-
-
-def _blocks() -> Claim:
-    return Claim(
-        id="txt-4.2.1-block-equivalence",
-        parts=(*friction_parts("Listing A.7, "), _on_a_sine()),
-        explanation=(
-            "The built-in block keeps its output while the input moves inside of the dead band and follows "
-            "it at half of the band outside; the block itself was not at hand, python-control's was. Listing "
-            "A.7 does the same for any input, so the two agree from equal starts, not on the sine of figure "
-            "4.1 alone. The text says that the listing has equation 2.36; it has the right waveform, and the "
-            "equation has two signs wrong."
-        ),
-        source=SOURCE,
-    )
-
-
-def _on_a_sine() -> Part:
-    phase = 2 * math.pi * np.arange(2 * SAMPLES) / SAMPLES
-    load, outputs = 0.0, []
-    pins = DRIVE_AMPLITUDE * np.sin(phase)
-    for pin in pins:
-        load = friction_block(float(pin), DRIVE_GAP, load)
-        outputs.append(load)
-    waveform = FrictionBacklash(DRIVE_GAP).waveform(phase[SAMPLES:], DRIVE_AMPLITUDE)
-    distance = float(np.abs(np.array(outputs[SAMPLES:]) - waveform).max())
+@claim("txt-4.2.1-block-equivalence", source=SOURCE)
+def equivalent_blocks(_: Evidence) -> Record:
+    yield from friction_parts("Listing A.7, ")
+    output, library = own_block(SAMPLES), built_in_block(SAMPLES)
+    waveform = FrictionBacklash(DRIVE_GAP).waveform(phases(SAMPLES)[SAMPLES:], DRIVE_AMPLITUDE)
+    distance = float(np.abs(output[SAMPLES:] - waveform).max())
     between_samples = DRIVE_AMPLITUDE * (1 - math.cos(math.pi / SAMPLES))
-    return Part(
+    means = "python-control's backlash, run over the same two periods"
+    yield assertion(
         "second period of a sine of 1.5 mm, $b$ = 0.4 mm",
-        Assertion(
-            statement="the output is that of backlash without inertia",
-            derived=distance <= between_samples * (1 + 1e-6),
-            evidence=(
-                f"it is off by {1e9 * distance:.2f} nm at most, no more than what {SAMPLES} samples a period "
-                f"may miss at the peak of the input, {1e9 * between_samples:.2f} nm"
-            ),
-            method="the listing, run over two periods, against the derived waveform",
+        "the output is that of backlash without inertia",
+        distance <= between_samples * (1 + 1e-6),
+        filled(
+            """
+            it is off by [[ off | f2 ]] nm at most, no more than what [[ samples ]] samples a period may miss
+            at the peak of the input, [[ missed | f2 ]] nm
+            """,
+            off=1e9 * distance,
+            samples=SAMPLES,
+            missed=1e9 * between_samples,
         ),
-        Confirmation(
-            "python-control's backlash, run over the same two periods",
-            CloseNumbers(1 + _run_in_the_library(pins)[SAMPLES], 1 + outputs[SAMPLES], 1e-12),
-        ),
+        method="the listing, run over two periods, against the derived waveform",
+        second=small(means, library[SAMPLES] - output[SAMPLES], 1e-12),
+    )
+    yield text(
+        """
+        The built-in block keeps its output while the input moves inside of the dead band and follows it at
+        half of the band outside; the block itself was not at hand, python-control's was. Listing A.7 does the
+        same for any input, so the two agree from equal starts, not on the sine of figure 4.1 alone. The text
+        says that the listing has equation 2.36; it has the right waveform, and the equation has two signs
+        wrong.
+        """
     )
 
 
-def _run_in_the_library(pins: Reals) -> list[float]:
-    """Return the output of python-control's backlash for each position of the pin, m."""
-    block = control.friction_backlash_nonlinearity(DRIVE_GAP)
-    return [float(block(pin)) for pin in pins]
-
-
-def _zero_gap() -> Claim:
-    contact = inertia_waveform(b).segments[1].value
-    grown = sympy.diff(inertia_contact_ratio(), CONTACT)
-    phase = np.linspace(0, 2 * math.pi, 400, endpoint=False)
+@claim("txt-4.2.2-zero-gap", source=SOURCE)
+def zero_gap(_: Evidence) -> Record:
+    flight, contact = inertia_contact_ratio(), inertia_waveform(b).segments[1].value
+    slope = sympy.diff(flight, CONTACT) - 2 * sympy.sin(CONTACT / 2) ** 2
+    root = "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad"
+    zero = r"$b/A = \phi - \sin\phi$ is zero for $\phi = 0$"
+    yield assertion(
+        "flight",
+        "without a gap there is no flight",
+        flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
+        method="the derived contact equation and its slope",
+        second=so(root, phase_of_flight(1e-9) < 0.002),
+    )
+    at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    hardly = "the element's waveform for a gap of a millionth of the amplitude"
+    second = close(hardly, float(at_two[0]) / DRIVE_AMPLITUDE, math.sin(2.0), 1e-5)
+    yield expression(
+        "contact, which is left", A * sympy.sin(THETA), contact.subs(b, 0), sympy.Symbol("y"), second=second
+    )
+    phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    left = float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max())
-    return Claim(
-        id="txt-4.2.2-zero-gap",
-        parts=(
-            Part(
-                "flight",
-                Assertion(
-                    statement="without a gap there is no flight",
-                    derived=inertia_contact_ratio().subs(CONTACT, 0) == 0
-                    and bool(sympy.simplify(grown - 2 * sympy.sin(CONTACT / 2) ** 2) == 0),
-                    evidence=(
-                        "$b/A = \\phi - \\sin\\phi$ is zero for $\\phi = 0$ and rises from there on, since "
-                        "its slope is $2\\sin^2(\\phi/2)$"
-                    ),
-                    method="the derived contact equation and its slope",
-                ),
-                second_way(
-                    "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad",
-                    brentq(lambda angle: angle - math.sin(angle) - 1e-9, 0.0, 1.0) < 0.002,
-                ),
-            ),
-            Part(
-                "contact, which is left",
-                SameExpression(A * sympy.sin(THETA), contact.subs(b, 0), left=sympy.Symbol("y")),
-                Confirmation(
-                    "the element's waveform for a gap of a millionth of the amplitude",
-                    CloseNumbers(_with_hardly_a_gap(), math.sin(2.0), 1e-5),
-                ),
-            ),
-        ),
-        explanation=(
-            "Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap "
-            "the output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are "
-            "computed again for each gap: with line 2 alone set to zero its output is off by "
-            f"{1e3 * left:.2f} mm."
-        ),
-        source=SOURCE,
+    yield text(
+        """
+        Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
+        output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
+        for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
+        """,
+        left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()),
     )
 
 
-def _with_hardly_a_gap() -> float:
-    """Return the output over the amplitude at a phase of two radians."""
-    wave = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
-    return float(wave[0]) / DRIVE_AMPLITUDE
+@claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
+def roles(_: Evidence) -> Record:
+    free = free_speed(LOAD_MASS, LOAD_DAMPING)
+    lighter, usual, heavier = (speed_left(factor * RATIO, RATIO) for factor in (0.5, 1, 2))
+    means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
+    yield assertion(
+        "$D$ as the amount of inertia, $M$ as the amount of friction",
+        "the load keeps its speed longer with a larger $D$ or a smaller $M$",
+        free.diff(LOAD_DAMPING).is_positive is True and free.diff(LOAD_MASS).is_negative is True,
+        f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
+        method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
+        second=so(means, lighter < usual < heavier),
+    )
+    ratio = r"\frac{v}{v_0}"
+    flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"
+    yield expression(flies_on, sympy.Integer(1), free.subs(LOAD_DAMPING, 0), ratio)
+    stops = "$M = 0$ is friction-controlled: the load stops at once"
+    yield expression(stops, sympy.Integer(0), sympy.limit(free, LOAD_MASS, 0, "+"), ratio)
+    yield text(
+        """
+        $M$ is the inertia and $D$ the friction; the sentence has them exchanged. The next sentence, on what
+        is left for $D = 0$ and for $M = 0$, is right and contradicts it.
+
+        Read by the first sentence, an identified ratio $M/D$ would be taken for its inverse.
+        """
+    )
+
+
+@claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
+def gamma(_: Evidence) -> Record:
+    right = RATIO * DRIVE_OMEGA
+    decay = "the decay of a free load over a radian of the drive, integrated numerically"
+    by_decay = -1 / math.log(speed_left(RATIO, 1 / DRIVE_OMEGA))
+    slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
+    yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
+    units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
+    unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
+    milliseconds = "its value in milliseconds, which is that in seconds"
+    yield assertion(
+        "unit",
+        r"$\gamma$ is a frequency, in hertz",
+        unit == TIME**-1,
+        rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
+        method="dimension check of equation 2.45",
+        second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
+    )
+    yield text(
+        r"""
+        With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
+        is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
+
+        The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
+        hundred times larger.
+        """,
+        right=right,
+    )
+
+
+@claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
+def angle_of_separation(_: Evidence) -> Record:
+    gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
+    printed, right = (float(separation_angle().subs(GAMMA, each)) for each in gammas)
+    of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
+    means = r"the angle of $\gamma + j$"
+    second = close(means, of_printed, printed)
+    yield digits("arithmetic, from 634.6652", PRINTED_ANGLE, printed, "rad", second=second)
+    second, slip = close(means, of_right, right), repeated("the value printed for gamma is used", printed)
+    yield digits("for $M/D = 1/99$ at 100 Hz", PRINTED_ANGLE, right, "rad", second=second, slip=slip)
+    as_time = printed / DRIVE_OMEGA
+    share = math.degrees(printed) / 360 / DRIVE_FREQUENCY
+    yield assertion(
+        "unit",
+        "0.0016 is a time, in seconds",
+        PrintedDigits(PRINTED_ANGLE, as_time).compare().agrees,
+        f"the arctangent is an angle in radians; at 100 Hz that angle takes {1e6 * as_time:.2f} µs",
+        method="angle over angular frequency",
+        second=close("the share of a turn, of the period of 10 ms", share, as_time),
+    )
+    yield text(
+        r"""
+        The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
+        [[ degrees | f2 ]] degrees, and it is an angle, not a time.
+
+        None on later numbers: the section computes no waveform from it.
+        """,
+        angle=right,
+        degrees=math.degrees(right),
+    )

@@ -1,0 +1,322 @@
+"""Claims on figures 3.1 to 3.9: measured motions and their spectra, simulated open and closed loop."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from report.chapters.chapter_3.claims.driven_steady_motion import (
+    BY_LISTING,
+    METHOD,
+    confirm_friction,
+    confirm_odd,
+    confirm_play,
+    has_odd_harmonics_only,
+    listed,
+    micrometres,
+    runs_with,
+)
+from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
+from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
+from report.chapters.chapter_6.claims.chapters_6_and_7 import GAPS_QUOTED
+from report.claim import Impact, Part, Uncheckable
+from report.evidence import Evidence
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
+from report.numbers.independent.driven_harmonics import guard_over_cutter
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
+from report.parts import assertion, close, digits, so, uncheckable
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE
+from trimmer import FrictionBacklash
+
+OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
+AT_THE_DRIVE = f"{BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of friction"
+PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
+PRINTED_GAP, PRINTED_GAP_IN_CAPTION = "200e-6", "200"
+SETTLED = int(0.1 * SAMPLE_RATE)
+"""Samples at the end of a run, when the start has died out: as many as the experiment recorded."""
+LOWEST_SHOWN, HIGHEST_SHOWN = 200.0, 1000.0
+"""Range of figure 3.5, Hz."""
+
+
+def measured(what: str) -> Uncheckable:
+    """Return the part on the recorded curves of a figure."""
+    return uncheckable(what, "curves of three measurements", RAW_DATA)
+
+
+def simulated(missing: str = PARAMETERS) -> Uncheckable:
+    """Return the part on the simulated curves of a figure."""
+    return uncheckable("curves", "curves for three forces of friction", missing)
+
+
+@claim("fig-3.1", source=OPEN_LOOP)
+def motions_without_play(known: Evidence) -> Record:
+    yield from motions(known, 0.0, "without play")
+
+
+@claim("fig-3.3", source=OPEN_LOOP)
+def motions_with_play(known: Evidence) -> Record:
+    yield from motions(known, GAP, "with play")
+
+
+def motions(known: Evidence, gap: float, case: str) -> Record:
+    """Yield what the figures of the measured motions, with and without play, consist of."""
+    runs = runs_with(known, gap)
+    settled = [(run.guard[run.last(SETTLED)], run.cutter[run.last(SETTLED)]) for run in runs]
+    shares = [float(np.ptp(guard) / np.ptp(cutter)) for guard, cutter in settled]
+    bound = max(guard_over_cutter(known.numbers.parameters, gap, run.force) for run in runs)
+    means = f"a bound from harmonics, {100 * bound:.0f} %, for any friction up to these forces"
+    yield assertion(
+        "cutter and guard",
+        "the cutter moves more than the guard",
+        max(shares) < 1,
+        f"the guard moves {100 * min(shares):.1f} to {100 * max(shares):.1f} % as far",
+        method=AT_THE_DRIVE,
+        second=so(means, bound < 1),
+    )
+    yield measured("measured motions")
+    yield text(
+        """
+        The model [[ case ]] moves as the text describes. The recorded curves cannot be checked, and the
+        figure drawn here has the parameters of Listing A.1, not those of the experiment's trimmer.
+        """,
+        case=case,
+    )
+
+
+def largest(run: DrivenRun) -> set[int]:
+    """Return the orders of the three largest harmonics."""
+    return set(sorted(range(1, run.harmonics.size), key=lambda order: -run.harmonics[order])[:3])
+
+
+@claim("fig-3.2", source=OPEN_LOOP)
+def spectrum_without_play(known: Evidence) -> Record:
+    runs = runs_with(known, 0.0)
+    first, third, fifth, seventh = (1e6 * runs[1].harmonics[order] for order in (1, 3, 5, 7))
+    yield assertion(
+        "peaks",
+        "the three dominant peaks are the first, third and fifth harmonic",
+        all(largest(run) == {1, 3, 5} for run in runs),
+        filled(
+            """
+            with [[ force ]] N [[ first | f0 ]], [[ third | f0 ]] and [[ fifth | f0 ]] µm; the next, the
+            seventh, has [[ seventh | f1 ]] µm
+            """,
+            force=runs[1].force,
+            first=first,
+            third=third,
+            fifth=fifth,
+            seventh=seventh,
+        ),
+        method=AT_THE_DRIVE,
+        second=confirm_friction(known),
+    )
+    yield measured("measured spectra")
+    yield text(
+        """
+        The model with friction alone has these three as its largest peaks too, for each of the forces of
+        section 3.3. The measured spectra cannot be checked; their peaks are those of table 3.1.
+        """
+    )
+
+
+@claim("fig-3.4", source=OPEN_LOOP)
+def spectrum_with_play(known: Evidence) -> Record:
+    again = close(
+        "chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), float(PRINTED_GAP)
+    )
+    caption = r"gap in the caption, from $200\times10^{-6}$ m"
+    yield digits(caption, PRINTED_GAP_IN_CAPTION, 1e6 * float(PRINTED_GAP), "µm", second=again)
+    growth = [
+        float(play.harmonics[order] / none.harmonics[order])
+        for none, play in zip(runs_with(known, 0.0), runs_with(known, GAP), strict=True)
+        for order in (3, 5, 7)
+    ]
+    factors = f"factors of {min(growth):.1f} to {max(growth):.1f}"
+    yield assertion(
+        "harmonics",
+        "with play the higher harmonics are larger than without",
+        min(growth) > 1,
+        f"third, fifth and seventh by {factors}, for the same friction",
+        method=AT_THE_DRIVE,
+        second=confirm_play(known, GAP),
+    )
+    yield measured("measured spectra")
+    yield text(
+        """
+        Play of 0.2 mm raises the odd harmonics in the model. It adds no even ones, which table 3.2 lists as
+        measured, see section 3.3.
+        """
+    )
+
+
+@claim("fig-3.5", source="report/chapters/chapter_3/claims/measured_peaks.py")
+def enlarged_spectrum(_: Evidence) -> Record:
+    frequencies = [float(cell) for row in TABLE_2.values() for cell in row[1:]]
+    low, high = min(frequencies), max(frequencies)
+    yield assertion(
+        "range of frequencies",
+        "200 to 1000 Hz shows every tabulated harmonic but the first",
+        low >= LOWEST_SHOWN and high <= HIGHEST_SHOWN,
+        f"they lie between {low:.3f} and {high:.3f} Hz",
+        method="read in table 3.2",
+    )
+    yield measured("measured spectra")
+    yield text(
+        """
+        The range fits the table. The sixth to ninth harmonic would lie in it as well, but are not tabulated;
+        what was measured of them cannot be checked.
+        """
+    )
+
+
+@claim("fig-3.6", source=OPEN_LOOP)
+def smallest_gap(known: Evidence) -> Record:
+    yield assertion(
+        "spectrum",
+        "it holds the odd harmonics of the drive and nothing else",
+        has_odd_harmonics_only(known),
+        filled(
+            "even harmonics up to [[ even | power0 ]] m, which is rounding and what is left of the start",
+            even=max(float(run.harmonics[::2].max()) for run in runs_with(known, GAP)),
+        ),
+        method=METHOD,
+        second=confirm_odd(known),
+    )
+    yield simulated()
+    yield text(
+        """
+        Drawn with Listing A.1 the open loop shows what the text describes: the third and fifth harmonic
+        beside the fundamental, and no other frequency. The heights depend on the trimmer, whose parameters
+        are not given.
+        """
+    )
+
+
+def following_the_drive(known: Evidence) -> Part:
+    """Return the part on the largest gap, which the pin does not cross."""
+    output = max(float(np.abs(run.output).max()) for run in runs_with(known, LARGEST_GAP))
+    element = FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE)
+    domain = "the domain of the describing function, which begins at half a gap"
+    return assertion(
+        r"$b$ = $200\times10^{-4}$ m",
+        "the trimmer moves with the drive",
+        output > 0,
+        filled(
+            """
+            the pin moves by [[ pin | f1 ]] mm to either side and its play is [[ gap | f0 ]] mm wide, so it
+            never reaches the bridge and the output stays at [[ output | f0 ]]
+            """,
+            pin=1e3 * DRIVE_AMPLITUDE,
+            gap=1e3 * LARGEST_GAP,
+            output=output,
+        ),
+        method=BY_LISTING,
+        second=so(domain, bool(np.isnan(element))),
+    )
+
+
+@claim("fig-3.7", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
+def largest_gap(known: Evidence) -> Record:
+    yield following_the_drive(known)
+    thirds, fifths = (micrometres(runs_with(known, LARGER_GAP), order) for order in (3, 5))
+    fall = bool(np.all(np.diff(thirds) < 0) and np.all(np.diff(fifths) < 0))
+    yield assertion(
+        r"additional oscillations, drawn for $b$ = $200\times10^{-5}$ m",
+        "friction makes them smaller and leaves their frequencies",
+        fall and has_odd_harmonics_only(known),
+        filled(
+            """
+            the third harmonic has [[ thirds ]] µm, the fifth [[ fifths ]] µm for 0.25, 0.50 and 0.75 N, at
+            multiples of the drive's frequency
+            """,
+            thirds=listed(thirds),
+            fifths=listed(fifths),
+        ),
+        method=BY_LISTING,
+        second=confirm_play(known, LARGER_GAP),
+    )
+    yield simulated()
+    yield text(
+        """
+        A play of 20 mm lets a pin of 1.5 mm, the eccentricity of section 5.2.1, swing freely: nothing can
+        move. Either the gap is misprinted or the pin moved by more than a centimetre. At 2 mm the model has
+        two additional oscillations as described, which are the third and fifth harmonic; if $b$ were half of
+        the gap, that play would not be crossed either.
+
+        It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a limit
+        cycle: harmonics of the drive look the same.
+        """
+    )
+
+
+@claim("fig-3.8", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
+def spectrum_of_the_largest_gap(known: Evidence) -> Record:
+    yield following_the_drive(known)
+    yield assertion(
+        "settled motion, any gap",
+        "it holds frequencies that are no harmonics of the drive",
+        not has_odd_harmonics_only(known),
+        filled(
+            """
+            all motions end with the same velocities, which repeat with the drive; with a gap of 2 mm the last
+            two periods differ by [[ repeat | power0 ]]
+            """,
+            repeat=known.motion.driven.run(LARGER_GAP, FORCES[0]).repeat,
+        ),
+        method=METHOD,
+        second=confirm_odd(known),
+    )
+    yield simulated()
+    yield text(
+        """
+        With the printed gap the spectrum would be empty, see figure 3.7. With a gap that is crossed it holds
+        the odd harmonics, and, if the record begins with the start, natural modes that die out: with Listing
+        A.1 at [[ mode | f0 ]] Hz, in the place of the peak at 366 Hz.
+
+        See the peak at 365.999 Hz.
+        """,
+        mode=known.numbers.modes[1].frequency,
+    )
+
+
+@claim("fig-3.9", source=CLOSED_LOOP)
+def released_loop(known: Evidence) -> Record:
+    released = known.motion.released
+    lines = {
+        (gap, force): line_near_second_mode(released.released(gap, force, INSIDE)) / gap
+        for gap in (GAP, LARGEST_GAP)
+        for force in FORCES_OF_FIGURE
+    }
+    least, *_, most = FORCES_OF_FIGURE
+    small, large = (lines[gap, most] / lines[gap, least] for gap in (GAP, LARGEST_GAP))
+    scaling = "the scaling of the model, by which 20 mm with 0.25 N is a hundred times 0.2 mm with 0.0025 N"
+    yield assertion(
+        "peak near 350 Hz, released inside of the play",
+        "friction suppresses it, and the larger gap needs more",
+        small < large and lines[GAP, most] < lines[GAP, least],
+        filled(
+            """
+            from [[ least ]] to [[ most ]] N it falls to [[ small | f0 ]] % with 0.2 mm and to
+            [[ large | f0 ]] % with 20 mm, released from [[ start ]] gaps
+            """,
+            least=least,
+            most=most,
+            small=100 * small,
+            large=100 * large,
+            start=INSIDE,
+        ),
+        method=BY_LISTING,
+        second=close(scaling, lines[LARGEST_GAP, most], lines[GAP, least]),
+    )
+    yield simulated(f"{PARAMETERS}; and from which state the loop was released")
+    lasting = released.released(LARGEST_GAP, least, OUTSIDE)
+    yield text(
+        """
+        All that the text reads from the figure also happens when nothing but a natural mode dies out. A limit
+        cycle would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and would
+        have an amplitude of [[ amplitude | f0 ]] mm in a gap of 20 mm, which no trimmer has room for.
+        """,
+        frequency=lasting.frequency,
+        amplitude=1e3 * lasting.amplitude,
+    )

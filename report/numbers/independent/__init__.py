@@ -1,0 +1,1 @@
+"""Numbers computed by other ways, which confirm what is derived."""
