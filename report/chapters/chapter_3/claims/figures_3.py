@@ -4,17 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    BY_LISTING,
-    METHOD,
-    confirm_friction,
-    confirm_odd,
-    confirm_play,
-    has_odd_harmonics_only,
-    listed,
-    micrometres,
-    runs_with,
-)
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.chapters_6_and_7 import GAPS_QUOTED
@@ -30,7 +20,7 @@ from report.thesis import DRIVE_AMPLITUDE
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
-AT_THE_DRIVE = f"{BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of friction"
+AT_THE_DRIVE = f"{driven.BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of friction"
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
 PRINTED_GAP, PRINTED_GAP_IN_CAPTION = "200e-6", "200"
 SETTLED = int(0.1 * SAMPLE_RATE)
@@ -61,7 +51,7 @@ def motions_with_play(known: Evidence) -> Record:
 
 def motions(known: Evidence, gap: float, case: str) -> Record:
     """Yield what the figures of the measured motions, with and without play, consist of."""
-    runs = runs_with(known, gap)
+    runs = driven.runs_with(known, gap)
     settled = [(run.guard[run.last(SETTLED)], run.cutter[run.last(SETTLED)]) for run in runs]
     shares = [float(np.ptp(guard) / np.ptp(cutter)) for guard, cutter in settled]
     bound = max(guard_over_cutter(known.numbers.parameters, gap, run.force) for run in runs)
@@ -91,25 +81,16 @@ def largest(run: DrivenRun) -> set[int]:
 
 @claim("fig-3.2", source=OPEN_LOOP)
 def spectrum_without_play(known: Evidence) -> Record:
-    runs = runs_with(known, 0.0)
+    runs = driven.runs_with(known, 0.0)
     first, third, fifth, seventh = (1e6 * runs[1].harmonics[order] for order in (1, 3, 5, 7))
+    three = f"{first:.0f}, {third:.0f} and {fifth:.0f}"
     yield assertion(
         "peaks",
         "the three dominant peaks are the first, third and fifth harmonic",
         all(largest(run) == {1, 3, 5} for run in runs),
-        filled(
-            """
-            with [[ force ]] N [[ first | f0 ]], [[ third | f0 ]] and [[ fifth | f0 ]] µm; the next, the
-            seventh, has [[ seventh | f1 ]] µm
-            """,
-            force=runs[1].force,
-            first=first,
-            third=third,
-            fifth=fifth,
-            seventh=seventh,
-        ),
+        f"with {runs[1].force} N {three} µm; the next, the seventh, has {seventh:.1f} µm",
         method=AT_THE_DRIVE,
-        second=confirm_friction(known),
+        second=driven.confirm_friction(known),
     )
     yield measured("measured spectra")
     yield text(
@@ -129,7 +110,7 @@ def spectrum_with_play(known: Evidence) -> Record:
     yield digits(caption, PRINTED_GAP_IN_CAPTION, 1e6 * float(PRINTED_GAP), "µm", second=again)
     growth = [
         float(play.harmonics[order] / none.harmonics[order])
-        for none, play in zip(runs_with(known, 0.0), runs_with(known, GAP), strict=True)
+        for none, play in zip(driven.runs_with(known, 0.0), driven.runs_with(known, GAP), strict=True)
         for order in (3, 5, 7)
     ]
     factors = f"factors of {min(growth):.1f} to {max(growth):.1f}"
@@ -139,7 +120,7 @@ def spectrum_with_play(known: Evidence) -> Record:
         min(growth) > 1,
         f"third, fifth and seventh by {factors}, for the same friction",
         method=AT_THE_DRIVE,
-        second=confirm_play(known, GAP),
+        second=driven.confirm_play(known, GAP),
     )
     yield measured("measured spectra")
     yield text(
@@ -175,13 +156,13 @@ def smallest_gap(known: Evidence) -> Record:
     yield assertion(
         "spectrum",
         "it holds the odd harmonics of the drive and nothing else",
-        has_odd_harmonics_only(known),
+        driven.has_odd_harmonics_only(known),
         filled(
             "even harmonics up to [[ even | power0 ]] m, which is rounding and what is left of the start",
-            even=max(float(run.harmonics[::2].max()) for run in runs_with(known, GAP)),
+            even=max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, GAP)),
         ),
-        method=METHOD,
-        second=confirm_odd(known),
+        method=driven.METHOD,
+        second=driven.confirm_odd(known),
     )
     yield simulated()
     yield text(
@@ -195,23 +176,17 @@ def smallest_gap(known: Evidence) -> Record:
 
 def following_the_drive(known: Evidence) -> Part:
     """Return the part on the largest gap, which the pin does not cross."""
-    output = max(float(np.abs(run.output).max()) for run in runs_with(known, LARGEST_GAP))
+    output = max(float(np.abs(run.output).max()) for run in driven.runs_with(known, LARGEST_GAP))
     element = FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE)
+    pin, play = 1e3 * DRIVE_AMPLITUDE, 1e3 * LARGEST_GAP
+    free = f"the pin moves by {pin:.1f} mm to either side and its play is {play:.0f} mm wide"
     domain = "the domain of the describing function, which begins at half a gap"
     return assertion(
         r"$b$ = $200\times10^{-4}$ m",
         "the trimmer moves with the drive",
         output > 0,
-        filled(
-            """
-            the pin moves by [[ pin | f1 ]] mm to either side and its play is [[ gap | f0 ]] mm wide, so it
-            never reaches the bridge and the output stays at [[ output | f0 ]]
-            """,
-            pin=1e3 * DRIVE_AMPLITUDE,
-            gap=1e3 * LARGEST_GAP,
-            output=output,
-        ),
-        method=BY_LISTING,
+        f"{free}, so it never reaches the bridge and the output stays at {output:.0f}",
+        method=driven.BY_LISTING,
         second=so(domain, bool(np.isnan(element))),
     )
 
@@ -219,22 +194,16 @@ def following_the_drive(known: Evidence) -> Part:
 @claim("fig-3.7", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
 def largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
-    thirds, fifths = (micrometres(runs_with(known, LARGER_GAP), order) for order in (3, 5))
+    thirds, fifths = (driven.micrometres(driven.runs_with(known, LARGER_GAP), order) for order in (3, 5))
+    found = f"the third harmonic has {driven.listed(thirds)} µm, the fifth {driven.listed(fifths)}"
     fall = bool(np.all(np.diff(thirds) < 0) and np.all(np.diff(fifths) < 0))
     yield assertion(
         r"additional oscillations, drawn for $b$ = $200\times10^{-5}$ m",
         "friction makes them smaller and leaves their frequencies",
-        fall and has_odd_harmonics_only(known),
-        filled(
-            """
-            the third harmonic has [[ thirds ]] µm, the fifth [[ fifths ]] µm for 0.25, 0.50 and 0.75 N, at
-            multiples of the drive's frequency
-            """,
-            thirds=listed(thirds),
-            fifths=listed(fifths),
-        ),
-        method=BY_LISTING,
-        second=confirm_play(known, LARGER_GAP),
+        fall and driven.has_odd_harmonics_only(known),
+        f"{found} µm for 0.25, 0.50 and 0.75 N, at multiples of the drive's frequency",
+        method=driven.BY_LISTING,
+        second=driven.confirm_play(known, LARGER_GAP),
     )
     yield simulated()
     yield text(
@@ -256,7 +225,7 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     yield assertion(
         "settled motion, any gap",
         "it holds frequencies that are no harmonics of the drive",
-        not has_odd_harmonics_only(known),
+        not driven.has_odd_harmonics_only(known),
         filled(
             """
             all motions end with the same velocities, which repeat with the drive; with a gap of 2 mm the last
@@ -264,8 +233,8 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
             """,
             repeat=known.motion.driven.run(LARGER_GAP, FORCES[0]).repeat,
         ),
-        method=METHOD,
-        second=confirm_odd(known),
+        method=driven.METHOD,
+        second=driven.confirm_odd(known),
     )
     yield simulated()
     yield text(
@@ -290,23 +259,14 @@ def released_loop(known: Evidence) -> Record:
     }
     least, *_, most = FORCES_OF_FIGURE
     small, large = (lines[gap, most] / lines[gap, least] for gap in (GAP, LARGEST_GAP))
+    left = f"{100 * small:.0f} % with 0.2 mm and to {100 * large:.0f} % with 20 mm"
     scaling = "the scaling of the model, by which 20 mm with 0.25 N is a hundred times 0.2 mm with 0.0025 N"
     yield assertion(
         "peak near 350 Hz, released inside of the play",
         "friction suppresses it, and the larger gap needs more",
         small < large and lines[GAP, most] < lines[GAP, least],
-        filled(
-            """
-            from [[ least ]] to [[ most ]] N it falls to [[ small | f0 ]] % with 0.2 mm and to
-            [[ large | f0 ]] % with 20 mm, released from [[ start ]] gaps
-            """,
-            least=least,
-            most=most,
-            small=100 * small,
-            large=100 * large,
-            start=INSIDE,
-        ),
-        method=BY_LISTING,
+        f"from {least} to {most} N it falls to {left}, released from {INSIDE} gaps",
+        method=driven.BY_LISTING,
         second=close(scaling, lines[LARGEST_GAP, most], lines[GAP, least]),
     )
     yield simulated(f"{PARAMETERS}; and from which state the loop was released")

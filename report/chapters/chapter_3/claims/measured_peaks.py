@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from report.comparisons.digits import PrintedDigits
 
-SAMPLE_RATE, FRAMES, DURATION, RESOLUTION = "20000", "2000", "0.1", "10"
-"""Camera of the experiment (section 3.1): Hz, frames, s, Hz."""
+SAMPLE_RATE = "20000"
+"""Of the experiment's camera (section 3.1), Hz."""
 FRAMES_OF_TABLES = 2001
 """Number of samples whose bins the tables hold: 0 to 0.1 s with both ends."""
 BIN = Fraction(SAMPLE_RATE) / FRAMES_OF_TABLES

@@ -10,16 +10,7 @@ import sympy
 from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
-from report.chapters.chapter_3.claims.measured_peaks import (
-    BIN,
-    DURATION,
-    FRAMES,
-    FRAMES_OF_TABLES,
-    RESOLUTION,
-    SAMPLE_RATE,
-    on_a_bin,
-    tabulated,
-)
+from report.chapters.chapter_3.claims.measured_peaks import BIN, SAMPLE_RATE, on_a_bin, tabulated
 from report.claim import Confirmation, Impact
 from report.comparisons.expression import SameExpression
 from report.comparisons.printed import total
@@ -28,10 +19,11 @@ from report.numbers.independent.leading_loop import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
 from report.parts import assertion, close, digits, equal, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/chapters/chapter_3/claims/measured_peaks.py"
+DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
+"""Of the experiment's record, as printed: s, Hz, frames."""
 RATE, STATED_FRAMES = float(SAMPLE_RATE), int(FRAMES)
 FEWEST, MOST = 1000, 4000
 """Numbers of samples, at 20 kHz, among which a grid for the tables is sought."""
@@ -87,36 +79,27 @@ def bins_of_the_tables(_: Evidence) -> Record:
     others = [cell for cell in cells if on_a_bin(cell)]
     grids = fitting_samples(others, RATE, FEWEST, MOST)
     by_numpy = {f"{each:.3f}" for each in bins(grids[0], RATE)}
+    fitting = f"{len(others)} of {len(cells)} are, to every digit, with {' or '.join(map(str, grids))}"
+    no_other = f"no other number between {FEWEST} and {MOST}"
+    misfits = ", ".join(sorted(set(cells) - set(others)))
     rounded = f"NumPy's bins for {grids[0]} frames, rounded to three decimals"
     yield assertion(
         "with any number of frames",
         "the tabulated peaks are bins of one spectrum",
         len(fitting_samples(cells, RATE, FEWEST, MOST)) > 0,
-        filled(
-            """
-            [[ fitting ]] of [[ all ]] are, to every digit, with [[ grids ]] frames and with no other number
-            between [[ fewest ]] and [[ most ]]; [[ misfits ]] are bins of none of these
-            """,
-            fitting=len(others),
-            all=len(cells),
-            grids=" or ".join(map(str, grids)),
-            fewest=FEWEST,
-            most=MOST,
-            misfits=", ".join(sorted(set(cells) - set(others))),
-        ),
+        f"{fitting} frames and with {no_other}; {misfits} are bins of none of these",
         method="each printed frequency against the nearest bin, for every number of frames",
         second=equal(rounded, sum(cell in by_numpy for cell in cells), len(others)),
     )
     yield text(
         """
-        The peaks are multiples of 20000/[[ frames ]] = [[ spacing | f4 ]] Hz, the bins of one frame more than
-        stated; three cells are not and are misprints. The three decimals are those of the bins: each peak is
-        known to half a bin, 5 Hz.
+        The peaks are multiples of 20000/2001 = [[ spacing | f4 ]] Hz, the bins of one frame more than stated;
+        three cells are not and are misprints. The three decimals are those of the bins: each peak is known to
+        half a bin, 5 Hz.
 
         The drive's frequency is not measured to a millihertz, and differences of 10 Hz between measurements
         mean one bin.
         """,
-        frames=FRAMES_OF_TABLES,
         spacing=float(BIN),
     )
 
@@ -135,16 +118,13 @@ def sign_of_the_output(known: Evidence) -> Record:
     plant = known.numbers.displacement_only
     right, turned = (limit_cycles(sign * plant, FrictionBacklash(1.0)) for sign in (1, -1))
     low, high = loop_gains_where_phases_match(known)
+    solutions = f"{len(turned) or 'no'} solution"
     gain = f"the loop's gain, {low:.2f} to {high:.2f} wherever backlash undoes the lead of $G$"
     yield assertion(
         "in the loop of figure 2.5",
         "with the output of section 3.1 there are the limit cycles of section 5.2",
         len(turned) == len(right),
-        filled(
-            "harmonic balance has [[ turned ]] solution with $x_4 - x_2$ and [[ right ]] with $x_2 - x_4$",
-            turned=len(turned) or "no",
-            right=len(right),
-        ),
+        f"harmonic balance has {solutions} with $x_4 - x_2$ and {len(right)} with $x_2 - x_4$",
         method="all solutions of harmonic balance for either sign",
         second=so(gain, not low <= 1 <= high),
     )

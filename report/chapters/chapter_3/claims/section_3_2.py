@@ -9,31 +9,8 @@ import sympy
 
 from derivations.symbols import velocities
 from report.chapters.chapter_2.claims.figures_1_and_2_2 import MOVING_PARTS
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    BY_LISTING,
-    METHOD,
-    SOURCE,
-    confirm_friction,
-    confirm_odd,
-    confirm_period,
-    has_odd_harmonics_only,
-    has_the_drives_period,
-    listed,
-    micrometres,
-    period_in_words,
-    runs_with,
-)
-from report.chapters.chapter_3.claims.measured_peaks import (
-    BIN,
-    DRIVE_BIN,
-    FRAMES_OF_TABLES,
-    SAMPLE_RATE,
-    TABLE_1,
-    TABLE_2,
-    common_drive,
-    nearest_bin,
-    on_a_bin,
-)
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
+from report.chapters.chapter_3.claims import measured_peaks as peaks
 from report.claim import Confirmation, Impact
 from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
@@ -46,21 +23,21 @@ RAW_DATA = "the recorded motions of the three measurements, which are confidenti
 DIFFERENCE = "219.890"
 """Both differences of table 3.1, Hz."""
 QUOTED = (
-    ("section 3.2 and tables, first peak", TABLE_1[1]),
+    ("section 3.2 and tables, first peak", peaks.TABLE_1[1]),
     *((place, "109.845") for place in ("section 3.2", "footnote 7 of section 5.2.1", "appendix A.9")),
-    ("table 3.2, measurements 2 and 3", TABLE_2["M2"][0]),
+    ("table 3.2, measurements 2 and 3", peaks.TABLE_2["M2"][0]),
     ("sections 3.2 and 3.3, about", "109"),
 )
 """The drive's frequency wherever it is quoted, Hz."""
 
 
-@claim("txt-3.2-odd-harmonics", source=SOURCE)
+@claim("txt-3.2-odd-harmonics", source=driven.SOURCE)
 def odd_harmonics(known: Evidence) -> Record:
-    thirds, fifths = (micrometres(runs_with(known, 0.0), order) for order in (3, 5))
+    thirds, fifths = (driven.micrometres(driven.runs_with(known, 0.0), order) for order in (3, 5))
     yield assertion(
         "no even ones",
         "without play the spectrum holds odd multiples of the drive's frequency only",
-        has_odd_harmonics_only(known),
+        driven.has_odd_harmonics_only(known),
         filled(
             """
             linear parts and friction are odd and all motions end with the same velocities, which therefore
@@ -68,23 +45,18 @@ def odd_harmonics(known: Evidence) -> Record:
             """,
             mirror=max(run.mirror for run in known.motion.driven.runs),
         ),
-        method=METHOD,
-        second=confirm_odd(known),
+        method=driven.METHOD,
+        second=driven.confirm_odd(known),
     )
+    third, fifth = driven.listed(thirds), driven.listed(fifths)
+    found = f"with 0.25, 0.5 and 0.75 N the third has {third} µm and the fifth {fifth} µm"
     yield assertion(
         "where they come from",
         "they come from Coulomb friction",
         bool(np.all(np.diff(thirds) > 0) and np.all(np.diff(fifths) > 0)),
-        filled(
-            """
-            without friction the model is linear and has none; with 0.25, 0.5 and 0.75 N the third has
-            [[ thirds ]] µm and the fifth [[ fifths ]] µm, beside 1.51 mm
-            """,
-            thirds=listed(thirds),
-            fifths=listed(fifths),
-        ),
-        method=BY_LISTING,
-        second=confirm_friction(known),
+        f"without friction the model is linear and has none; {found}, beside 1.51 mm",
+        method=driven.BY_LISTING,
+        second=driven.confirm_friction(known),
     )
     yield text(
         """
@@ -97,16 +69,17 @@ def odd_harmonics(known: Evidence) -> Record:
 
 @claim("tab-3.1", source=PEAKS, impact=Impact.NOTATION)
 def first_table(_: Evidence) -> Record:
-    for order, printed in TABLE_1.items():
-        number = order * DRIVE_BIN
+    for order, printed in peaks.TABLE_1.items():
+        number = order * peaks.DRIVE_BIN
         second = by_numpy(number)
         if order == 5:  # which is no bin as printed
-            fifth = float(TABLE_1[3]) + float(DIFFERENCE)
+            fifth = float(peaks.TABLE_1[3]) + float(DIFFERENCE)
             means = "$f_3$ and the difference that the table prints"
-            second = close(means, fifth, float(number * BIN), 1e-6)
-        yield digits(f"$f_{order}$", printed, number * BIN, "Hz", second=second)
+            second = close(means, fifth, float(number * peaks.BIN), 1e-6)
+        yield digits(f"$f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+    number = 2 * peaks.DRIVE_BIN
     for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
-        yield digits(label, DIFFERENCE, 2 * DRIVE_BIN * BIN, "Hz", second=by_numpy(2 * DRIVE_BIN))
+        yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
     yield text(
         """
         The peaks are bins 11, 33 and 55 of [[ spacing | f4 ]] Hz, so $f_5$ is 549.725 Hz; 559.725 is not a
@@ -115,41 +88,39 @@ def first_table(_: Evidence) -> Record:
 
         None on the text, which calls them multiples of the drive's frequency.
         """,
-        spacing=float(BIN),
+        spacing=float(peaks.BIN),
     )
 
 
 def by_numpy(number: int) -> Confirmation:
     """Confirm the frequency of a bin."""
-    frequencies = bins(FRAMES_OF_TABLES, float(SAMPLE_RATE))
-    return close("NumPy's bins", float(frequencies[number]), float(number * BIN))
+    frequencies = bins(peaks.FRAMES_OF_TABLES, float(peaks.SAMPLE_RATE))
+    return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
 
 
 @claim("tab-3.2", source=PEAKS, impact=Impact.NOTATION)
 def second_table(_: Evidence) -> Record:
-    places = {name: {n: nearest_bin(cell) for n, cell in enumerate(row, 1)} for name, row in TABLE_2.items()}
-    for name, row in TABLE_2.items():
-        for order, printed in enumerate(row, start=1):
-            number = places[name][order]
+    measured = {}
+    for name, row in peaks.TABLE_2.items():
+        measured[name] = {order: peaks.nearest_bin(cell) for order, cell in enumerate(row, start=1)}
+        for (order, number), printed in zip(measured[name].items(), row, strict=True):
             second = by_numpy(number)
-            if not on_a_bin(printed):
-                first = float(TABLE_2["M1"][0])
-                second = close("the same peak in measurement 1", first, float(number * BIN), 1e-6)
-            yield digits(f"{name}, $f_{order}$", printed, number * BIN, "Hz", second=second)
-    ranges = {name: common_drive(row, Fraction(1)) for name, row in places.items()}
-    closest = [common_drive(row, Fraction(1, 2)) for row in places.values()]
+            if not peaks.on_a_bin(printed):
+                first = float(peaks.TABLE_2["M1"][0])
+                second = close("the same peak in measurement 1", first, float(number * peaks.BIN), 1e-6)
+            yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+    ranges = {name: peaks.common_drive(row, Fraction(1)) for name, row in measured.items()}
+    places = ", ".join(f"{name} {low:.2f} to {high:.2f} Hz" for name, (low, high) in ranges.items())
+    closest = [peaks.common_drive(row, Fraction(1, 2)) for row in measured.values()]
+    fitting = sum(low <= high for low, high in closest)
     search = "a search over drives from 100 to 120 Hz in steps of a millihertz"
     yield assertion(
         "unequal differences",
         "they stay within the resolution: one bin from multiples of one drive frequency",
         all(low <= high for low, high in ranges.values()),
-        filled(
-            "the drive would be at [[ ranges ]]; within half a bin [[ fitting ]] of the three fits",
-            ranges=", ".join(f"{name} {low:.2f} to {high:.2f} Hz" for name, (low, high) in ranges.items()),
-            fitting=sum(low <= high for low, high in closest) or "none",
-        ),
+        f"the drive would be at {places}; within half a bin {fitting or 'none'} of the three fits",
         method="intervals of the drive's frequency, intersected over the five peaks",
-        second=so(search, all(a_drive_fits(row, float(BIN)) for row in places.values())),
+        second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
     )
     yield text(
         """
@@ -161,19 +132,20 @@ def second_table(_: Evidence) -> Record:
         The two cells change nothing else. That $f_2$ and $f_4$ are there at all matters more, see the
         comparison with the model in section 3.3.
         """,
-        spacing=float(BIN),
+        spacing=float(peaks.BIN),
     )
 
 
 @claim("txt-3.2-drive-frequency", source=PEAKS, impact=Impact.LOCAL)
 def drive_frequency(_: Evidence) -> Record:
-    drive = DRIVE_BIN * BIN
+    drive = peaks.DRIVE_BIN * peaks.BIN
     means = "a third of the third harmonic in table 3.1"
-    second = close(means, float(TABLE_1[3]) / 3, float(drive), 1e-6)
+    second = close(means, float(peaks.TABLE_1[3]) / 3, float(drive), 1e-6)
     slip = repeated("the digits after the point are cut off", Fraction(int(drive)))
     for place, printed in QUOTED:
         yield digits(place, printed, drive, "Hz", second=second, slip=slip)
-    low, high = common_drive({order: order * DRIVE_BIN for order in TABLE_1}, Fraction(1, 2))
+    odd = {order: order * peaks.DRIVE_BIN for order in peaks.TABLE_1}
+    low, high = peaks.common_drive(odd, Fraction(1, 2))
     yield text(
         """
         The tables' peaks are 1, 3 and 5 times 109.945 Hz; 109.845 Hz, of which the text calls them multiples,
@@ -217,38 +189,37 @@ def place_of_the_play(known: Evidence) -> Record:
     )
 
 
-@claim("txt-3.2-predicted-488", source=SOURCE)
+@claim("txt-3.2-predicted-488", source=driven.SOURCE)
 def predicted_frequency(known: Evidence) -> Record:
     missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
     yield uncheckable("frequency of the prediction", "488 Hz", missing)
     yield text(
         """
-        The number cannot be checked; with Listing A.1 the two limit cycles lie at [[ unstable | f1 ]] and
-        [[ stable | f1 ]] Hz. It belongs to a loop whose play is moved by $-y$. In the experiment and in open
-        loop a motor moves the pin, nothing leads from $y$ back to it, and in the thesis's model no motion of
-        its own frequency can last. So that no peak was found at 488 Hz neither contradicts the describing
-        function nor shows that friction suppressed a limit cycle, as chapter 6 concludes; see the statement
-        on the missing limit cycle.
+        The number cannot be checked; with Listing A.1 the two limit cycles lie at
+        [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop whose
+        play is moved by $-y$. In the experiment and in open loop a motor moves the pin, nothing leads from
+        $y$ back to it, and in the thesis's model no motion of its own frequency can last. So that no peak was
+        found at 488 Hz neither contradicts the describing function nor shows that friction suppressed a limit
+        cycle, as chapter 6 concludes; see the statement on the missing limit cycle.
         """,
-        unstable=known.cycles.friction.unstable.frequency,
-        stable=known.cycles.friction.stable.frequency,
+        pair=known.cycles.friction,
     )
 
 
-@claim("txt-3.2-no-limit-cycle", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("txt-3.2-no-limit-cycle", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
 def no_limit_cycle(known: Evidence) -> Record:
-    periodic, second = has_the_drives_period(known), confirm_period(known)
+    periodic, second = driven.has_the_drives_period(known), driven.confirm_period(known)
     every = "every motion of the driven model ends in one that repeats with the drive"
     for experiment in ("experiment 1, friction alone", "experiment 2, play and friction"):
         none = "there is no limit cycle"
-        yield assertion(experiment, none, periodic, every, method=METHOD, second=second)
+        yield assertion(experiment, none, periodic, every, method=driven.METHOD, second=second)
     yield uncheckable("the spectra hold no further frequency", "No additional frequencies", RAW_DATA)
     yield assertion(
         "a peak in the spectrum of the driven trimmer",
         "a limit cycle that the describing function predicts is to be expected there",
         not periodic,
-        period_in_words(known),
-        method=METHOD,
+        driven.period_in_words(known),
+        method=driven.METHOD,
         second=second,
     )
     yield text(
