@@ -16,17 +16,11 @@ from report.chapters.appendix_a.claims.friction_block import friction_block, fri
 from report.chapters.appendix_a.claims.time_domain import DRIVE_GAP, PRINTED_OFFSET, inertia_block
 from report.claim import Impact
 from report.comparisons.digits import PrintedDigits
+from report.comparisons.printed import power_of
 from report.evidence import Evidence
-from report.numbers.independent.load_in_play import (
-    free_speed,
-    phase_of_flight,
-    speed_left,
-    stepped,
-    stepped_by_library,
-)
+from report.numbers.independent import load_in_play
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
 from trimmer import FrictionBacklash, InertiaBacklash
 
@@ -39,8 +33,6 @@ SAMPLES = 2003
 MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
 ROUNDING = 1e-15
-VISIBLE = 0.01
-"""Share of the amplitude that a line in a figure hides."""
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
 """A gap, m."""
 GAPS = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)
@@ -58,12 +50,12 @@ def phases(samples: int = SAMPLES) -> Reals:
 
 def own_block(samples: int = SAMPLES) -> Reals:
     """Return the output of Listing A.7 for the sine of figure 4.1 from rest, m."""
-    return stepped(friction_block, DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
+    return load_in_play.stepped(friction_block, DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
 
 
 def built_in_block(samples: int = SAMPLES) -> Reals:
     """Return the output of python-control's backlash for the same sine from rest, m."""
-    return stepped_by_library(DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
+    return load_in_play.stepped_by_library(DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
 
 
 def listing_a8() -> Reals:
@@ -109,7 +101,7 @@ def block_with_inertia(_: Evidence) -> Record:
     yield assertion(
         "output of Listing A.8 for its own drive",
         "it behaves as figure 2.10",
-        distance < VISIBLE * DRIVE_AMPLITUDE,
+        share < 1,  # which a line in the figure hides
         f"it is off the derived waveform by {1e6 * distance:.1f} µm at most, {share:.1f} % of the amplitude",
         method="the listing, repeated line by line, against the derived waveform",
         second=close(constant, lacking, distance, 1e-6),
@@ -128,26 +120,20 @@ def gaps(_: Evidence) -> Record:
     phase, element = phases()[:SAMPLES], InertiaBacklash(VANISHING)
     output = element.waveform(phase, DRIVE_AMPLITUDE)
     distance = float(np.abs(output - DRIVE_AMPLITUDE * np.sin(phase)).max())
+    vanishes = r"the flight lasts for $\phi$ with $b/A = \phi - \sin\phi$, so it vanishes with the gap"
+    share = power_of(distance / DRIVE_AMPLITUDE)
     gain = complex(element.describing_function(DRIVE_AMPLITUDE))
     yield assertion(
         "$b$ = 0",
         "the output is the input",
         distance <= VANISHING and inertia_contact_ratio().subs(CONTACT, 0) == 0,
-        filled(
-            r"""
-            the flight lasts for $\phi$ with $b/A = \phi - \sin\phi$, so it vanishes with the gap; at $b =
-            10^{-9}A$ output and input differ by [[ distance | power0 ]] A
-            """,
-            distance=distance / DRIVE_AMPLITUDE,
-        ),
+        f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
     )
-    yield uncheckable(
-        "the other curves",
-        "Inertia-controlled wave characteristics for a variety of backlash widths",
-        "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each",
-    )
+    caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
+    missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
+    yield uncheckable("the other curves", caption, missing)
     yield text(
         """
         What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of 0.4
@@ -164,13 +150,14 @@ def equivalent_blocks(_: Evidence) -> Record:
     waveform = FrictionBacklash(DRIVE_GAP).waveform(phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE)
     distance = float(np.abs(output[MORE_SAMPLES:] - waveform).max())
     between_samples = DRIVE_AMPLITUDE * (1 - math.cos(math.pi / MORE_SAMPLES))
-    off, missed = f"it is off by {1e9 * distance:.2f} nm at most", f"{1e9 * between_samples:.2f} nm"
+    off, samples = f"it is off by {1e9 * distance:.2f} nm at most", f"{MORE_SAMPLES} samples a period"
+    missed = f"what {samples} may miss at the peak of the input, {1e9 * between_samples:.2f} nm"
     means = "python-control's backlash, run over the same two periods"
     yield assertion(
         "second period of a sine of 1.5 mm, $b$ = 0.4 mm",
         "the output is that of backlash without inertia",
         distance <= between_samples * (1 + 1e-6),
-        f"{off}, no more than what {MORE_SAMPLES} samples a period may miss at the peak of the input, {missed}",
+        f"{off}, no more than {missed}",
         method="the listing, run over two periods, against the derived waveform",
         second=small(means, library[MORE_SAMPLES] - output[MORE_SAMPLES], 1e-12),
     )
@@ -197,7 +184,7 @@ def zero_gap(_: Evidence) -> Record:
         flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
-        second=so(root, phase_of_flight(1e-9) < 0.002),
+        second=so(root, load_in_play.phase_of_flight(1e-9) < 0.002),
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
@@ -219,8 +206,8 @@ def zero_gap(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
 def roles(_: Evidence) -> Record:
-    free = free_speed(LOAD_MASS, LOAD_DAMPING)
-    lighter, usual, heavier = (speed_left(factor * RATIO, RATIO) for factor in (0.5, 1, 2))
+    free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
+    lighter, usual, heavier = (load_in_play.speed_left(each * RATIO, RATIO) for each in (0.5, 1, 2))
     means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
     yield assertion(
         "$D$ as the amount of inertia, $M$ as the amount of friction",
@@ -249,7 +236,7 @@ def roles(_: Evidence) -> Record:
 def gamma(_: Evidence) -> Record:
     right = RATIO * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
-    by_decay = -1 / math.log(speed_left(RATIO, 1 / DRIVE_OMEGA))
+    by_decay = -1 / math.log(load_in_play.speed_left(RATIO, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}

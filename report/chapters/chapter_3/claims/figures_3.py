@@ -9,24 +9,21 @@ from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.chapters_6_and_7 import GAPS_QUOTED
 from report.claim import Impact, Part, Uncheckable
+from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
 from report.numbers.independent.driven_harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
 from report.parts import assertion, close, digits, so, uncheckable
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
 AT_THE_DRIVE = f"{driven.BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of friction"
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
-PRINTED_GAP, PRINTED_GAP_IN_CAPTION = "200e-6", "200"
 SETTLED = int(0.1 * SAMPLE_RATE)
 """Samples at the end of a run, when the start has died out: as many as the experiment recorded."""
-LOWEST_SHOWN, HIGHEST_SHOWN = 200.0, 1000.0
-"""Range of figure 3.5, Hz."""
 
 
 def measured(what: str) -> Uncheckable:
@@ -103,11 +100,10 @@ def spectrum_without_play(known: Evidence) -> Record:
 
 @claim("fig-3.4", source=OPEN_LOOP)
 def spectrum_with_play(known: Evidence) -> Record:
-    again = close(
-        "chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), float(PRINTED_GAP)
-    )
+    gap = float("200e-6")
+    again = close("chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), gap)
     caption = r"gap in the caption, from $200\times10^{-6}$ m"
-    yield digits(caption, PRINTED_GAP_IN_CAPTION, 1e6 * float(PRINTED_GAP), "µm", second=again)
+    yield digits(caption, "200", 1e6 * gap, "µm", second=again)
     growth = [
         float(play.harmonics[order] / none.harmonics[order])
         for none, play in zip(driven.runs_with(known, 0.0), driven.runs_with(known, GAP), strict=True)
@@ -138,7 +134,7 @@ def enlarged_spectrum(_: Evidence) -> Record:
     yield assertion(
         "range of frequencies",
         "200 to 1000 Hz shows every tabulated harmonic but the first",
-        low >= LOWEST_SHOWN and high <= HIGHEST_SHOWN,
+        low >= 200 and high <= 1000,
         f"they lie between {low:.3f} and {high:.3f} Hz",
         method="read in table 3.2",
     )
@@ -153,14 +149,12 @@ def enlarged_spectrum(_: Evidence) -> Record:
 
 @claim("fig-3.6", source=OPEN_LOOP)
 def smallest_gap(known: Evidence) -> Record:
+    even = power_of(max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, GAP)))
     yield assertion(
         "spectrum",
         "it holds the odd harmonics of the drive and nothing else",
         driven.has_odd_harmonics_only(known),
-        filled(
-            "even harmonics up to [[ even | power0 ]] m, which is rounding and what is left of the start",
-            even=max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, GAP)),
-        ),
+        f"even harmonics up to {even} m, which is rounding and what is left of the start",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )
@@ -222,17 +216,13 @@ def largest_gap(known: Evidence) -> Record:
 @claim("fig-3.8", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
 def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
+    same = "all motions end with the same velocities, which repeat with the drive"
+    repeat = power_of(known.motion.driven.run(LARGER_GAP, FORCES[0]).repeat)
     yield assertion(
         "settled motion, any gap",
         "it holds frequencies that are no harmonics of the drive",
         not driven.has_odd_harmonics_only(known),
-        filled(
-            """
-            all motions end with the same velocities, which repeat with the drive; with a gap of 2 mm the last
-            two periods differ by [[ repeat | power0 ]]
-            """,
-            repeat=known.motion.driven.run(LARGER_GAP, FORCES[0]).repeat,
-        ),
+        f"{same}; with a gap of 2 mm the last two periods differ by {repeat}",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )

@@ -12,6 +12,7 @@ from report.chapters.chapter_2.claims.figures_1_and_2_2 import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
 from report.claim import Confirmation, Impact
+from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
 from report.parts import assertion, close, digits, equal, repeated, so, uncheckable
@@ -34,17 +35,13 @@ QUOTED = (
 @claim("txt-3.2-odd-harmonics", source=driven.SOURCE)
 def odd_harmonics(known: Evidence) -> Record:
     thirds, fifths = (driven.micrometres(driven.runs_with(known, 0.0), order) for order in (3, 5))
+    alike = "linear parts and friction are odd and all motions end with the same velocities"
+    mirror = power_of(max(run.mirror for run in known.motion.driven.runs))
     yield assertion(
         "no even ones",
         "without play the spectrum holds odd multiples of the drive's frequency only",
         driven.has_odd_harmonics_only(known),
-        filled(
-            """
-            linear parts and friction are odd and all motions end with the same velocities, which therefore
-            change sign after half a period; in the runs up to [[ mirror | power0 ]] of the output
-            """,
-            mirror=max(run.mirror for run in known.motion.driven.runs),
-        ),
+        f"{alike}, which therefore change sign after half a period; in the runs up to {mirror} of the output",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )
