@@ -1,21 +1,44 @@
-"""What the driven trimmer can contain in the end: the theorem, and how the simulated runs agree with it."""
+"""What the driven trimmer can contain in the end: the theorem, how the runs agree with it, and harmonics."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from derivations.incremental_dissipation import incremental_dissipation
 from report.claim import Confirmation
-from report.comparisons.printed import power_of
-from report.comparisons.second_ways import second_way
 from report.evidence import Evidence
+from report.numbers.driven_motion import FORCES, DrivenRun
+from report.numbers.independent.driven_harmonics import harmonic_of_friction, harmonic_of_play
+from report.parts import close, so
+from report.text import filled
 
 SOURCE = "derivations/incremental_dissipation.py"
-METHOD = (
-    "energy of the difference of two motions, derived for every positive mass, stiffness and damping, every "
-    "gap and friction force"
+METHOD = filled(
+    """
+    energy of the difference of two motions, derived for every positive mass, stiffness and damping, every gap
+    and friction force
+    """
 )
-SIMULATION = "exact simulation with the parameters of Listing A.1, {count} runs"
+BY_LISTING = "exact simulation with the parameters of Listing A.1"
 SETTLED = 1e-6
 """Share of the output by which the last two simulated periods may differ at the end of a run."""
+RELATIVE = 1e-4
+"""Accuracy to which harmonics without simulation agree with those of a run."""
+
+
+def runs_with(evidence: Evidence, gap: float) -> list[DrivenRun]:
+    """Return the runs with a gap (m; 0 without play) and the three forces of friction."""
+    return [evidence.motion.driven.run(gap, force) for force in FORCES]
+
+
+def micrometres(runs: Sequence[DrivenRun], order: int) -> list[float]:
+    """Return the amplitude of a harmonic in each run, µm."""
+    return [1e6 * run.harmonics[order] for run in runs]
+
+
+def listed(values: Sequence[float]) -> str:
+    """Return numbers, rounded to integers, in a row."""
+    return ", ".join(f"{value:.0f}" for value in values)
 
 
 def has_the_drives_period(evidence: Evidence) -> bool:
@@ -34,22 +57,46 @@ def has_odd_harmonics_only(evidence: Evidence) -> bool:
 def confirm_period(evidence: Evidence) -> Confirmation:
     """Confirm by the simulated runs that the steady motion repeats with the drive."""
     runs = evidence.motion.driven.runs
-    return second_way(SIMULATION.format(count=len(runs)), all(run.repeat < SETTLED for run in runs))
+    return so(f"{BY_LISTING}, {len(runs)} runs", all(run.repeat < SETTLED for run in runs))
 
 
 def confirm_odd(evidence: Evidence) -> Confirmation:
     """Confirm by the simulated runs that the steady motion has odd harmonics only."""
     runs = evidence.motion.driven.runs
-    return second_way(SIMULATION.format(count=len(runs)), all(run.mirror < SETTLED for run in runs))
+    return so(f"{BY_LISTING}, {len(runs)} runs", all(run.mirror < SETTLED for run in runs))
+
+
+def confirm_friction(evidence: Evidence) -> Confirmation:
+    """Confirm third and fifth harmonic of the run without play and with the least friction."""
+    least, parameters = FORCES[0], evidence.numbers.parameters
+    third, fifth = (harmonic_of_friction(parameters, least, order) for order in (3, 5))
+    means = f"friction of {least} N as a square wave, its harmonics times the response to a force"
+    return _both(means, third, fifth, evidence.motion.driven.run(0.0, least))
+
+
+def confirm_play(evidence: Evidence, gap: float) -> Confirmation:
+    """Confirm third and fifth harmonic of the run with a gap (m) and without friction."""
+    third, fifth = (harmonic_of_play(evidence.numbers.both_channels, gap, order) for order in (3, 5))
+    means = "the harmonics of backlash times the response to the pin, without friction"
+    return _both(means, third, fifth, evidence.motion.driven.run(gap, 0.0))
+
+
+def _both(means: str, third: float, fifth: float, run: DrivenRun) -> Confirmation:
+    return close(means, complex(third, fifth), complex(run.harmonics[3], run.harmonics[5]), RELATIVE)
 
 
 def period_in_words(evidence: Evidence) -> str:
     """Return how the runs agree with the theorem."""
-    numbers = evidence.motion.driven
-    return (
-        "two motions with the same pin lose the energy of their difference to dampers and friction, so all "
-        f"end with the same velocities, which have the pin's period; in {len(numbers.runs)} runs with gaps "
-        f"up to 20 mm the last two periods differ by {power_of(max(run.repeat for run in numbers.runs))} of "
-        f"the output at most, and two starts 1 mm apart have lost all but {power_of(numbers.apart[-1])} of "
-        f"that energy after {numbers.times[-1]:.1f} s"
+    driven = evidence.motion.driven
+    return filled(
+        """
+        two motions with the same pin lose the energy of their difference to dampers and friction, so all end
+        with the same velocities, which have the pin's period; in [[ count ]] runs with gaps up to 20 mm the
+        last two periods differ by [[ repeat | power0 ]] of the output at most, and two starts 1 mm apart have
+        lost all but [[ apart | power0 ]] of that energy after [[ time | f1 ]] s
+        """,
+        count=len(driven.runs),
+        repeat=max(run.repeat for run in driven.runs),
+        apart=driven.apart[-1],
+        time=driven.times[-1],
     )

@@ -1,172 +1,146 @@
-"""Claims of section 3.1 on the resolution of the measured spectra, and on the bins of tables 3.1 and 3.2."""
+"""Claims of section 3.1: resolution and bins of the measured spectra, and the sign of the output."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 
-import numpy as np
 import sympy
 
-from report.chapters.chapter_3.claims.measured_peaks import (
-    BIN,
-    DURATION,
-    FRAMES,
-    FRAMES_OF_TABLES,
-    RESOLUTION,
-    SAMPLE_RATE,
-    on_a_bin,
-    tabulated,
-)
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, PrintedDigits
+from derivations.state_space import output_row
+from derivations.symbols import coordinates, velocities
+from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
+from report.chapters.chapter_3.claims.measured_peaks import BIN, SAMPLE_RATE, on_a_bin, tabulated
+from report.claim import Confirmation, Impact
 from report.comparisons.expression import SameExpression
+from report.comparisons.printed import total
 from report.evidence import Evidence
+from report.numbers.independent.leading_loop import gains_where_phases_match
+from report.numbers.independent.spectrum_bins import bins, fitting_samples
+from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.record import Record, claim, text
+from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/chapters/chapter_3/claims/measured_peaks.py"
+DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
+"""Of the experiment's record, as printed: s, Hz, frames."""
+RATE, STATED_FRAMES = float(SAMPLE_RATE), int(FRAMES)
 FEWEST, MOST = 1000, 4000
 """Numbers of samples, at 20 kHz, among which a grid for the tables is sought."""
-HALF_DIGIT = 0.0005 * (1 + 1e-9)
-"""Half a unit of the last printed place, Hz."""
 
 
-def claims(_: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_resolution_formula(), _resolution(), _bins())
-
-
-def _numpy_bin(samples: int) -> float:
-    """Return the distance of bins as NumPy has it, Hz."""
-    frequencies = np.fft.rfftfreq(samples, 1 / float(SAMPLE_RATE))
-    return float(frequencies[1] - frequencies[0])
-
-
-def _resolution_formula() -> Claim:
-    rate, samples = sympy.symbols("F_s N", positive=True)
-    frequency = sympy.Symbol("f", positive=True)
+@claim("eq-3.1", source=SOURCE)
+def distance_of_bins(_: Evidence) -> Record:
+    rate, samples, frequency = sympy.symbols("F_s N f", positive=True)
     turns = frequency * samples / rate
-    (derived,) = sympy.solve(sympy.Eq(turns, 1), frequency)
-    return Claim(
-        id="eq-3.1",
-        parts=(
-            Part(
-                "",
-                SameExpression(rate / samples, derived, left=r"\Delta f"),
-                Confirmation(
-                    "NumPy's bins for 2000 samples at 20 kHz",
-                    CloseNumbers(
-                        _numpy_bin(int(FRAMES)),
-                        float(derived.subs({rate: int(SAMPLE_RATE), samples: int(FRAMES)})),
-                    ),
-                ),
-            ),
-        ),
-        explanation=(
-            "The lowest sine that repeats with the record turns once in $N$ samples, and the bins are its "
-            "multiples. It is the distance of bins; the frequency of a single peak can be found better than "
-            "that, two peaks less than a bin or two apart cannot be told apart."
-        ),
-        source=SOURCE,
+    # The turns in a record are proportional to the frequency, and the lowest sine turns once.
+    derived = frequency / turns
+    stated = float(derived.subs({rate: int(SAMPLE_RATE), samples: STATED_FRAMES}))
+    second = close("NumPy's bins for 2000 samples at 20 kHz", bins(STATED_FRAMES, RATE)[1], stated)
+    yield expression("", rate / samples, derived, left=r"\Delta f", second=second)
+    yield text(
+        """
+        The lowest sine that repeats with the record turns once in $N$ samples, and the bins are its
+        multiples. It is the distance of bins; the frequency of a single peak can be found better than that,
+        two peaks less than a bin or two apart cannot be told apart.
+        """
     )
 
 
-def _resolution() -> Claim:
+@claim("txt-3.1-resolution", source=SOURCE)
+def resolution(_: Evidence) -> Record:
     frames = Fraction(SAMPLE_RATE) * Fraction(DURATION)
-    return Claim(
-        id="txt-3.1-resolution",
-        parts=(
-            Part(
-                "frames in 0.1 s at 20 kHz",
-                PrintedDigits(FRAMES, frames),
-                Confirmation(
-                    "a count of the instants before 0.1 s",
-                    CloseNumbers(len(range(0, 100_000, 50)), float(frames)),
-                ),
-            ),
-            Part(
-                "resolution",
-                PrintedDigits(RESOLUTION, Fraction(SAMPLE_RATE) / int(FRAMES), "Hz"),
-                Confirmation("NumPy's bins", CloseNumbers(_numpy_bin(int(FRAMES)), 1 / float(DURATION))),
-            ),
-        ),
-        explanation=(
-            "Both are right, and the resolution is one over the time of the record. The tables that follow "
-            f"have bins of {float(BIN):.3f} Hz, so one frame more was used: 0 to 0.1 s with both ends."
-        ),
-        source=SOURCE,
+    second = equal("a count of the instants before 0.1 s", len(range(0, 100_000, 50)), frames)
+    yield digits("frames in 0.1 s at 20 kHz", FRAMES, frames, second=second)
+    second = close("NumPy's bins", bins(STATED_FRAMES, RATE)[1], 1 / float(DURATION))
+    yield digits("resolution", RESOLUTION, Fraction(SAMPLE_RATE) / STATED_FRAMES, "Hz", second=second)
+    yield text(
+        """
+        Both are right, and the resolution is one over the time of the record. The tables that follow have
+        bins of [[ spacing | f3 ]] Hz, so one frame more was used: 0 to 0.1 s with both ends.
+        """,
+        spacing=float(BIN),
     )
 
 
-def _grids(cells: Sequence[str]) -> list[int]:
-    """Return the numbers of samples with a bin at every frequency (Hz, three decimals)."""
-    samples = np.arange(FEWEST, MOST)
-    frequencies = np.array(cells, dtype=float)[:, np.newaxis]
-    spacing = float(SAMPLE_RATE) / samples
-    miss = np.abs(np.round(frequencies / spacing) * spacing - frequencies)
-    return [int(each) for each in samples[(miss <= HALF_DIGIT).all(axis=0)]]
-
-
-def _listed_by_numpy(cells: Sequence[str], samples: int) -> int:
-    """Count the frequencies (Hz, three decimals) that stand among NumPy's bins to every digit."""
-    bins = {f"{each:.3f}" for each in np.fft.rfftfreq(samples, 1 / float(SAMPLE_RATE))}
-    return sum(cell in bins for cell in cells)
-
-
-def _bins() -> Claim:
+@claim("txt-3.1-bins", source=SOURCE, impact=Impact.LOCAL)
+def bins_of_the_tables(_: Evidence) -> Record:
     cells = tabulated()
-    stated = [cell for cell in cells if on_a_bin(cell, int(FRAMES))]
-    return Claim(
-        id="txt-3.1-bins",
-        parts=(
-            Part(
-                "with the stated 2000 frames",
-                Assertion(
-                    statement="the tabulated peaks are bins of 10 Hz",
-                    derived=len(stated) == len(cells),
-                    evidence=f"{len(stated)} of {len(cells)} are; bins of 2000 frames are multiples of 10 Hz",
-                    method="each printed frequency against the nearest bin",
-                ),
-                Confirmation(
-                    "the remainders of the printed decimals on division by ten",
-                    CloseNumbers(1 + sum(Decimal(cell) % 10 == 0 for cell in cells), 1 + len(stated)),
-                ),
-            ),
-            _any_frames(cells),
-        ),
-        explanation=(
-            f"The peaks are multiples of 20000/{FRAMES_OF_TABLES} = {float(BIN):.4f} Hz, the bins of one "
-            "frame more than stated; three cells are not and are misprints. The three decimals are those of "
-            "the bins: each peak is known to half a bin, 5 Hz."
-        ),
-        consequence=(
-            "The drive's frequency is not measured to a millihertz, and differences of 10 Hz between "
-            "measurements mean one bin."
-        ),
-        impact=Impact.LOCAL,
-        source=SOURCE,
+    stated = [cell for cell in cells if on_a_bin(cell, STATED_FRAMES)]
+    remainders = "the remainders of the printed decimals on division by ten"
+    yield assertion(
+        "with the stated 2000 frames",
+        "the tabulated peaks are bins of 10 Hz",
+        len(stated) == len(cells),
+        f"{len(stated)} of {len(cells)} are; bins of 2000 frames are multiples of 10 Hz",
+        method="each printed frequency against the nearest bin",
+        second=equal(remainders, sum(Decimal(cell) % 10 == 0 for cell in cells), len(stated)),
     )
-
-
-def _any_frames(cells: Sequence[str]) -> Part:
-    misfits = [cell for cell in cells if not on_a_bin(cell)]
-    others = [cell for cell in cells if cell not in misfits]
-    grids, whole = _grids(others), _grids(cells)
-    return Part(
+    others = [cell for cell in cells if on_a_bin(cell)]
+    grids = fitting_samples(others, RATE, FEWEST, MOST)
+    by_numpy = {f"{each:.3f}" for each in bins(grids[0], RATE)}
+    fitting = f"{len(others)} of {len(cells)} are, to every digit, with {' or '.join(map(str, grids))}"
+    no_other = f"no other number between {FEWEST} and {MOST}"
+    misfits = ", ".join(sorted(set(cells) - set(others)))
+    rounded = f"NumPy's bins for {grids[0]} frames, rounded to three decimals"
+    yield assertion(
         "with any number of frames",
-        Assertion(
-            statement="the tabulated peaks are bins of one spectrum",
-            derived=len(whole) > 0,
-            evidence=(
-                f"{len(others)} of {len(cells)} are, to every digit, with "
-                f"{' or '.join(map(str, grids))} frames and with no other number between {FEWEST} "
-                f"and {MOST}; {', '.join(sorted(set(misfits)))} are bins of none of these"
-            ),
-            method="each printed frequency against the nearest bin, for every number of frames",
-        ),
-        Confirmation(
-            f"NumPy's bins for {grids[0]} frames, rounded to three decimals",
-            CloseNumbers(_listed_by_numpy(cells, grids[0]), len(others)),
-        ),
+        "the tabulated peaks are bins of one spectrum",
+        len(fitting_samples(cells, RATE, FEWEST, MOST)) > 0,
+        f"{fitting} frames and with {no_other}; {misfits} are bins of none of these",
+        method="each printed frequency against the nearest bin, for every number of frames",
+        second=equal(rounded, sum(cell in by_numpy for cell in cells), len(others)),
     )
+    yield text(
+        """
+        The peaks are multiples of 20000/2001 = [[ spacing | f4 ]] Hz, the bins of one frame more than stated;
+        three cells are not and are misprints. The three decimals are those of the bins: each peak is known to
+        half a bin, 5 Hz.
+
+        The drive's frequency is not measured to a millihertz, and differences of 10 Hz between measurements
+        mean one bin.
+        """,
+        spacing=float(BIN),
+    )
+
+
+@claim("txt-3.1-output-sign", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)
+def sign_of_the_output(known: Evidence) -> Record:
+    states = (*coordinates, *velocities)
+    derived, listed = (
+        sum(entry * state for entry, state in zip(row, states, strict=True))
+        for row in (output_row(of=1, relative_to=3, size=len(coordinates)), output_matrix())
+    )
+    printed = total(coordinates[3], -coordinates[1])
+    second = Confirmation("the matrix $C$ of equation 2.14 times the state", SameExpression(listed, derived))
+    slip = made_here("the sign is turned", -derived)
+    yield expression("output map of the state space", printed, derived, left="y", second=second, slip=slip)
+    plant = known.numbers.displacement_only
+    right, turned = (limit_cycles(sign * plant, FrictionBacklash(1.0)) for sign in (1, -1))
+    low, high = loop_gains_where_phases_match(known)
+    solutions = f"{len(turned) or 'no'} solution"
+    gain = f"the loop's gain, {low:.2f} to {high:.2f} wherever backlash undoes the lead of $G$"
+    yield assertion(
+        "in the loop of figure 2.5",
+        "with the output of section 3.1 there are the limit cycles of section 5.2",
+        len(turned) == len(right),
+        f"harmonic balance has {solutions} with $x_4 - x_2$ and {len(right)} with $x_2 - x_4$",
+        method="all solutions of harmonic balance for either sign",
+        second=so(gain, not low <= 1 <= high),
+    )
+    yield text(
+        """
+        Section 3.1 says that the output map is $x_4 - x_2$; equation 2.14 and Listing A.1 have $x_2 - x_4$. A
+        measured spectrum does not see the sign. A closed loop does: backlash only lags, so with the sign
+        turned $G$ would have to lead, which it does by little and with too large a gain.
+
+        A loop that is built with the output of section 3.1 has no limit cycle at all. Nothing in a trimmer
+        leads from the output back to the pin, so neither sign is that of the device: the predicted limit
+        cycles rest on this choice.
+        """
+    )
+
+
+def loop_gains_where_phases_match(evidence: Evidence) -> tuple[float, float]:
+    """Return the least and the largest |N G| where G leads by what backlash lags."""
+    return gains_where_phases_match(evidence.numbers.displacement_only)

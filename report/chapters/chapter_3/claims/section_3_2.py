@@ -1,183 +1,231 @@
-"""Claims of section 3.2 on what the two experiments show of harmonics and limit cycles."""
+"""Claims of section 3.2: the tabulated peaks (tables 3.1 and 3.2), and what the two experiments show."""
 
 from __future__ import annotations
+
+from fractions import Fraction
 
 import numpy as np
 import sympy
 
 from derivations.symbols import velocities
 from report.chapters.chapter_2.claims.figures_1_and_2_2 import MOVING_PARTS
-from report.chapters.chapter_3.claims.driven_harmonics import confirm_friction
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    METHOD,
-    SOURCE,
-    confirm_odd,
-    confirm_period,
-    has_odd_harmonics_only,
-    has_the_drives_period,
-    period_in_words,
-)
-from report.claim import Claim, Confirmation, Impact, Part, Uncheckable, Words
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
+from report.chapters.chapter_3.claims import measured_peaks as peaks
+from report.claim import Confirmation, Impact
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
+from report.numbers.independent.spectrum_bins import a_drive_fits, bins
+from report.parts import assertion, close, digits, equal, repeated, so, uncheckable
+from report.record import Record, claim, text
+from report.text import filled
 
+PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
+DIFFERENCE = "219.890"
+"""Both differences of table 3.1, Hz."""
+QUOTED = (
+    ("section 3.2 and tables, first peak", peaks.TABLE_1[1]),
+    *((place, "109.845") for place in ("section 3.2", "footnote 7 of section 5.2.1", "appendix A.9")),
+    ("table 3.2, measurements 2 and 3", peaks.TABLE_2["M2"][0]),
+    ("sections 3.2 and 3.3, about", "109"),
+)
+"""The drive's frequency wherever it is quoted, Hz."""
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_odd_harmonics(evidence), _play(evidence), _predicted(evidence), _no_limit_cycle(evidence))
-
-
-def _odd_harmonics(evidence: Evidence) -> Claim:
-    runs = evidence.motion.driven.with_gap(0.0)
-    thirds, fifths = ([1e6 * run.harmonics[order] for run in runs] for order in (3, 5))
-    return Claim(
-        id="txt-3.2-odd-harmonics",
-        parts=(
-            Part(
-                "no even ones",
-                Assertion(
-                    statement="without play the spectrum holds odd multiples of the drive's frequency only",
-                    derived=has_odd_harmonics_only(evidence),
-                    evidence=(
-                        "linear parts and friction are odd and all motions end with the same velocities, "
-                        "which therefore change sign after half a period; in the runs up to "
-                        f"{power_of(max(run.mirror for run in evidence.motion.driven.runs))} of the output"
-                    ),
-                    method=METHOD,
-                ),
-                confirm_odd(evidence),
-            ),
-            Part(
-                "where they come from",
-                Assertion(
-                    statement="they come from Coulomb friction",
-                    derived=bool(np.all(np.diff(thirds) > 0) and np.all(np.diff(fifths) > 0)),
-                    evidence=(
-                        "without friction the model is linear and has none; with 0.25, 0.5 and 0.75 N the "
-                        f"third has {_list(thirds)} µm and the fifth {_list(fifths)} µm, beside 1.51 mm"
-                    ),
-                    method="exact simulation with the parameters of Listing A.1",
-                ),
-                confirm_friction(evidence),
-            ),
-        ),
-        explanation=(
-            "For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. "
-            "The fifth is larger than the third because it meets the natural mode at "
-            f"{evidence.numbers.modes[2].frequency:.1f} Hz."
-        ),
-        source=SOURCE,
+@claim("txt-3.2-odd-harmonics", source=driven.SOURCE)
+def odd_harmonics(known: Evidence) -> Record:
+    thirds, fifths = (driven.micrometres(driven.runs_with(known, 0.0), order) for order in (3, 5))
+    alike = "linear parts and friction are odd and all motions end with the same velocities"
+    mirror = power_of(max(run.mirror for run in known.motion.driven.runs))
+    yield assertion(
+        "no even ones",
+        "without play the spectrum holds odd multiples of the drive's frequency only",
+        driven.has_odd_harmonics_only(known),
+        f"{alike}, which therefore change sign after half a period; in the runs up to {mirror} of the output",
+        method=driven.METHOD,
+        second=driven.confirm_odd(known),
+    )
+    third, fifth = driven.listed(thirds), driven.listed(fifths)
+    found = f"with 0.25, 0.5 and 0.75 N the third has {third} µm and the fifth {fifth} µm"
+    yield assertion(
+        "where they come from",
+        "they come from Coulomb friction",
+        bool(np.all(np.diff(thirds) > 0) and np.all(np.diff(fifths) > 0)),
+        f"without friction the model is linear and has none; {found}, beside 1.51 mm",
+        method=driven.BY_LISTING,
+        second=driven.confirm_friction(known),
+    )
+    yield text(
+        """
+        For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. The
+        fifth is larger than the third because it meets the natural mode at [[ mode | f1 ]] Hz.
+        """,
+        mode=known.numbers.modes[2].frequency,
     )
 
 
-def _list(values: list[float]) -> str:
-    return ", ".join(f"{value:.0f}" for value in values)
+@claim("tab-3.1", source=PEAKS, impact=Impact.NOTATION)
+def first_table(_: Evidence) -> Record:
+    for order, printed in peaks.TABLE_1.items():
+        number = order * peaks.DRIVE_BIN
+        second = by_numpy(number)
+        if order == 5:  # which is no bin as printed
+            fifth = float(peaks.TABLE_1[3]) + float(DIFFERENCE)
+            means = "$f_3$ and the difference that the table prints"
+            second = close(means, fifth, float(number * peaks.BIN), 1e-6)
+        yield digits(f"$f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+    number = 2 * peaks.DRIVE_BIN
+    for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
+        yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
+    yield text(
+        """
+        The peaks are bins 11, 33 and 55 of [[ spacing | f4 ]] Hz, so $f_5$ is 549.725 Hz; 559.725 is not a
+        bin, is not five times the first, and contradicts the difference printed beside it. With that digit
+        put right the three are odd multiples of one frequency.
 
-
-def _play(evidence: Evidence) -> Claim:
-    bodies = sympy.hessian(evidence.derivation.kinetic_energy, velocities).rank()
-    return Claim(
-        id="txt-3.2-play-place",
-        parts=(
-            Part(
-                "experiment 2",
-                Assertion(
-                    statement="the play lies between driving bridge and cutter",
-                    derived=bodies == len(MOVING_PARTS),
-                    evidence=(
-                        "sections 1.1, 2.1 and 3.1 have it between pin and driving bridge; bridge and cutter "
-                        f"are one of the {bodies} bodies, with one displacement, so there is no joint "
-                        "between them that could have play"
-                    ),
-                    method="rank of the mass matrix against the parts that the text names",
-                ),
-                Confirmation(
-                    "a count of the bodies",
-                    CloseNumbers(len(evidence.derivation.mechanism.bodies), bodies),
-                ),
-            ),
-        ),
-        explanation=(
-            "The text says that backlash was added between the driving bridge and the cutter. Section 1.1 "
-            "calls these two rigidly connected, section 3.1 announces play between pin and bridge, and every "
-            "model of the thesis has it there. It is taken for a slip of the pen."
-        ),
-        consequence=(
-            "If the gap of 200 µm was where this sentence has it, no model of the thesis describes the "
-            "second experiment: the bridge would need a mass of its own."
-        ),
-        impact=Impact.LOCAL,
-        source="derivations/mechanism.py",
+        None on the text, which calls them multiples of the drive's frequency.
+        """,
+        spacing=float(peaks.BIN),
     )
 
 
-def expected_peak(evidence: Evidence) -> Part:
-    """Return the part on the peak of a limit cycle that the text expects of the driven experiment."""
-    return Part(
+def by_numpy(number: int) -> Confirmation:
+    """Confirm the frequency of a bin."""
+    frequencies = bins(peaks.FRAMES_OF_TABLES, float(peaks.SAMPLE_RATE))
+    return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
+
+
+@claim("tab-3.2", source=PEAKS, impact=Impact.NOTATION)
+def second_table(_: Evidence) -> Record:
+    measured = {}
+    for name, row in peaks.TABLE_2.items():
+        measured[name] = {order: peaks.nearest_bin(cell) for order, cell in enumerate(row, start=1)}
+        for (order, number), printed in zip(measured[name].items(), row, strict=True):
+            second = by_numpy(number)
+            if not peaks.on_a_bin(printed):
+                first = float(peaks.TABLE_2["M1"][0])
+                second = close("the same peak in measurement 1", first, float(number * peaks.BIN), 1e-6)
+            yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+    ranges = {name: peaks.common_drive(row, Fraction(1)) for name, row in measured.items()}
+    places = ", ".join(f"{name} {low:.2f} to {high:.2f} Hz" for name, (low, high) in ranges.items())
+    closest = [peaks.common_drive(row, Fraction(1, 2)) for row in measured.values()]
+    fitting = sum(low <= high for low, high in closest)
+    search = "a search over drives from 100 to 120 Hz in steps of a millihertz"
+    yield assertion(
+        "unequal differences",
+        "they stay within the resolution: one bin from multiples of one drive frequency",
+        all(low <= high for low, high in ranges.values()),
+        f"the drive would be at {places}; within half a bin {fitting or 'none'} of the three fits",
+        method="intervals of the drive's frequency, intersected over the five peaks",
+        second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
+    )
+    yield text(
+        """
+        All cells but two are bins of [[ spacing | f4 ]] Hz to the last digit; 109.450 is 109.945 misprinted.
+        The text puts unequal differences down to the resolution: with peaks one bin off a common drive fits
+        all of a measurement, with the nearest bins none does, so peaks were shifted, by leakage or because
+        the motor did not run evenly.
+
+        The two cells change nothing else. That $f_2$ and $f_4$ are there at all matters more, see the
+        comparison with the model in section 3.3.
+        """,
+        spacing=float(peaks.BIN),
+    )
+
+
+@claim("txt-3.2-drive-frequency", source=PEAKS, impact=Impact.LOCAL)
+def drive_frequency(_: Evidence) -> Record:
+    drive = peaks.DRIVE_BIN * peaks.BIN
+    means = "a third of the third harmonic in table 3.1"
+    second = close(means, float(peaks.TABLE_1[3]) / 3, float(drive), 1e-6)
+    slip = repeated("the digits after the point are cut off", Fraction(int(drive)))
+    for place, printed in QUOTED:
+        yield digits(place, printed, drive, "Hz", second=second, slip=slip)
+    odd = {order: order * peaks.DRIVE_BIN for order in peaks.TABLE_1}
+    low, high = peaks.common_drive(odd, Fraction(1, 2))
+    yield text(
+        """
+        The tables' peaks are 1, 3 and 5 times 109.945 Hz; 109.845 Hz, of which the text calls them multiples,
+        and 109.450 Hz fit no bin, and 109 is cut rather than rounded. What the bins of experiment 1 say of
+        the drive is that it lies between [[ low | f2 ]] and [[ high | f2 ]] Hz.
+
+        Section 5.2.1 and appendix A.9 carry 109.845 Hz on. The models of chapters 4 and 5 run at 100 Hz, so
+        their harmonics meet the natural modes elsewhere than the experiment's.
+        """,
+        low=low,
+        high=high,
+    )
+
+
+@claim("txt-3.2-play-place", source="derivations/mechanism.py", impact=Impact.LOCAL)
+def place_of_the_play(known: Evidence) -> Record:
+    bodies = sympy.hessian(known.derivation.kinetic_energy, velocities).rank()
+    yield assertion(
+        "experiment 2",
+        "the play lies between driving bridge and cutter",
+        bodies == len(MOVING_PARTS),
+        filled(
+            """
+            sections 1.1, 2.1 and 3.1 have it between pin and driving bridge; bridge and cutter are one of the
+            [[ bodies ]] bodies, with one displacement, so there is no joint between them that could have play
+            """,
+            bodies=bodies,
+        ),
+        method="rank of the mass matrix against the parts that the text names",
+        second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), bodies),
+    )
+    yield text(
+        """
+        The text says that backlash was added between the driving bridge and the cutter. Section 1.1 calls
+        these two rigidly connected, section 3.1 announces play between pin and bridge, and every model of the
+        thesis has it there. It is taken for a slip of the pen.
+
+        If the gap of 200 µm was where this sentence has it, no model of the thesis describes the second
+        experiment: the bridge would need a mass of its own.
+        """
+    )
+
+
+@claim("txt-3.2-predicted-488", source=driven.SOURCE)
+def predicted_frequency(known: Evidence) -> Record:
+    missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
+    yield uncheckable("frequency of the prediction", "488 Hz", missing)
+    yield text(
+        """
+        The number cannot be checked; with Listing A.1 the two limit cycles lie at
+        [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop whose
+        play is moved by $-y$. In the experiment and in open loop a motor moves the pin, nothing leads from
+        $y$ back to it, and in the thesis's model no motion of its own frequency can last. So that no peak was
+        found at 488 Hz neither contradicts the describing function nor shows that friction suppressed a limit
+        cycle, as chapter 6 concludes; see the statement on the missing limit cycle.
+        """,
+        pair=known.cycles.friction,
+    )
+
+
+@claim("txt-3.2-no-limit-cycle", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
+def no_limit_cycle(known: Evidence) -> Record:
+    periodic, second = driven.has_the_drives_period(known), driven.confirm_period(known)
+    every = "every motion of the driven model ends in one that repeats with the drive"
+    for experiment in ("experiment 1, friction alone", "experiment 2, play and friction"):
+        none = "there is no limit cycle"
+        yield assertion(experiment, none, periodic, every, method=driven.METHOD, second=second)
+    yield uncheckable("the spectra hold no further frequency", "No additional frequencies", RAW_DATA)
+    yield assertion(
         "a peak in the spectrum of the driven trimmer",
-        Assertion(
-            statement="a limit cycle that the describing function predicts is to be expected there",
-            derived=not has_the_drives_period(evidence),
-            evidence=period_in_words(evidence),
-            method=METHOD,
-        ),
-        confirm_period(evidence),
+        "a limit cycle that the describing function predicts is to be expected there",
+        not periodic,
+        driven.period_in_words(known),
+        method=driven.METHOD,
+        second=second,
     )
+    yield text(
+        """
+        The observation is what the model demands, with or without play, for every gap and friction: a driven
+        trimmer has none. So it does not say whether friction, or play, could keep up a limit cycle in a loop.
+        The proof is for play that displaces the bridge; a bridge that rattles in its play with a mass of its
+        own is outside of the thesis's model.
 
-
-def _predicted(evidence: Evidence) -> Claim:
-    pair = evidence.cycles.friction
-    return Claim(
-        id="txt-3.2-predicted-488",
-        parts=(
-            Uncheckable(
-                "frequency of the prediction",
-                Words("488 Hz"),
-                "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential",
-            ),
-        ),
-        explanation=(
-            "The number cannot be checked; with Listing A.1 the two limit cycles lie at "
-            f"{pair.unstable.frequency:.1f} and {pair.stable.frequency:.1f} Hz. It belongs to a loop whose "
-            "play is moved by $-y$. In the experiment and in open loop a motor moves the pin, nothing leads "
-            "from $y$ back to it, and in the thesis's model no motion of its own frequency can last. So that "
-            "no peak was found at 488 Hz neither contradicts the describing function nor shows that friction "
-            "suppressed a limit cycle, as chapter 6 concludes; see the statement on the missing limit cycle."
-        ),
-        source=SOURCE,
-    )
-
-
-def _no_limit_cycle(evidence: Evidence) -> Claim:
-    none = Assertion(
-        statement="there is no limit cycle",
-        derived=has_the_drives_period(evidence),
-        evidence="every motion of the driven model ends in one that repeats with the drive",
-        method=METHOD,
-    )
-    return Claim(
-        id="txt-3.2-no-limit-cycle",
-        parts=(
-            Part("experiment 1, friction alone", none, confirm_period(evidence)),
-            Part("experiment 2, play and friction", none, confirm_period(evidence)),
-            Uncheckable(
-                "the spectra hold no further frequency", Words("No additional frequencies"), RAW_DATA
-            ),
-            expected_peak(evidence),
-        ),
-        explanation=(
-            "The observation is what the model demands, with or without play, for every gap and friction: a "
-            "driven trimmer has none. So it does not say whether friction, or play, could keep up a limit "
-            "cycle in a loop. The proof is for play that displaces the bridge; a bridge that rattles in its "
-            "play with a mass of its own is outside of the thesis's model."
-        ),
-        consequence=(
-            "The experiment cannot test the describing function; a loop with feedback would have to be built."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source=SOURCE,
+        The experiment cannot test the describing function; a loop with feedback would have to be built.
+        """
     )

@@ -1,0 +1,294 @@
+"""Claims of chapter 4: section 4.2 on the blocks of backlash and the viscous load, and figures 4.1 to 4.3."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import sympy
+from numpy.typing import NDArray
+
+from derivations.backlash import CONTACT, GAMMA, inertia_contact_ratio, inertia_waveform, separation_angle
+from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.symbols import DIMENSIONS, A, omega
+from derivations.waveform import THETA
+from report.chapters.appendix_a.claims.friction_block import friction_block, friction_parts
+from report.chapters.appendix_a.claims.time_domain import DRIVE_GAP, PRINTED_OFFSET, inertia_block
+from report.claim import Impact
+from report.comparisons.digits import PrintedDigits
+from report.comparisons.printed import power_of
+from report.evidence import Evidence
+from report.numbers.independent import load_in_play
+from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
+from report.record import Record, claim, text
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from trimmer import FrictionBacklash, InertiaBacklash
+
+Reals = NDArray[np.float64]
+
+SOURCE, BLOCKS = "derivations/backlash.py", "report/chapters/appendix_a/claims/time_domain.py"
+b = sympy.Symbol("b", positive=True)
+SAMPLES = 2003
+"""Samples of a period in the figures, none of which is an instant at which Listing A.8 applies no line."""
+MORE_SAMPLES = 3997
+"""Samples of a period where Listing A.7 is held against the waveform."""
+ROUNDING = 1e-15
+VANISHING = 1e-9 * DRIVE_AMPLITUDE
+"""A gap, m."""
+GAPS = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)
+"""Gaps of our figure 4.3, m; those of the thesis are not given."""
+LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
+RATIO = 1 / 99
+"""Printed M/D, s."""
+PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
+
+
+def phases(samples: int = SAMPLES) -> Reals:
+    """Return the phases of two periods of the pin, rad."""
+    return TURN * np.arange(2 * samples) / samples
+
+
+def own_block(samples: int = SAMPLES) -> Reals:
+    """Return the output of Listing A.7 for the sine of figure 4.1 from rest, m."""
+    return load_in_play.stepped(friction_block, DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
+
+
+def built_in_block(samples: int = SAMPLES) -> Reals:
+    """Return the output of python-control's backlash for the same sine from rest, m."""
+    return load_in_play.stepped_by_library(DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
+
+
+def listing_a8() -> Reals:
+    """Return the output of Listing A.8 for its own drive, m."""
+    return inertia_block(DRIVE_AMPLITUDE * np.sin(phases()), phases() / DRIVE_OMEGA)
+
+
+def exact_inertia(gap: float) -> Reals:
+    """Return the derived waveform of a load without friction, m; the pin itself without gap."""
+    if gap == 0:
+        return DRIVE_AMPLITUDE * np.sin(phases())
+    return InertiaBacklash(gap).waveform(phases(), DRIVE_AMPLITUDE)
+
+
+@claim("fig-4.1", source=BLOCKS)
+def two_blocks(_: Evidence) -> Record:
+    distance = float(np.abs(own_block() - built_in_block()).max())
+    own, settled = own_block()[SAMPLES:], FrictionBacklash(DRIVE_GAP).waveform(phases(), DRIVE_AMPLITUDE)
+    waveform = "the derived waveform in the second period"
+    yield assertion(
+        "built-in and own block, $b$ = 0.0004 m",
+        "the two outputs are the same",
+        distance <= ROUNDING,
+        f"over two periods from rest they differ by {distance:.1g} m at most",
+        method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
+        second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[SAMPLES:])), 1e-5),
+    )
+    yield text(
+        """
+        The blocks agree from the start on, not only when settled; Simulink's own block is taken to be what
+        its description says, which python-control's is too. Why they agree for any input is shown at Listing
+        A.7.
+        """
+    )
+
+
+@claim("fig-4.2", source=BLOCKS)
+def block_with_inertia(_: Evidence) -> Record:
+    distance = float(np.abs(listing_a8() - exact_inertia(DRIVE_GAP)).max())
+    share = 100 * distance / DRIVE_AMPLITUDE
+    lacking = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2 - float(PRINTED_OFFSET)
+    constant = r"what the constant of line 12 lacks of $\pi A + b/2$"
+    yield assertion(
+        "output of Listing A.8 for its own drive",
+        "it behaves as figure 2.10",
+        share < 1,  # which a line in the figure hides
+        f"it is off the derived waveform by {1e6 * distance:.1f} µm at most, {share:.1f} % of the amplitude",
+        method="the listing, repeated line by line, against the derived waveform",
+        second=close(constant, lacking, distance, 1e-6),
+    )
+    yield text(
+        """
+        To the width of a line the figure is right. The deviation is the jump from the rounded constant in
+        line 12 of Listing A.8. The block would show the same waveform for any other input, because its flight
+        is a function of time alone.
+        """
+    )
+
+
+@claim("fig-4.3", source=SOURCE)
+def gaps(_: Evidence) -> Record:
+    phase, element = phases()[:SAMPLES], InertiaBacklash(VANISHING)
+    output = element.waveform(phase, DRIVE_AMPLITUDE)
+    distance = float(np.abs(output - DRIVE_AMPLITUDE * np.sin(phase)).max())
+    vanishes = r"the flight lasts for $\phi$ with $b/A = \phi - \sin\phi$, so it vanishes with the gap"
+    share = power_of(distance / DRIVE_AMPLITUDE)
+    gain = complex(element.describing_function(DRIVE_AMPLITUDE))
+    yield assertion(
+        "$b$ = 0",
+        "the output is the input",
+        distance <= VANISHING and inertia_contact_ratio().subs(CONTACT, 0) == 0,
+        f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
+        method="the derived waveform for a vanishing gap",
+        second=close("its describing function, which is one", gain, 1.0, 1e-8),
+    )
+    caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
+    missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
+    yield uncheckable("the other curves", caption, missing)
+    yield text(
+        """
+        What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of 0.4
+        mm only; for other gaps the figure is right if they were replaced each time, as they are in the figure
+        drawn here.
+        """
+    )
+
+
+@claim("txt-4.2.1-block-equivalence", source=SOURCE)
+def equivalent_blocks(_: Evidence) -> Record:
+    yield from friction_parts("Listing A.7, ")
+    output, library = own_block(MORE_SAMPLES), built_in_block(MORE_SAMPLES)
+    waveform = FrictionBacklash(DRIVE_GAP).waveform(phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE)
+    distance = float(np.abs(output[MORE_SAMPLES:] - waveform).max())
+    between_samples = DRIVE_AMPLITUDE * (1 - math.cos(math.pi / MORE_SAMPLES))
+    off, samples = f"it is off by {1e9 * distance:.2f} nm at most", f"{MORE_SAMPLES} samples a period"
+    missed = f"what {samples} may miss at the peak of the input, {1e9 * between_samples:.2f} nm"
+    means = "python-control's backlash, run over the same two periods"
+    yield assertion(
+        "second period of a sine of 1.5 mm, $b$ = 0.4 mm",
+        "the output is that of backlash without inertia",
+        distance <= between_samples * (1 + 1e-6),
+        f"{off}, no more than {missed}",
+        method="the listing, run over two periods, against the derived waveform",
+        second=small(means, library[MORE_SAMPLES] - output[MORE_SAMPLES], 1e-12),
+    )
+    yield text(
+        """
+        The built-in block keeps its output while the input moves inside of the dead band and follows it at
+        half of the band outside; the block itself was not at hand, python-control's was. Listing A.7 does the
+        same for any input, so the two agree from equal starts, not on the sine of figure 4.1 alone. The text
+        says that the listing has equation 2.36; it has the right waveform, and the equation has two signs
+        wrong.
+        """
+    )
+
+
+@claim("txt-4.2.2-zero-gap", source=SOURCE)
+def zero_gap(_: Evidence) -> Record:
+    flight, contact = inertia_contact_ratio(), inertia_waveform(b).segments[1].value
+    slope = sympy.diff(flight, CONTACT) - 2 * sympy.sin(CONTACT / 2) ** 2
+    root = "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad"
+    zero = r"$b/A = \phi - \sin\phi$ is zero for $\phi = 0$"
+    yield assertion(
+        "flight",
+        "without a gap there is no flight",
+        flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
+        method="the derived contact equation and its slope",
+        second=so(root, load_in_play.phase_of_flight(1e-9) < 0.002),
+    )
+    at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    hardly = "the element's waveform for a gap of a millionth of the amplitude"
+    second = close(hardly, float(at_two[0]) / DRIVE_AMPLITUDE, math.sin(2.0), 1e-5)
+    yield expression(
+        "contact, which is left", A * sympy.sin(THETA), contact.subs(b, 0), sympy.Symbol("y"), second=second
+    )
+    phase = np.linspace(0, TURN, 400, endpoint=False)
+    pin = DRIVE_AMPLITUDE * np.sin(phase)
+    yield text(
+        """
+        Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
+        output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
+        for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
+        """,
+        left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()),
+    )
+
+
+@claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
+def roles(_: Evidence) -> Record:
+    free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
+    lighter, usual, heavier = (load_in_play.speed_left(each * RATIO, RATIO) for each in (0.5, 1, 2))
+    means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
+    yield assertion(
+        "$D$ as the amount of inertia, $M$ as the amount of friction",
+        "the load keeps its speed longer with a larger $D$ or a smaller $M$",
+        free.diff(LOAD_DAMPING).is_positive is True and free.diff(LOAD_MASS).is_negative is True,
+        f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
+        method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
+        second=so(means, lighter < usual < heavier),
+    )
+    ratio = r"\frac{v}{v_0}"
+    flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"
+    yield expression(flies_on, sympy.Integer(1), free.subs(LOAD_DAMPING, 0), ratio)
+    stops = "$M = 0$ is friction-controlled: the load stops at once"
+    yield expression(stops, sympy.Integer(0), sympy.limit(free, LOAD_MASS, 0, "+"), ratio)
+    yield text(
+        """
+        $M$ is the inertia and $D$ the friction; the sentence has them exchanged. The next sentence, on what
+        is left for $D = 0$ and for $M = 0$, is right and contradicts it.
+
+        Read by the first sentence, an identified ratio $M/D$ would be taken for its inverse.
+        """
+    )
+
+
+@claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
+def gamma(_: Evidence) -> Record:
+    right = RATIO * DRIVE_OMEGA
+    decay = "the decay of a free load over a radian of the drive, integrated numerically"
+    by_decay = -1 / math.log(load_in_play.speed_left(RATIO, 1 / DRIVE_OMEGA))
+    slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
+    yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
+    units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
+    unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
+    milliseconds = "its value in milliseconds, which is that in seconds"
+    yield assertion(
+        "unit",
+        r"$\gamma$ is a frequency, in hertz",
+        unit == TIME**-1,
+        rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
+        method="dimension check of equation 2.45",
+        second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
+    )
+    yield text(
+        r"""
+        With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
+        is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
+
+        The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
+        hundred times larger.
+        """,
+        right=right,
+    )
+
+
+@claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
+def angle_of_separation(_: Evidence) -> Record:
+    gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
+    printed, right = (float(separation_angle().subs(GAMMA, each)) for each in gammas)
+    of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
+    means = r"the angle of $\gamma + j$"
+    second = close(means, of_printed, printed)
+    yield digits("arithmetic, from 634.6652", PRINTED_ANGLE, printed, "rad", second=second)
+    second, slip = close(means, of_right, right), repeated("the value printed for gamma is used", printed)
+    yield digits("for $M/D = 1/99$ at 100 Hz", PRINTED_ANGLE, right, "rad", second=second, slip=slip)
+    as_time = printed / DRIVE_OMEGA
+    share = math.degrees(printed) / 360 / DRIVE_FREQUENCY
+    yield assertion(
+        "unit",
+        "0.0016 is a time, in seconds",
+        PrintedDigits(PRINTED_ANGLE, as_time).compare().agrees,
+        f"the arctangent is an angle in radians; at 100 Hz that angle takes {1e6 * as_time:.2f} µs",
+        method="angle over angular frequency",
+        second=close("the share of a turn, of the period of 10 ms", share, as_time),
+    )
+    yield text(
+        r"""
+        The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
+        [[ degrees | f2 ]] degrees, and it is an angle, not a time.
+
+        None on later numbers: the section computes no waveform from it.
+        """,
+        angle=right,
+        degrees=math.degrees(right),
+    )

@@ -1,1 +1,0 @@
-"""Claims: chapter 4, the nonlinearities in the simulation."""
