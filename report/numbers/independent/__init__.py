@@ -1,0 +1,1 @@
+"""Numbers found a second way, which confirm what the report derives."""
