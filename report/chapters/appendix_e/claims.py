@@ -33,7 +33,7 @@ def gaps(known: Evidence) -> Record:
         label = f"amplitude for $b$ = {run.gap:g} m, as in table 5.2"
         yield digits(label, PREDICTED[run.gap], run.amplitude, "m", second=second)
     frequencies = [run.frequency for run in runs]
-    by_durations = known.orbits.friction_by_durations[1]
+    by_durations = "the exact orbit by two durations, with SciPy's matrix exponential"
     yield assertion(
         "frequencies",
         "all four have the same frequency",
@@ -47,12 +47,7 @@ def gaps(known: Evidence) -> Record:
             predicted=cycle.frequency,
         ),
         method="exact simulation",
-        second=close(
-            "the exact orbit by two durations, with SciPy's matrix exponential",
-            by_durations,
-            frequencies[0],
-            1e-5,
-        ),
+        second=close(by_durations, known.orbits.friction_by_durations[1], frequencies[0], 1e-5),
     )
     yield text(
         """
@@ -75,7 +70,8 @@ def amplitudes(known: Evidence) -> Record:
     system, runs = known.numbers.displacement_only, known.motion.drive_amplitudes
     still, smallest, thesis, *_, largest = runs
     ripples = [run.ripple for run in runs]
-    by_lines = play_ripple(system, GAP, smallest.amplitude, DRIVE_OMEGA)
+    by_lines = f"{HARMONICS.size} lines of the element's waveform times the response, at 0.15 mm"
+    ripple = play_ripple(system, GAP, smallest.amplitude, DRIVE_OMEGA)
     yield assertion(
         "oscillation on top of the drive's, all five amplitudes",
         UNALTERED,
@@ -90,12 +86,7 @@ def amplitudes(known: Evidence) -> Record:
             shown=", ".join(f"{1e6 * run.ripple:.1f} µm at {1e3 * run.amplitude:g} mm" for run in runs[1:]),
         ),
         method="exact simulation from rest",
-        second=close(
-            f"{HARMONICS.size} lines of the element's waveform times the response, at 0.15 mm",
-            by_lines,
-            smallest.ripple,
-            0.001,
-        ),
+        second=close(by_lines, ripple, smallest.ripple, 0.001),
     )
     seventh = abs(play_harmonic(system, GAP, thesis.amplitude, DRIVE_OMEGA, SEVENTH))
     by_response = "the seventh harmonic from describing function and frequency response"

@@ -54,22 +54,20 @@ def inertia_block(pin: Reals, time: Reals, gap: float = DRIVE_GAP) -> Reals:
     )
 
 
-def inertia_block_on_a_sine(time: Reals, omega: float = DRIVE_OMEGA, gap: float = DRIVE_GAP) -> Reals:
+def inertia_block_on_a_sine(time: Reals, omega: float = DRIVE_OMEGA) -> Reals:
     """Return the output of Listing A.8, m, for a sine of its own amplitude and, unless given, frequency."""
-    return inertia_block(np.asarray(DRIVE_AMPLITUDE * np.sin(omega * time)), time, gap)
+    return inertia_block(np.asarray(DRIVE_AMPLITUDE * np.sin(omega * time)), time)
 
 
-def inertia_difference(frequency: float, gap: float = DRIVE_GAP) -> float:
+def inertia_difference(frequency: float) -> float:
     """Return the largest difference of Listing A.8's output and the right one, over the gap.
 
-    Args:
-        frequency: Of the block's input A sin(omega t), Hz; the listing has its own in its lines 4 to 6.
-        gap: m.
+    ``frequency`` is that of the block's input, Hz; the listing has its own in its lines 4 to 6.
     """
     times = np.asarray((np.arange(PERIODS * POINTS) + 0.5) / (POINTS * frequency), dtype=np.float64)
     omega = TURN * frequency
-    right = InertiaBacklash(gap).waveform(omega * times, DRIVE_AMPLITUDE, omega)
-    return float(np.abs(inertia_block_on_a_sine(times, omega, gap) - right).max()) / gap
+    right = InertiaBacklash(DRIVE_GAP).waveform(omega * times, DRIVE_AMPLITUDE, omega)
+    return float(np.abs(inertia_block_on_a_sine(times, omega) - right).max()) / DRIVE_GAP
 
 
 def contact_time() -> float:

@@ -61,9 +61,8 @@ def output(known: Evidence) -> Record:
     )
     for line, (printed, words) in enumerate(rows, start=1):
         form = Mathematics(words)
-        yield expression(
-            f"line {line}", printed, known.transformed.output, printed_form=form, derived_form=form
-        )
+        derived = known.transformed.output
+        yield expression(f"line {line}", printed, derived, printed_form=form, derived_form=form)
     yield text("Both lines equal the output that solving the equations one by one gives.")
 
 
@@ -78,14 +77,9 @@ def integral(
         derived = sympy.simplify(sympy.integrate(integrand, limits))
         segment = Segment(lower, upper, integrand.subs(tau, THETA))
         numeric = quadrature.integral(segment, sympy.Integer(1), VALUES)
-        yield expression(
-            "",
-            printed,
-            derived,
-            left=latex(sympy.Integral(integrand, limits)),
-            assume=sympy.Gt(A, b),
-            second=quadrature.confirm(derived, numeric, VALUES),
-        )
+        second = quadrature.confirm(derived, numeric, VALUES)
+        left = latex(sympy.Integral(integrand, limits))
+        yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
         yield text(
             """
             The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It
@@ -100,10 +94,10 @@ def integral(
 PI, CONTACT, HOLD = sympy.pi, sympy.asin(1 - 2 * b / A), 2 * b * (b - A) / A
 UPPER, LOWER = (A * sympy.sin(tau) + b) * sympy.cos(tau), (A * sympy.sin(tau) - b) * sympy.cos(tau)
 BACK = product(-1, A - b, sympy.cos(tau))
-first = integral("eq-A.1.1", (A - b) * sympy.cos(tau), PI / 2, PI - CONTACT, HOLD)
-second = integral("eq-A.1.2", UPPER, PI - CONTACT, 3 * PI / 2, sympy.Integer(0))
-third = integral("eq-A.1.3", BACK, 3 * PI / 2, 2 * PI - CONTACT, HOLD)
-fourth = integral("eq-A.1.4", LOWER, 2 * PI - CONTACT, 5 * PI / 2, sympy.Integer(0))
+first_integral = integral("eq-A.1.1", (A - b) * sympy.cos(tau), PI / 2, PI - CONTACT, HOLD)
+second_integral = integral("eq-A.1.2", UPPER, PI - CONTACT, 3 * PI / 2, sympy.Integer(0))
+third_integral = integral("eq-A.1.3", BACK, 3 * PI / 2, 2 * PI - CONTACT, HOLD)
+fourth_integral = integral("eq-A.1.4", LOWER, 2 * PI - CONTACT, 5 * PI / 2, sympy.Integer(0))
 
 
 @claim("lst-A.1", source="trimmer/linear.py", impact=Impact.DOWNSTREAM)

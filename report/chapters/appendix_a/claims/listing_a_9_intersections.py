@@ -29,12 +29,9 @@ TIME_CONSTANT = 1e-3
 def search(known: Evidence) -> Record:
     system, cycle = known.cycles.listing, known.cycles.friction_listing.stable
     amplitude, omega = friction_by_newton(tuple(system.num[0][0]), tuple(system.den[0][0]), cycle)
-    yield digits(
-        "the two equations of lines 23 to 26, at their solution: amplitude over gap",
-        "8.2845",
-        cycle.amplitude,
-        second=close("Newton's method in 30 digits", amplitude, cycle.amplitude),
-    )
+    label = "the two equations of lines 23 to 26, at their solution: amplitude over gap"
+    second = close("Newton's method in 30 digits", amplitude, cycle.amplitude)
+    yield digits(label, "8.2845", cycle.amplitude, second=second)
     yield assertion(
         "order of the lines",
         "the start of the search is defined before it is used",

@@ -59,7 +59,7 @@ def formula_part() -> Part:
         "formula, with $b$ the total gap",
         friction_expression(),
         derived,
-        left=sympy.Symbol("N"),
+        left="N",
         assume=REACHED,
         second=confirm(derived, (sine + 1j * cosine) / float(values[A]), values),
     )
@@ -125,13 +125,8 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
         one, two, angle = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0), contact_angle(1.0)
         right = complex(derived.subs(CONTACT, angle))
         by_half = "its formula at half of the contact angle, the root of line 3 for $w = 2$"
-        yield expression(
-            "with $w = 1$",
-            printed,
-            derived,
-            left=sympy.Symbol("N"),
-            second=close("the listing, repeated, at Beta = 1", one, right),
-        )
+        second = close("the listing, repeated, at Beta = 1", one, right)
+        yield expression("with $w = 1$", printed, derived, left="N", second=second)
         yield assertion(
             "with another $w$",
             "the result does not depend on the second argument",
@@ -195,20 +190,16 @@ def viscous_controlled(_: Evidence) -> Record:
 @claim("lst-A.6", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
 def equivalent(_: Evidence) -> Record:
     relay = 4 * FORCE / (sympy.pi * A)
+    printed = relay / (sympy.I * omega)
     derived = sympy.simplify(sympy.I * omega * relay.subs(A, omega * A))
     by_displacement = SameExpression(describing_function(coulomb_waveform(), A), derived)
     slip = r"""
         the relay's gain for a displacement is divided by $j\omega$ instead of that for a velocity multiplied
         by it
         """
+    second = Confirmation("the Fourier coefficients of friction under a displacement", by_displacement)
     yield formula_part()
-    yield expression(
-        "friction term, line 18",
-        relay / (sympy.I * omega),
-        derived,
-        second=Confirmation("the Fourier coefficients of friction under a displacement", by_displacement),
-        slip=made_here(slip, relay / (sympy.I * omega)),
-    )
+    yield expression("friction term, line 18", printed, derived, second=second, slip=made_here(slip, printed))
     yield text(
         r"""
         The backlash part is that of Listing A.3. The friction part divides by $j\omega$ what has to be

@@ -28,7 +28,7 @@ from report.numbers.independent.listed_blocks import (
     inertia_difference,
 )
 from report.octave.formulas import LOAD, PIN, friction_step
-from report.parts import assertion, close, digits, expression, made_here, so
+from report.parts import More, assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
@@ -77,10 +77,8 @@ def friction_parts(place: str = "") -> tuple[Part, ...]:
         library = friction_by_python_control(values[PIN], values[GAP], float(load.subs(values)))
         second = close("python-control's backlash", float(returned.subs(values)), library)
         form = Mathematics(rf"u = {value} \quad \text{{if }} {condition}")
-        label = f"{place}{label}"
-        parts.append(
-            expression(label, returned, derived, second=second, printed_form=form, derived_form=form)
-        )
+        more = More(second=second, printed_form=form, derived_form=form)
+        parts.append(expression(f"{place}{label}", returned, derived, **more))
     return tuple(parts)
 
 
@@ -124,14 +122,12 @@ def inertia_controlled(_: Evidence) -> Record:
     pieces = [segment.value for segment in inertia_waveform(b).segments]
     for line, printed, piece, phase in zip(range(10, 14), LISTED, pieces, PHASES, strict=True):
         remark = r", with its constant as $\pi A + b/2$" if line == 12 else ""
-        second = close(
-            "the numeric element at a phase inside", element_at_phase(phase), at_phase(piece, phase)
-        )
-        yield expression(
-            rf"line {line}{remark}, $\theta = \omega t$", printed, piece, left="y", second=second
-        )
+        label = rf"line {line}{remark}, $\theta = \omega t$"
+        by_element, exact = element_at_phase(phase), at_phase(piece, phase)
+        second = close("the numeric element at a phase inside", by_element, exact)
+        yield expression(label, printed, piece, left="y", second=second)
 
-    angle, offset = DRIVE_OMEGA * contact_time(), at_phase(sympy.expand(pieces[2]), 0)
+    angle, offset = DRIVE_OMEGA * contact_time(), at_phase(pieces[2], 0)
     flight = DRIVE_AMPLITUDE * angle - DRIVE_GAP / 2
     wall = DRIVE_AMPLITUDE * math.sin(angle) + DRIVE_GAP / 2
     second = close("flight and wall at that time", flight, wall)
@@ -161,7 +157,8 @@ def inertia_controlled(_: Evidence) -> Record:
 
     instant = float(PRINTED_CONTACT)
     (output,) = inertia_block_on_a_sine(np.array([instant]))
-    beside = inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))
+    beside = min(inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))) > 0
+    second = so("a nanosecond before and after, where the output is that of flight and of contact", beside)
     yield assertion(
         "conditions of lines 10 to 13",
         "every instant belongs to one of the pieces",
@@ -176,10 +173,7 @@ def inertia_controlled(_: Evidence) -> Record:
             output=output,
         ),
         method=REPEATED,
-        second=so(
-            "a nanosecond before and after, where the output is that of flight and of contact",
-            min(beside) > 0,
-        ),
+        second=second,
     )
 
     early = np.array([PERIOD / 8])
@@ -245,15 +239,10 @@ def equation(_: Evidence) -> Record:
     listed = inertia_block_on_a_sine(np.array(PHASES) / DRIVE_OMEGA)
     rows = zip(range(10, 14), names, EQUATION, pieces, PHASES, listed, strict=True)
     for line, name, printed, piece, phase, output in rows:
-        exact = at_phase(piece, phase)
-        yield expression(
-            rf"line {line} against the {name} piece, $\theta = \omega t$",
-            printed,
-            piece,
-            left="y",
-            second=close("the listing, repeated, inside of the piece", output, exact, ROUNDED_CONSTANT),
-            slip=made_here("equation 2.42 lacks the offset b/2", piece - b / 2),
-        )
+        label, exact = rf"line {line} against the {name} piece, $\theta = \omega t$", at_phase(piece, phase)
+        second = close("the listing, repeated, inside of the piece", output, exact, ROUNDED_CONSTANT)
+        slip = made_here("equation 2.42 lacks the offset b/2", piece - b / 2)
+        yield expression(label, printed, piece, left="y", second=second, slip=slip)
     yield text(
         """
         The text says that the code gives equation 2.42. Three of its pieces do; line 12 contains the offset
@@ -272,24 +261,18 @@ def frequency(_: Evidence) -> Record:
     belonging = angle / (TURN * float(PRINTED_CONTACT))
     instants = (0.5 + np.array([0.0, TURN])) / (TURN * in_text)
     earlier, later = inertia_block(np.full(2, DRIVE_AMPLITUDE * math.sin(0.5)), instants)
+    another = abs(later - earlier) > CLOSE * DRIVE_GAP
     own, other = (inertia_difference(each) for each in (DRIVE_FREQUENCY, in_text))
-    yield digits(
-        "frequency to which the contact time of line 8 belongs",
-        IN_TEXT,
-        belonging,
-        "Hz",
-        second=close("line 5 of the listing", DRIVE_FREQUENCY, belonging, 1e-5),
-    )
+    label = "frequency to which the contact time of line 8 belongs"
+    second = close("line 5 of the listing", DRIVE_FREQUENCY, belonging, 1e-5)
+    yield digits(label, IN_TEXT, belonging, "Hz", second=second)
     yield assertion(
         f"the listing with an input of {IN_TEXT} Hz",
         "it gives the waveform of inertia-controlled backlash",
         other < CLOSE,
         f"within {PERIODS} periods it is off by {other:.1f} gaps; with 100 Hz by {own:.3f} gaps",
         method=f"{REPEATED}, beside the derived waveform",
-        second=so(
-            "its output a whole period of that input later, which is another one",
-            abs(later - earlier) > CLOSE * DRIVE_GAP,
-        ),
+        second=so("its output a whole period of that input later, which is another one", another),
     )
     yield text(
         """
