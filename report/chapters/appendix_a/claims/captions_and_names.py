@@ -1,0 +1,156 @@
+"""Claims of appendix A on what the text calls the listings, and on names that these do not define."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+
+from derivations.backlash import GAMMA
+from derivations.friction import FORCE
+from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
+from report.chapters.chapter_5.claims.figures_5_2_5 import LISTING
+from report.claim import Impact
+from report.evidence import Evidence
+from report.numbers.independent.listed_blocks import (
+    DRIVE_GAP,
+    PERIOD,
+    friction_block,
+    friction_by_python_control,
+    inertia_block_on_a_sine,
+)
+from report.parts import assertion, close, so
+from report.record import Record, claim, text
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
+from trimmer.elements.inertia_backlash import InertiaBacklash
+
+SOURCE = "report/chapters/appendix_a/claims/captions_and_names.py"
+FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"
+"""First line of Listings A.2 and A.3."""
+CALL = "N = @(A) backlash_describing_func_2(A, b)"
+"""Line 8 of Listing A.9."""
+LISTING_A_2 = ("N = zeros(size(A));", "N(A < b) = 0;", "N.re = ...", "N.im = ...", "N = N_re + 1i*N_im;")
+LISTING_A_3 = ("N = zeros(size(A));", "N(A < b) = 0;", "N_re = ...", "N_im = ...", "N = N_re + 1i*N_im;")
+"""Lines of Listings A.2 and A.3 that set or use N, right sides of the long ones left out."""
+LISTING_A_5 = ("np = ...", "nq = ...", "N = np + li*nq;")
+"""The same of Listing A.5."""
+NAME = r"[A-Za-z_]\w*"
+ASSIGNED = "what it adds up has been assigned before"
+BOTH_SIDES = "names on both sides of the listing's assignments"
+REPEATED = "the listing, repeated line by line"
+IS_FUNCTION = "it is a describing function"
+
+
+def undefined_names(lines: tuple[str, ...]) -> set[str]:
+    """Return the names on the right side of the last line that no line before it assigns."""
+    assigned = {match[1] for line in lines[:-1] if (match := re.match(rf"({NAME})\s*=", line))}
+    used = set(re.findall(rf"(?<![\w.]){NAME}", lines[-1].split("=", 1)[1]))
+    return used - assigned
+
+
+@claim("txt-A.3-names", source=SOURCE, impact=Impact.NOTATION)
+def fields(_: Evidence) -> Record:
+    missing = undefined_names(LISTING_A_2)
+    yield assertion(
+        "last line of Listing A.2",
+        ASSIGNED,
+        not missing,
+        f"{' and '.join(sorted(missing))} are not; lines 9 and 10 assign N.re and N.im",
+        method=BOTH_SIDES,
+        second=so("Listing A.3, with the same last line", not undefined_names(LISTING_A_3)),
+    )
+    yield text(
+        """
+        A point stands for an underscore: N.re asks for a field of what line 5 has made a matrix, and N_re is
+        not defined. The listing is judged as it stands in the copy at hand; reading the page by machine may
+        have done it. Listing A.3 has the underscores and runs.
+
+        Listing A.2 stops with an error; Listing A.3 is the one to use.
+        """
+    )
+
+
+@claim("txt-A.6-imaginary-unit", source=SOURCE, impact=Impact.NOTATION)
+def imaginary_unit(_: Evidence) -> Record:
+    missing = undefined_names(LISTING_A_5)
+    corrected = (*LISTING_A_5[:-1], LISTING_A_5[-1].replace("li", "1i"))
+    yield assertion(
+        "last line of Listing A.5",
+        ASSIGNED,
+        not missing,
+        f"{', '.join(sorted(missing))} is not",
+        method=BOTH_SIDES,
+        second=so("the same line with 1i, the imaginary unit", not undefined_names(corrected)),
+    )
+    yield text(
+        """
+        The letter l stands for the digit 1 of the imaginary unit 1i, which Listing A.3 has right. The listing
+        is judged as it stands in the copy at hand; reading the page by machine may have done it.
+
+        As it stands the listing stops with an error at its last line.
+        """
+    )
+
+
+@claim("txt-A.7-captions", source=SOURCE, impact=Impact.NOTATION)
+def captions(_: Evidence) -> Record:
+    names = ", ".join(sorted(str(symbol) for symbol in LISTING.free_symbols))
+    yield assertion(
+        "caption of Listing A.6",
+        "it is the describing function of viscous-controlled backlash",
+        GAMMA in LISTING.free_symbols and FORCE not in LISTING.free_symbols,
+        f"it depends on {names}, so on a force of friction, and on no $M/D$",
+        method="read in the listing: the names in its formula",
+    )
+    once, twice = (friction_block(scale * 0.7, scale * 0.4, scale * 0.1) for scale in (1.0, 2.0))
+    library = friction_by_python_control(0.7, 0.4, 0.1)
+    yield assertion(
+        "caption of Listing A.7",
+        IS_FUNCTION,
+        math.isclose(once, twice),
+        """
+        with all displacements doubled its result doubles, so it is a displacement; a describing function, a
+        ratio, stays
+        """,
+        method=REPEATED,
+        second=close("python-control's backlash, whose output it is", library, once),
+    )
+    times = np.array([0.3, 0.4]) * PERIOD
+    right, _later = 1e3 * InertiaBacklash(DRIVE_GAP).waveform(DRIVE_OMEGA * times, DRIVE_AMPLITUDE)
+    then, later = 1e3 * inertia_block_on_a_sine(times)
+    waveform = "the waveform of inertia-controlled backlash, which has the first of them then"
+    yield assertion(
+        "caption of Listing A.8",
+        IS_FUNCTION,
+        math.isclose(then, later),
+        f"for one amplitude and frequency it returns {then:.2f} and {later:.2f} mm at two instants",
+        method=REPEATED,
+        second=close(waveform, float(right), then, ROUNDED_CONSTANT),
+    )
+    listed, other = (line[line.index("(") :].strip("()") for line in (FRICTION_FUNCTION, FRICTION_LINES[0]))
+    yield assertion(
+        "text of A.4",
+        "Listing A.3 takes the input wave, the dead band and the previous output",
+        listed.split(", ") == ["e", "D_size", "u_prev"],
+        f"it takes {listed}; these three are the arguments of Listing A.7, {other}",
+        method="read in the first lines of the two listings",
+    )
+    yield assertion(
+        "heading of A.10",
+        "its code is for Coulomb friction",
+        "friction" in CALL.lower(),
+        f"line 8 calls `{CALL.split()[-2].split('(')[0]}`, the function of Listing A.3",
+        method="read in line 8 of Listing A.9",
+    )
+    yield text(
+        """
+        Three captions, a heading and a text name another function than the one that stands there. Listing A.6
+        is the equivalent nonlinearity; A.7 and A.8 are blocks over time and no describing functions; the text
+        of A.4 describes A.7; under the heading of A.10 stands friction-controlled backlash, which section
+        5.2.1 tells the reader to put there.
+
+        Whoever takes a listing by its caption solves with friction instead of a heavy load, or puts a
+        displacement where a gain belongs.
+        """
+    )

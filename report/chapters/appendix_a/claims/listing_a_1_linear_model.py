@@ -1,0 +1,179 @@
+"""Claims of appendices A.1 and A.2: transfer function, four integrals, and Listing A.1, the linear model."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import control
+import numpy as np
+import sympy
+
+from derivations.latex import latex
+from derivations.state_space import output_row
+from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
+from derivations.waveform import THETA, Segment
+from report.chapters.chapter_2.claims import trimmer_printed
+from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
+from report.chapters.chapter_5.claims.section_5_1_2_low_pass import LIMIT_CYCLE_OMEGA
+from report.claim import Confirmation, Impact, Mathematics
+from report.comparisons import quadrature
+from report.comparisons.expression import SameMatrix
+from report.comparisons.printed import product
+from report.evidence import Evidence
+from report.parts import assertion, close, expression, matrix, small
+from report.record import ClaimRecord, Record, claim, text
+from report.text import filled
+from trimmer import frequency_response, linear_model
+
+LAPLACE = "derivations/laplace.py"
+b = sympy.Symbol("b", positive=True)
+tau = sympy.Symbol("t", real=True)
+VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
+"""Where the integrals are found numerically too."""
+
+
+@claim("eq-A.1", source=LAPLACE)
+def states(known: Evidence) -> Record:
+    system, state = known.general, known.transformed.state
+    right_side = system.b * system.input_transform
+    factored = s * sympy.eye(system.a.rows) - system.a
+    rows = (
+        (s * state - system.a * state, right_side, "sQ(s) - AQ(s) = BU(s)"),
+        (factored * state, right_side, "(sI - A)Q(s) = BU(s)"),
+        (factored.inv() * right_side, state, "Q(s) = (sI - A)^{-1}BU(s)"),
+    )
+    for line, (*sides, words) in enumerate(rows, start=1):
+        left, right = (sympy.ImmutableMatrix(side) for side in sides)
+        form = Mathematics(words)
+        yield matrix(f"line {line}", left, right, printed_form=form, derived_form=form)
+    yield text("All three lines hold for a general system of two states that starts at rest.")
+
+
+@claim("eq-A.2", source=LAPLACE)
+def output(known: Evidence) -> Record:
+    system = known.general
+    resolvent = (s * sympy.eye(system.a.rows) - system.a).inv()
+    (by_states,) = system.c * (resolvent * system.b * system.input_transform)
+    rows = (
+        (by_states + system.d * system.input_transform, "Y(s) = C[(sI - A)^{-1}BU(s)] + DU(s)"),
+        (transfer_formula(known) * system.input_transform, "Y(s) = (C(sI - A)^{-1}B + D)U(s)"),
+    )
+    for line, (printed, words) in enumerate(rows, start=1):
+        form = Mathematics(words)
+        derived = known.transformed.output
+        yield expression(f"line {line}", printed, derived, printed_form=form, derived_form=form)
+    yield text("Both lines equal the output that solving the equations one by one gives.")
+
+
+def integral(
+    claim_id: str, integrand: sympy.Expr, lower: sympy.Expr, upper: sympy.Expr, printed: sympy.Expr
+) -> ClaimRecord:
+    """Return the claim on one of the four integrals."""
+
+    @claim(claim_id, source="report/chapters/appendix_a/claims/listing_a_1_linear_model.py")
+    def record(_: Evidence) -> Record:
+        limits = (tau, lower, upper)
+        derived = sympy.simplify(sympy.integrate(integrand, limits))
+        segment = Segment(lower, upper, integrand.subs(tau, THETA))
+        numeric = quadrature.integral(segment, sympy.Integer(1), VALUES)
+        second = quadrature.confirm(derived, numeric, VALUES)
+        left = latex(sympy.Integral(integrand, limits))
+        yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
+        yield text(
+            """
+            The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It
+            belongs to equation B.1, where the describing function of backlash is derived, not below the
+            transfer function.
+            """
+        )
+
+    return record
+
+
+PI, CONTACT, HOLD = sympy.pi, sympy.asin(1 - 2 * b / A), 2 * b * (b - A) / A
+UPPER, LOWER = (A * sympy.sin(tau) + b) * sympy.cos(tau), (A * sympy.sin(tau) - b) * sympy.cos(tau)
+BACK = product(-1, A - b, sympy.cos(tau))
+first_integral = integral("eq-A.1.1", (A - b) * sympy.cos(tau), PI / 2, PI - CONTACT, HOLD)
+second_integral = integral("eq-A.1.2", UPPER, PI - CONTACT, 3 * PI / 2, sympy.Integer(0))
+third_integral = integral("eq-A.1.3", BACK, 3 * PI / 2, 2 * PI - CONTACT, HOLD)
+fourth_integral = integral("eq-A.1.4", LOWER, 2 * PI - CONTACT, 5 * PI / 2, sympy.Integer(0))
+
+
+@claim("lst-A.1", source="trimmer/linear.py", impact=Impact.DOWNSTREAM)
+def linear_listing(known: Evidence) -> Record:
+    space, numbers = known.derivation.space, known.numbers
+    states, rates = (*coordinates, *velocities), (*velocities, *known.derivation.newton)
+    relative = (coordinates[1] - coordinates[3],)
+    rows = (
+        ("A, lines 30 to 37", trimmer_printed.state_matrix(), space.a, rates, states),
+        ("B, lines 39 to 46", trimmer_printed.input_matrix(), space.b, rates, (u, u_dot)),
+        ("C, line 50", trimmer_printed.output_matrix(), output_row(1, 3, 4), relative, states),
+    )
+    for label, printed, derived, forces, variables in rows:
+        by_newton = sympy.ImmutableMatrix(sympy.Matrix(forces).jacobian(variables)).expand()
+        second = Confirmation("the forces on each body", SameMatrix(by_newton, derived.expand()))
+        yield matrix(label, printed, derived, second=second)
+    systems = (numbers.displacement_only, numbers.both_channels)
+    kept, whole = (complex(frequency_response(system, LIMIT_CYCLE_OMEGA)) for system in systems)
+    ratio = numbers.parameters.c2 / numbers.parameters.k2
+    by_factor = kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio)
+    yield assertion(
+        "G = G(1), line 58",
+        """
+        because the output is a displacement, the first of the two transfer functions is the response to the
+        pin
+        """,
+        abs(whole - kept) <= 1e-6 * abs(kept),
+        filled(
+            """
+            the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
+            [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
+            """,
+            omega=LIMIT_CYCLE_OMEGA,
+            larger=100 * (abs(whole / kept) - 1),
+            lead=math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
+        ),
+        method="both transfer functions evaluated",
+        second=close(r"$G_1 + sG_2 = (1 + s\,c_2/k_2)\,G_1$", by_factor, whole),
+    )
+    without, with_it = (control.margin(system)[1] for system in systems)
+    yield text(
+        r"""
+        The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line 58
+        keeps the first input alone. The text gives the choice of output as the reason, but an output cannot
+        decide which inputs act: they are displacement and velocity of the pin, not a relative motion of the
+        trimmer. Section 5.1.1 calls the model single-input for the same reason.
+
+        Every later prediction uses the pin's displacement alone. The neglected factor $1 + s\,c_2/k_2$ adds
+        phase: at unit gain the loop's phase margin is [[ without | f2 ]] degrees without it and
+        [[ with_it | f2 ]] with it. The predicted limit cycles depend on this margin.
+        """,
+        without=without,
+        with_it=with_it,
+    )
+
+
+@claim("txt-A.2-two-columns", source="derivations/state_space.py", impact=Impact.NOTATION)
+def two_columns(known: Evidence) -> Record:
+    velocity = known.derivation.space.b[:, 1].subs(c2, 0)
+    dissipation = known.derivation.rayleigh_function.subs(c2, 0)
+    without = linear_model(replace(known.numbers.parameters, c2=0.0))
+    largest = float(np.abs(np.asarray(without.B)[:, 1]).max())
+    yield assertion(
+        "",
+        "a second input, of velocity, follows from the system's dissipation",
+        dissipation == 0 or not velocity.is_zero_matrix,
+        "with $c_2 = 0$ the second column is zero, while $c_1$, $c_3$ and $c_4$ go on to dissipate",
+        method="derived input matrix and dissipation function",
+        second=small("the numeric model without $c_2$", largest),
+    )
+    yield text(
+        """
+        One damper alone brings the pin's velocity in, $c_2$ between pin and bridge; the other three do not.
+        The two columns belong to displacement and velocity of the pin, which are one motion, not to relative
+        motions of the trimmer, as the text calls them.
+
+        To drop the second column, as line 58 of Listing A.1 does, leaves out $c_2$ at the pin.
+        """
+    )

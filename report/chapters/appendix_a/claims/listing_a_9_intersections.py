@@ -1,0 +1,180 @@
+"""Claims of appendix A.10 on the search for intersections (Listing A.9), its grid and its coefficients."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from report.claim import Impact
+from report.comparisons.second_ways import by_waveform
+from report.evidence import Evidence
+from report.numbers.exact_response import gain
+from report.numbers.limit_cycle_numbers import friction_by_newton
+from report.parts import assertion, close, digits
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
+from trimmer import frequency_response
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.viscous_backlash import ViscousBacklash
+
+SOURCE = "report/numbers/limit_cycle_numbers.py"
+GRID_END, GRID_POINTS = 0.0025, 10000
+"""Last amplitude that line 9 plots, m, and how many it plots."""
+LINE_OF_SEARCH, LINE_OF_START = 23, 31
+TIME_CONSTANT = 1e-3
+"""Load time constant M/D of the example, s."""
+
+
+@claim("lst-A.9", source=SOURCE, impact=Impact.LOCAL)
+def search(known: Evidence) -> Record:
+    system, cycle = known.cycles.listing, known.cycles.friction_listing.stable
+    amplitude, omega = friction_by_newton(tuple(system.num[0][0]), tuple(system.den[0][0]), cycle)
+    label = "the two equations of lines 23 to 26, at their solution: amplitude over gap"
+    second = close("Newton's method in 30 digits", amplitude, cycle.amplitude)
+    yield digits(label, "8.2845", cycle.amplitude, second=second)
+    yield assertion(
+        "order of the lines",
+        "the start of the search is defined before it is used",
+        LINE_OF_START < LINE_OF_SEARCH,
+        f"line {LINE_OF_SEARCH} uses `x0`, line {LINE_OF_START} defines it",
+        method="read in the printed lines",
+    )
+    yield text(
+        r"""
+        Real and imaginary part of the condition are right here, unlike equation 2.54, and the search
+        converges to the thesis's numbers: $3.3138\cdot 10^{-4}/4\cdot 10^{-5} = 8.2845$ at [[ omega | f1 ]]
+        rad/s. Run from an empty workspace it stops, because the start is defined after the search; it finds
+        one solution for each start, and nothing tells whether there are more. The text says line 22 for the
+        search; in the copy at hand it is line 23.
+
+        Two starts gave the two limit cycles of table 5.1; a search for all of them finds no third.
+        """,
+        omega=omega,
+    )
+
+
+@claim("txt-A.10-grid", source=SOURCE, impact=Impact.DOWNSTREAM)
+def grid(known: Evidence) -> Record:
+    unstable = known.cycles.friction.unstable.amplitude
+    smallest = PLOT_OFFSET / (unstable - 0.5)
+    begins = "the amplitude where the plot begins, at that gap"
+    yield assertion(
+        "",
+        "the plotted locus $-1/N$ shows every intersection, for every gap that is studied",
+        smallest < 1e-8,
+        filled(
+            r"""
+            it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it
+            only for gaps above [[ smallest | power1 ]] m
+            """,
+            unstable=unstable,
+            smallest=smallest,
+        ),
+        method="arithmetic on the grid of line 9",
+        second=close(begins, smallest / 2 + PLOT_OFFSET, smallest * unstable),
+    )
+    yield text(
+        """
+        The grid is absolute, in steps of [[ step | f2 ]] µm from a start that does not follow the gap, while
+        the curve depends on $b/A$ alone. For a small gap the plot holds the end of the curve near $-1$ and
+        nothing else.
+
+        A limit cycle that seems to appear as the gap grows (sections 5.2.1 and 6) comes into the plotted
+        range; it was there before.
+        """,
+        step=1e6 * (GRID_END - LARGE_GAP / 2 - PLOT_OFFSET) / (GRID_POINTS - 1),
+    )
+
+
+@claim("txt-A.10-coefficients", source="derivations/transfer_function.py")
+def coefficients(known: Evidence) -> Record:
+    numbers, system = known.numbers, known.cycles.listing
+    rows = (
+        ("above the bar", LISTING_NUMERATOR, numbers.numerator, system.num[0][0]),
+        ("below the bar", LISTING_DENOMINATOR, numbers.denominator, system.den[0][0]),
+    )
+    for place, *polynomials in rows:
+        from_the_constant = zip(*(reversed(polynomial) for polynomial in polynomials), strict=True)
+        for power, (printed, exact, used) in enumerate(from_the_constant):
+            second = close("the value that the search uses", float(Fraction(exact)), used, 1e-3)
+            yield digits(f"{place}, $s^{power}$", printed, exact, second=second)
+    right, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
+    yield text(
+        """
+        All sixteen coefficients are the exact ones rounded to four digits; those of equation 5.1, which
+        differ in the numerator, belong to another output. The rounding is not harmless: the predicted
+        amplitude moves by [[ more | f2 ]] % and the frequency by [[ shift | signed2 ]] Hz.
+        """,
+        more=100 * (rounded.amplitude / right.amplitude - 1),
+        shift=rounded.frequency - right.frequency,
+    )
+
+
+@claim("txt-A.10-two-systems", source=SOURCE, impact=Impact.DOWNSTREAM)
+def two_systems(known: Evidence) -> Record:
+    cycle, systems = (
+        known.cycles.friction_listing.stable,
+        (known.numbers.displacement_only, known.cycles.listing),
+    )
+    drawn, searched = (complex(frequency_response(system, cycle.omega)) for system in systems)
+    exact = float(gain(known.numbers, cycle.omega))
+    yield assertion(
+        "line 13, `nyquist(G(1))`, and lines 18 to 20, `G_1`",
+        "the intersection is searched on the curve that is drawn",
+        abs(drawn - searched) < 1e-6,
+        filled(
+            """
+            at [[ omega | f1 ]] rad/s the two responses are [[ apart | f4 ]] apart, where $G$ is
+            [[ distance | f3 ]] away from $-1$
+            """,
+            omega=cycle.omega,
+            apart=abs(drawn - searched),
+            distance=abs(searched + 1),
+        ),
+        method="both transfer functions at the intersection that is found",
+        second=close("the drawn one from exact coefficients, 40 digits", exact, abs(drawn)),
+    )
+    yield text(
+        """
+        Drawn is the transfer function of Listing A.1, searched the one typed in with four digits. On the page
+        they look alike, and so near to $-1$ they are not: the amplitude is [[ off | f2 ]] % off. With
+        `evalfr(G, s)` for `G_1` the listing would find the intersection that it shows.
+
+        Every predicted amplitude of section 5.2.1 carries this difference.
+        """,
+        off=100 * (cycle.amplitude / known.cycles.friction.stable.amplitude - 1),
+    )
+
+
+@claim("txt-A.10-other-functions", source="trimmer/balance/solve.py", impact=Impact.LOCAL)
+def other_functions(known: Evidence) -> Record:
+    system, element = known.numbers.displacement_only, ViscousBacklash(1.0, TIME_CONSTANT)
+    frozen, found = (
+        max(limit_cycles(system, element, frozen_omega=omega), key=lambda cycle: cycle.frequency)
+        for omega in (DRIVE_OMEGA, None)
+    )
+    yield assertion(
+        "a function of amplitude and frequency in line 8",
+        "the search then solves the condition for harmonic balance as well",
+        abs(frozen.frequency - found.frequency) < 0.01,
+        filled(
+            r"""
+            with $M/D$ of 1 ms and $\omega$ set to the drive's it gives [[ frozen | f1 ]] Hz; with the limit
+            cycle's own $\omega$ in $N$ it is [[ found | f1 ]] Hz
+            """,
+            frozen=frozen.frequency,
+            found=found.frequency,
+        ),
+        method="all solutions of harmonic balance, with and without a fixed frequency in $N$",
+        second=by_waveform(system, [(element, found)]),
+    )
+    yield text(
+        """
+        Line 8 passes the amplitude alone. For Listings A.4 and A.10 that argument would have to be $b/A$, and
+        those of A.5 and A.6 take a frequency too, which the line fixes beforehand while the search varies it
+        in $G$. The two agree by chance only, unless $N$ is free of frequency.
+
+        Contours for a fixed frequency (sections 5.2.3 and 5.2.5) may be drawn, but an intersection on them
+        counts only at that frequency.
+        """
+    )

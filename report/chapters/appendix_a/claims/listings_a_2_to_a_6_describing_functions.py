@@ -1,0 +1,215 @@
+"""Claims of appendices A.3 to A.7 and A.11 on listings of describing functions (A.2 to A.6 and A.10)."""
+
+from __future__ import annotations
+
+import sympy
+
+from derivations.backlash import (
+    CONTACT,
+    GAMMA,
+    GAP,
+    SEPARATION,
+    contact_ratio,
+    friction_waveform,
+    inertia_contact_ratio,
+    inertia_waveform,
+    separation_angle,
+)
+from derivations.friction import FORCE
+from derivations.friction import friction_waveform as coulomb_waveform
+from derivations.symbols import A, omega
+from derivations.waveform import THETA, describing_function, simplified_describing_function
+from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
+    general_describing_function,
+    in_phase_part,
+    quadrature_part,
+)
+from report.claim import Confirmation, Impact, Part
+from report.comparisons.expression import SameExpression
+from report.comparisons.quadrature import coefficient, confirm
+from report.evidence import Evidence
+from report.numbers.independent.listed_blocks import contact_angle
+from report.numbers.independent.listed_describing_functions import (
+    friction_listing,
+    inertia_formula,
+    inertia_listing,
+)
+from report.parts import assertion, close, expression, made_here
+from report.record import ClaimRecord, Record, claim, text
+from report.text import filled
+
+BACKLASH = "derivations/backlash.py"
+REACHED = sympy.Gt(A, GAP / 2)
+REPEATED = "the listing, repeated line by line"
+
+
+def friction_expression() -> sympy.Expr:
+    """Return N of Listings A.2, A.3 and, but for friction, A.6, with the gap for its b."""
+    ratio = 1 - GAP / A
+    real = sympy.Rational(1, 2) + ratio * sympy.sqrt(1 - ratio**2) / sympy.pi + sympy.asin(ratio) / sympy.pi
+    return real - sympy.I * (1 - ratio**2) / sympy.pi
+
+
+def formula_part() -> Part:
+    """Return the part on the formula of friction-controlled backlash."""
+    waveform, values = friction_waveform(), {A: sympy.Rational(17, 10), GAP: sympy.Rational(6, 7)}
+    derived = simplified_describing_function(waveform, A)
+    sine, cosine = (coefficient(waveform, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
+    return expression(
+        "formula, with $b$ the total gap",
+        friction_expression(),
+        derived,
+        left="N",
+        assume=REACHED,
+        second=confirm(derived, (sine + 1j * cosine) / float(values[A]), values),
+    )
+
+
+def friction_controlled(claim_id: str, remark: str) -> ClaimRecord:
+    """Return the claim on one of the two listings of friction-controlled backlash."""
+
+    @claim(claim_id, source=BACKLASH, impact=Impact.LOCAL)
+    def record(_: Evidence) -> Record:
+        inside = friction_listing(0.25, 1.0)
+        by_formula = complex(friction_expression().subs({A: 0.25, GAP: 1.0}))
+        yield formula_part()
+        yield assertion(
+            "amplitudes inside the dead band",
+            "the function returns zero where the pin does not reach the bridge",
+            abs(inside) < 1e-12,
+            filled(
+                """
+                the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
+                [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
+                """,
+                inside=inside,
+            ),
+            method=REPEATED,
+            second=close("the square root of a negative number", by_formula, inside),
+        )
+        yield text(
+            """
+            The formula is right when $b$ is the total gap; equations 2.36 to 2.41 use half of it for the same
+            letter. The guard of line 6 asks for $A < b$ where $A < b/2$ is meant, and has no effect.
+            [[ remark ]]
+
+            The plots start above $b/2$, so no figure shows it. A search that strays below $b/2$ gets complex
+            numbers that mean nothing.
+            """,
+            remark=remark,
+        )
+
+    return record
+
+
+listing_a_2 = friction_controlled(
+    "lst-A.2",
+    "The second version, Listing A.3, is the same but for lines 9 and 10: see appendix A.3 on names.",
+)
+listing_a_3 = friction_controlled(
+    "lst-A.3",
+    "The text before it describes another function, with an input wave and a previous output: Listing A.7.",
+)
+
+
+def inertia_controlled(claim_id: str) -> ClaimRecord:
+    """Return the claim on one of the two copies of the listing of inertia-controlled backlash."""
+
+    @claim(claim_id, source=BACKLASH, impact=Impact.LOCAL)
+    def record(_: Evidence) -> Record:
+        ratio = inertia_contact_ratio()
+        nested = sympy.sin(CONTACT) + ratio
+        real = sympy.pi + 2 * sympy.sin(nested) - CONTACT - sympy.sin(nested) * sympy.cos(nested)
+        printed = real / sympy.pi - sympy.I * (1 - sympy.cos(nested)) ** 2 / sympy.pi
+        derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * ratio))
+        one, two, angle = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0), contact_angle(1.0)
+        right = complex(derived.subs(CONTACT, angle))
+        by_half = "its formula at half of the contact angle, the root of line 3 for $w = 2$"
+        second = close("the listing, repeated, at Beta = 1", one, right)
+        yield expression("with $w = 1$", printed, derived, left="N", second=second)
+        yield assertion(
+            "with another $w$",
+            "the result does not depend on the second argument",
+            abs(two - one) < 1e-9,
+            filled(
+                """
+                at Beta = 1 it is [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
+                [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
+                """,
+                one=one,
+                two=two,
+            ),
+            method=REPEATED,
+            second=close(by_half, inertia_formula(angle / 2, 1.0), two),
+        )
+        yield text(
+            """
+            Line 3 scales the unknown by $w$, so its root is the contact angle divided by $w$, which the
+            formula then takes for the angle itself. For $w = 1$ everything is right; the describing function
+            has no frequency, and the argument should not be there.
+
+            Whether figure 5.13 suffers depends on the $w$ it was called with, which is not given. The
+            prediction near 5120 rad/s in section 5.2.2 tells.
+            """
+        )
+
+    return record
+
+
+listing_a_4 = inertia_controlled("lst-A.4")
+
+
+@claim("lst-A.5", source=BACKLASH, impact=Impact.DOWNSTREAM)
+def viscous_controlled(_: Evidence) -> Record:
+    root, wrong_root = sympy.sqrt(1 + GAMMA**2), sympy.sqrt(1 - GAMMA**2)
+    flight = GAMMA**2 / root * sympy.exp((separation_angle() - CONTACT) / GAMMA)
+    derived = contact_ratio().subs(SEPARATION, separation_angle())
+    general = general_describing_function()
+    yield expression(
+        "line 6, contact angle",
+        wrong_root - sympy.sin(CONTACT) - flight,
+        derived,
+        left=r"\beta",
+        assume=sympy.Lt(GAMMA, 1),
+        second=Confirmation("the right form", SameExpression(root - sympy.sin(CONTACT) - flight, derived)),
+        slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
+    )
+    yield in_phase_part("lines 11 to 14, np", general)
+    yield quadrature_part("lines 16 to 19, nq", general)
+    yield text(
+        r"""
+        Lines 11 to 19 are right, brackets included. Line 6 repeats the sign of equation 2.46, so the angle
+        that is put into them is wrong; for $\gamma > 1$ it is complex.
+
+        The contours of figure 5.16, drawn for $1 < \gamma < 3/2$, and what section 5.2.3 concludes from them,
+        rest on this line.
+        """
+    )
+
+
+@claim("lst-A.6", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
+def equivalent(_: Evidence) -> Record:
+    relay = 4 * FORCE / (sympy.pi * A)
+    printed = relay / (sympy.I * omega)
+    derived = sympy.simplify(sympy.I * omega * relay.subs(A, omega * A))
+    by_displacement = SameExpression(describing_function(coulomb_waveform(), A), derived)
+    slip = r"""
+        the relay's gain for a displacement is divided by $j\omega$ instead of that for a velocity multiplied
+        by it
+        """
+    second = Confirmation("the Fourier coefficients of friction under a displacement", by_displacement)
+    yield formula_part()
+    yield expression("friction term, line 18", printed, derived, second=second, slip=made_here(slip, printed))
+    yield text(
+        r"""
+        The backlash part is that of Listing A.3. The friction part divides by $j\omega$ what has to be
+        multiplied by it, and uses the amplitude of the displacement for that of the velocity. The right term
+        is $j\,4F_c/(\pi A)$: other sign, no frequency, and in N/m.
+
+        All contours of section 5.2.5 contain it. The caption calls the listing viscous-controlled, which it
+        is not.
+        """
+    )
+
+
+listing_a_10 = inertia_controlled("lst-A.10")

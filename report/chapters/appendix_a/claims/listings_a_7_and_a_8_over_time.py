@@ -1,0 +1,287 @@
+"""Claims of appendices A.8 and A.9 on the blocks of backlash over time (Listings A.7 and A.8)."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import sympy
+
+from derivations.backlash import GAP, inertia_waveform
+from derivations.symbols import A
+from derivations.waveform import THETA
+from report.claim import Impact, Mathematics, Part
+from report.comparisons.printed import product, total
+from report.evidence import Evidence
+from report.numbers.independent.listed_blocks import (
+    DRIVE_GAP,
+    PERIOD,
+    PERIODS,
+    PRINTED_CONTACT,
+    PRINTED_OFFSET,
+    contact_angle,
+    contact_time,
+    friction_by_python_control,
+    inertia_block,
+    inertia_block_on_a_sine,
+    inertia_difference,
+)
+from report.octave.formulas import LOAD, PIN, friction_step
+from report.parts import More, assertion, close, digits, expression, made_here, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from trimmer.elements.inertia_backlash import InertiaBacklash
+
+SOURCE, ELEMENT = "derivations/backlash.py", "trimmer/elements/inertia_backlash.py"
+REPEATED = "the listing, repeated line by line"
+FRICTION_LINES = (
+    *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
+    *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),
+    *("end", "end", "end", "end"),
+)
+"""Listing A.7, line by line."""
+b = sympy.Symbol("b", positive=True)
+SINE = A * sympy.sin(THETA)
+BACK = total(product(-A, THETA), sympy.pi * A + b / 2)
+LISTED = (total(A * THETA, -b / 2), total(SINE, b / 2), BACK, total(SINE, -b / 2))
+"""Lines 10 to 13 of Listing A.8 with theta = omega t, and what the constant of line 12 stands for."""
+EQUATION = (*LISTED[:2], product(-A, THETA - sympy.pi), LISTED[3])
+"""Right sides of equation 2.42."""
+PHASES = (0.5, 2.0, 4.0, 5.5)
+"""A phase inside of each piece, rad."""
+IN_TEXT = "109.845"
+ROUNDED_CONSTANT = 0.02
+"""Share by which the two digits of line 12's constant may move the output at that phase."""
+CLOSE = 0.01
+"""Share of the gap by which the block may differ from the waveform that it stands for."""
+
+
+def friction_parts(place: str = "") -> tuple[Part, ...]:
+    """Return a part for each branch of Listing A.7, held against a load that walls push and never pull.
+
+    ``place`` stands before the lines' numbers in the labels.
+    """
+    distance = sympy.Symbol("d", positive=True)
+    values = {PIN: 0.7, GAP: 0.4, distance: 0.25}
+    inside = PIN - GAP / 2 + GAP * distance / (1 + distance)
+    rows = (
+        ("lines 2 and 3", "e - D/2", r"e - u_\text{prev} > D/2", PIN - GAP / 2, PIN - GAP / 2 - distance),
+        ("lines 5 and 6", "e + D/2", r"e - u_\text{prev} < -D/2", PIN + GAP / 2, PIN + GAP / 2 + distance),
+        ("line 8", r"u_\text{prev}", r"|e - u_\text{prev}| \le D/2", inside, inside),
+    )
+    parts = []
+    for label, value, condition, returned, load in rows:
+        derived = sympy.simplify(friction_step().subs(LOAD, load))
+        library = friction_by_python_control(values[PIN], values[GAP], float(load.subs(values)))
+        second = close("python-control's backlash", float(returned.subs(values)), library)
+        form = Mathematics(rf"u = {value} \quad \text{{if }} {condition}")
+        more = More(second=second, printed_form=form, derived_form=form)
+        parts.append(expression(f"{place}{label}", returned, derived, **more))
+    return tuple(parts)
+
+
+@claim("lst-A.7", source=SOURCE, impact=Impact.NOTATION)
+def friction_controlled(_: Evidence) -> Record:
+    opened = sum(bool(re.match(r"\b(function|if|for|while|switch)\b", line)) for line in FRICTION_LINES)
+    closed = FRICTION_LINES.count("end")
+    yield from friction_parts()
+    yield assertion(
+        "blocks",
+        "each block that is opened is closed once",
+        opened == closed,
+        f"{opened} lines open a block (1, 2 and 5), {closed} close one (9 to 12)",
+        method="read in the printed lines, and counted",
+    )
+    yield text(
+        """
+        The three branches are those of a load without inertia between walls a total $D$ apart, for any input.
+        Line 12 has one `end` too many, so the function cannot be read as printed. The caption calls it a
+        describing function, which it is not; its arguments are described in A.4.
+
+        None once line 12 is deleted. What runs has the right waveform, unlike equation 2.36, whose first and
+        third piece have the wrong sign.
+        """
+    )
+
+
+def at_phase(piece: sympy.Expr, phase: float) -> float:
+    """Return a piece of the waveform at a phase (rad) for the constants of Listing A.8, m."""
+    return float(piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: DRIVE_GAP}))
+
+
+def element_at_phase(phase: float) -> float:
+    """Return the same of the numeric element."""
+    (output,) = InertiaBacklash(DRIVE_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    return float(output)
+
+
+@claim("lst-A.8", source=SOURCE, impact=Impact.DOWNSTREAM)
+def inertia_controlled(_: Evidence) -> Record:
+    pieces = [segment.value for segment in inertia_waveform(b).segments]
+    for line, printed, piece, phase in zip(range(10, 14), LISTED, pieces, PHASES, strict=True):
+        remark = r", with its constant as $\pi A + b/2$" if line == 12 else ""
+        label = rf"line {line}{remark}, $\theta = \omega t$"
+        by_element, exact = element_at_phase(phase), at_phase(piece, phase)
+        second = close("the numeric element at a phase inside", by_element, exact)
+        yield expression(label, printed, piece, left="y", second=second)
+
+    angle, offset = DRIVE_OMEGA * contact_time(), at_phase(pieces[2], 0)
+    flight = DRIVE_AMPLITUDE * angle - DRIVE_GAP / 2
+    wall = DRIVE_AMPLITUDE * math.sin(angle) + DRIVE_GAP / 2
+    second = close("flight and wall at that time", flight, wall)
+    yield digits("line 8, phi, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    half_turn = DRIVE_AMPLITUDE * DRIVE_OMEGA * PERIOD / 2
+    second = close(r"its value $b/2$ above $A \theta$ half a period on", DRIVE_GAP / 2 + half_turn, offset)
+    yield digits(r"line 12, the constant $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
+
+    before, after = inertia_block_on_a_sine(np.array([PERIOD / 2 * (1 - 1e-12), PERIOD / 2]))
+    jump = float(after - before)
+    lacking = float(PRINTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - DRIVE_GAP / 2
+    yield assertion(
+        "output over time",
+        "the output is continuous",
+        abs(jump) < 1e-9 * DRIVE_GAP,
+        filled(
+            """
+            at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the
+            rounded constant
+            """,
+            jump=1e6 * jump,
+            share=100 * abs(jump) / DRIVE_GAP,
+        ),
+        method=REPEATED,
+        second=close(r"the printed constant less $\pi A + b/2$", lacking, jump, 1e-6),
+    )
+
+    instant = float(PRINTED_CONTACT)
+    (output,) = inertia_block_on_a_sine(np.array([instant]))
+    beside = min(inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))) > 0
+    second = so("a nanosecond before and after, where the output is that of flight and of contact", beside)
+    yield assertion(
+        "conditions of lines 10 to 13",
+        "every instant belongs to one of the pieces",
+        abs(output) > DRIVE_AMPLITUDE / 2,
+        filled(
+            """
+            at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]:
+            two conditions ask for more and for less, none for equal
+            """,
+            instant=PRINTED_CONTACT,
+            pin=1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
+            output=output,
+        ),
+        method=REPEATED,
+        second=second,
+    )
+
+    early = np.array([PERIOD / 8])
+    still, moved = (float(inertia_block(np.array([pin]), early)[0]) for pin in (0.0, DRIVE_AMPLITUDE))
+    by_itself = DRIVE_AMPLITUDE * math.pi / 4 - DRIVE_GAP / 2
+    yield assertion(
+        "input",
+        "the block takes the input wave from its argument",
+        still != moved,
+        filled(
+            """
+            in lines 10 and 12 the output is a function of time alone; an eighth of a period after its start
+            it is [[ output | f3 ]] mm wherever the pin is
+            """,
+            output=1e3 * still,
+        ),
+        method=f"{REPEATED}, for two inputs",
+        second=close(r"line 10 by itself, $A\omega t - b/2$", by_itself, still),
+    )
+    yield text(
+        """
+        The four pieces are those of the derived waveform, and the contact time is right to every digit. The
+        offset of line 12 is cut to two digits, which makes the output jump by [[ jump | f1 ]] µm twice a
+        period. Flight is written as a function of time for one amplitude, frequency and phase, so the block
+        is right for that one input only; at the instants of contact no line applies and it returns zero.
+
+        It can stand behind the drive of 100 Hz and 1.5 mm in open loop, as in figures 4.2 and 5.14. In a
+        closed loop, and at the 109.845 Hz that the text gives, its output means nothing.
+        """,
+        jump=-1e6 * jump,
+    )
+
+
+@claim("txt-A.9-constants", source=ELEMENT)
+def constants(_: Evidence) -> Record:
+    angle = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE)
+    offset = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2
+    middle = math.pi + angle / 2
+    by_wave = element_at_phase(middle) + DRIVE_AMPLITUDE * middle
+    second = close("bisection", angle / DRIVE_OMEGA, contact_time(), 1e-12)
+    yield digits("`phi`, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
+    yield digits(r"the constant of line 12, $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
+    yield text(
+        r"""
+        Both are right to their digits, for 100 Hz: the contact angle is [[ angle | f5 ]] rad, and `phi` is
+        that angle over $\omega$, in seconds. Two digits are few for the second one: [[ offset | f4 ]] mm is
+        meant, and the [[ missing | f1 ]] µm that are missing make half of each period lower by
+        [[ share | f0 ]] % of the gap while the bridge flies, so the output holds even harmonics that backlash
+        cannot make.
+        """,
+        angle=angle,
+        offset=1e3 * offset,
+        missing=1e6 * (offset - float(PRINTED_OFFSET)),
+        share=100 * (offset - float(PRINTED_OFFSET)) / DRIVE_GAP,
+    )
+
+
+@claim("txt-A.9-equation", source=SOURCE, impact=Impact.LOCAL)
+def equation(_: Evidence) -> Record:
+    names = ("first", "second", "third", "fourth")
+    pieces = [segment.value for segment in inertia_waveform(b).segments]
+    listed = inertia_block_on_a_sine(np.array(PHASES) / DRIVE_OMEGA)
+    rows = zip(range(10, 14), names, EQUATION, pieces, PHASES, listed, strict=True)
+    for line, name, printed, piece, phase, output in rows:
+        label, exact = rf"line {line} against the {name} piece, $\theta = \omega t$", at_phase(piece, phase)
+        second = close("the listing, repeated, inside of the piece", output, exact, ROUNDED_CONSTANT)
+        slip = made_here("equation 2.42 lacks the offset b/2", piece - b / 2)
+        yield expression(label, printed, piece, left="y", second=second, slip=slip)
+    yield text(
+        """
+        The text says that the code gives equation 2.42. Three of its pieces do; line 12 contains the offset
+        $b/2$ that the equation has lost, so on the way back the code lies half a gap above it. The code is
+        right, up to the digits of its constant.
+
+        Whoever writes the block anew from the equation gets an output that jumps by half a gap, 0.2 mm here,
+        twice a period.
+        """
+    )
+
+
+@claim("txt-A.9-frequency", source=ELEMENT, impact=Impact.LOCAL)
+def frequency(_: Evidence) -> Record:
+    angle, in_text = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
+    belonging = angle / (TURN * float(PRINTED_CONTACT))
+    instants = (0.5 + np.array([0.0, TURN])) / (TURN * in_text)
+    earlier, later = inertia_block(np.full(2, DRIVE_AMPLITUDE * math.sin(0.5)), instants)
+    another = abs(later - earlier) > CLOSE * DRIVE_GAP
+    own, other = (inertia_difference(each) for each in (DRIVE_FREQUENCY, in_text))
+    label = "frequency to which the contact time of line 8 belongs"
+    second = close("line 5 of the listing", DRIVE_FREQUENCY, belonging, 1e-5)
+    yield digits(label, IN_TEXT, belonging, "Hz", second=second)
+    yield assertion(
+        f"the listing with an input of {IN_TEXT} Hz",
+        "it gives the waveform of inertia-controlled backlash",
+        other < CLOSE,
+        f"within {PERIODS} periods it is off by {other:.1f} gaps; with 100 Hz by {own:.3f} gaps",
+        method=f"{REPEATED}, beside the derived waveform",
+        second=so("its output a whole period of that input later, which is another one", another),
+    )
+    yield text(
+        """
+        Contact time and period of the listing are those of 100 Hz. With the text's frequency the pieces run
+        at 100 Hz while the input does not, so the output is periodic with neither and holds sums and
+        differences of both; the contact time would have to be [[ contact | f7 ]] s. Table 3.1 has 109.945 Hz
+        for the same drive.
+
+        What was drawn with the listing was drawn for 100 Hz.
+        """,
+        contact=angle / (TURN * in_text),
+    )
