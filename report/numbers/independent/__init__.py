@@ -1,0 +1,1 @@
+"""Second ways to numbers, written without what they confirm."""
