@@ -9,6 +9,7 @@ import mpmath
 import numpy as np
 import sympy
 
+from derivations.backlash import CONTACT, inertia_contact_ratio
 from derivations.waveform import THETA, Segment, Waveform
 from trimmer import frequency_response
 from trimmer.elements.element import Element
@@ -38,6 +39,11 @@ def sampled_gain(element: Element, amplitude: float, omega: float) -> complex:
     phases = 2 * np.pi * np.arange(PHASES) / PHASES
     output = element.waveform(phases, amplitude, omega)
     return complex(2j * np.mean(output * np.exp(-1j * phases)) / amplitude)
+
+
+def inertia_contact_angle(ratio: float) -> float:
+    """Return the phase at which inertia-controlled backlash ends its flight, rad, for gap over amplitude."""
+    return float(sympy.nsolve(inertia_contact_ratio() - ratio, CONTACT, 1.9))
 
 
 def at_the_jump(system: control.TransferFunction, frequency: float, feedback: float) -> float:
