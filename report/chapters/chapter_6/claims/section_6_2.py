@@ -55,9 +55,7 @@ def higher_terms(known: Evidence) -> Record:
     )
     cycle, exact = known.cycles.friction.stable, known.orbits.friction.stable.amplitude
     element = FrictionBacklash(1.0)
-    even, third = (
-        abs(complex(element.describing_function(cycle.amplitude, harmonic=each))) for each in (2, 3)
-    )
+    even, third = (abs(complex(element.describing_function(cycle.amplitude, harmonic=n))) for n in (2, 3))
     (leak,) = harmonic_leakage(known.numbers.displacement_only, element, cycle, (3,))
     error = abs(cycle.amplitude / exact - 1)
     yield assertion(

@@ -118,6 +118,7 @@ def models(known: Evidence) -> Record:
     )
     lowest_phase, highest_phase = phase_range(system)
     on_the_real_axis = [each.value for each in real_axis_crossings(system)]
+    by_roots = "all roots of real and imaginary part: $G$ meets neither of the two half axes"
     yield assertion(
         "Coulomb friction",
         "it has a stable limit cycle",
@@ -131,10 +132,7 @@ def models(known: Evidence) -> Record:
             highest=highest_phase,
         ),
         method="phase of the frequency response",
-        second=so(
-            "all roots of real and imaginary part: $G$ meets neither of the two half axes",
-            max(on_the_imaginary_axis(known.numbers)) < 0 < min(on_the_real_axis),
-        ),
+        second=so(by_roots, max(on_the_imaginary_axis(known.numbers)) < 0 < min(on_the_real_axis)),
     )
     lowest, highest = (limit(cycle.frequency for cycle in loads) for limit in (min, max))
     merger, by_balance = cycles.equivalent.in_place.merger.frequency, cycles.inertia.stable.frequency

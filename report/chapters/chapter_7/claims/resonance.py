@@ -91,25 +91,23 @@ def resonance(known: Evidence) -> Record:
         method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
         second=so(means, (height > math.sqrt(0.5)) == (not away)),
     )
-    shares = [share_of_third(known, peak.omega) for peak in peaks]
+    shares = {peak.omega: share_of_third(known, peak.omega) for peak in peaks}
+    at_peaks = ", ".join(f"{share:.2g} at {omega / TURN:.1f} Hz" for omega, share in shares.items())
     exact = float(gain(numbers, THIRD * highest) / gain(numbers, highest))
     yield assertion(
         "what a resonance would do",
         "at a resonance the harmonics are not attenuated",
-        min(shares) > 1,
+        min(shares.values()) > 1,
         filled(
             """
-            against the first harmonic $G$ passes the third by [[ each ]]; at the stable limit cycle by
+            against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
             [[ stable | g2 ]]
             """,
-            each=", ".join(
-                f"{share:.2g} at {peak.omega / TURN:.1f} Hz"
-                for peak, share in zip(peaks, shares, strict=True)
-            ),
+            at_peaks=at_peaks,
             stable=share_of_third(known, pair.stable.omega),
         ),
         method="gain at three times each peak's frequency over the peak",
-        second=close(EXACTLY, exact, share_of_third(known, highest)),
+        second=close(EXACTLY, exact, shares[highest]),
     )
     yield text(
         """
