@@ -4,105 +4,115 @@ from __future__ import annotations
 
 from report.document import Answer
 from report.evidence import Evidence
-from report.numbers.exact_orbits import solve_orbits
+from report.text import filled
+from report.thesis import EXPERIMENT_GAP
 
 
-def answers(evidence: Evidence) -> tuple[Answer, ...]:
+def answers(known: Evidence) -> tuple[Answer, ...]:
     """Return the main question and the six that belong to it, with the numbers as solved."""
+    cycles, error = known.cycles, known.orbits.friction.stable.amplitude_error
+    unstable, stable = cycles.friction.unstable, cycles.friction.stable
+    thesis, both = (
+        branch.merger.force_per_gap
+        for branch in (cycles.equivalent.in_place, cycles.equivalent.in_place_both_channels)
+    )
     return (
-        _play_and_limit_cycles(evidence),
-        _damping(),
-        _play_and_stability(evidence),
-        _friction(evidence),
-        _input_amplitude(),
-        _input_frequency(evidence),
-        _in_the_output(evidence),
+        _answer(
+            "How does the size of the play influence the limit cycles, and so the vibration?",
+            r"""
+            The amplitude grows in proportion to the play; below a play of about $2\times10^{-8}$ m there is
+            no limit cycle.
+            """,
+            """
+            The proportion is exact, and holds for every play: the amplitude is [[ amplitude | f2 ]] times the
+            gap in the thesis's loop, [[ both | f2 ]] times with the pin's velocity, at a frequency that does
+            not depend on the gap. There is no smallest play. A trimmer that is driven by its pin does not
+            have this limit cycle, which belongs to the closed loop; its vibration repeats with the drive.
+            """,
+            ("txt-7-proportional", "txt-6-threshold", "txt-5.2.1-proportional", "lst-A.1"),
+            amplitude=stable.amplitude,
+            both=cycles.friction_both_channels.stable.amplitude,
+        ),
+        _answer(
+            "How does damping influence the linear stability?",
+            """
+            Damping raises the peaks at the resonances and leaves their frequencies, far below the operating
+            one.
+            """,
+            """
+            Damping lowers the peaks; the frequencies hardly change. The trimmer is stable with any positive
+            damping that reaches all modes. The resonances lie above the drive, where its harmonics meet them.
+            """,
+            ("txt-7-damping", "txt-7-operating-frequency"),
+        ),
+        _answer(
+            "How does play influence stability and performance?",
+            """
+            Stability is not altered; unstable limit cycles, which appear with larger play, shift to the
+            stable ones.
+            """,
+            """
+            Rest stays stable, but only nearby: the unstable limit cycle is the boundary. In the closed loop a
+            disturbance well below [[ unstable | f2 ]] gaps dies out, a larger one grows to the oscillation of
+            [[ stable | f2 ]] gaps. Both exist for every gap.
+            """,
+            ("txt-5.2.1-second-limit-cycle", "txt-5.2.3-unstable-inner", "txt-5.2.1-stable"),
+            unstable=unstable.amplitude,
+            stable=stable.amplitude,
+        ),
+        _answer(
+            "How does friction influence stability and performance?",
+            """
+            Coulomb friction between cutter and guard suppresses the limit cycles of backlash; it is desired.
+            """,
+            """
+            It does, although the thesis's equation 3.2 and its equivalent nonlinearity have friction with the
+            wrong sign. By harmonic balance the limit cycle is gone when the force over the gap exceeds
+            [[ thesis | f0 ]] N/m ([[ both | f0 ]] N/m with the pin's velocity): for 0.2 mm of play
+            [[ force | f1 ]] N ([[ force_both | f1 ]] N). Friction also damps the modes that impacts excite.
+            """,
+            ("txt-7-coulomb", "eq-3.2", "txt-5.2.5-coulomb-term", "txt-3.3-friction-suppresses"),
+            thesis=thesis,
+            both=both,
+            force=thesis * EXPERIMENT_GAP,
+            force_both=both * EXPERIMENT_GAP,
+        ),
+        _answer(
+            "How do input amplitude and play influence stability and performance?",
+            "The input amplitude does not change the limit cycle.",
+            """
+            In open loop there is no limit cycle to change. What is seen are harmonics of the drive: they
+            depend on the ratio of the input amplitude to the gap, and tend to a multiple of the gap when the
+            input is much larger.
+            """,
+            ("txt-7-input-amplitude", "txt-5.2.1-drive-amplitude"),
+        ),
+        _answer(
+            "How does the input frequency influence stability and performance?",
+            "Hardly, since stable limit cycles can only lie in the band from 733 to 815 Hz.",
+            """
+            In open loop it decides which harmonics of the drive meet a resonance, which matters more than any
+            limit cycle: near 110 Hz the fifth meets the mode at 549.6 Hz. The band is [[ low | f1 ]] to
+            [[ high | f1 ]] Hz.
+            """,
+            ("txt-7-input-frequency", "txt-5.2.3-band", "txt-5.1.3-first-resonance"),
+            low=stable.frequency,
+            high=cycles.inertia.stable.frequency,
+        ),
+        _answer(
+            "How does the predicted limit cycle show in the output?",
+            "As an oscillation on top of the driven one in open loop, and alone in the closed loop.",
+            """
+            In the closed loop alone, as said; harmonic balance predicts its amplitude to
+            [[ error | percent1 ]]. In open loop not at all: a stable linear system behind play settles to the
+            period of the drive. The peaks read as limit cycles are harmonics of the drive, or natural modes
+            that have not yet decayed.
+            """,
+            ("txt-5.2.1-open-loop-peak", "txt-7-subharmonics", "txt-3.3-peak-550", "txt-3.3-peak-366"),
+            error=error,
+        ),
     )
 
 
-def _play_and_limit_cycles(evidence: Evidence) -> Answer:
-    friction, both = evidence.cycles.friction.stable, evidence.cycles.friction_both_channels.stable
-    return Answer(
-        "How does the size of the play influence the limit cycles, and so the vibration?",
-        "The amplitude grows in proportion to the play; below a play of about $2\\times10^{-8}$ m there is "
-        "no limit cycle.",
-        f"The proportion is exact, and holds for every play: the amplitude is {friction.amplitude:.2f} times "
-        f"the gap in the thesis's loop, {both.amplitude:.2f} times with the pin's velocity, at a frequency "
-        "that does not depend on the gap. There is no smallest play. A trimmer that is driven by its pin "
-        "does not have this limit cycle, which belongs to the closed loop; its vibration repeats with the "
-        "drive.",
-        ("txt-7-proportional", "txt-6-threshold", "txt-5.2.1-proportional", "lst-A.1"),
-    )
-
-
-def _damping() -> Answer:
-    return Answer(
-        "How does damping influence the linear stability?",
-        "Damping raises the peaks at the resonances and leaves their frequencies, far below the "
-        "operating one.",
-        "Damping lowers the peaks; the frequencies hardly change. The trimmer is stable with any positive "
-        "damping that reaches all modes. The resonances lie above the drive, where its harmonics meet them.",
-        ("txt-7-damping", "txt-7-operating-frequency"),
-    )
-
-
-def _play_and_stability(evidence: Evidence) -> Answer:
-    unstable, stable = evidence.cycles.friction.unstable, evidence.cycles.friction.stable
-    return Answer(
-        "How does play influence stability and performance?",
-        "Stability is not altered; unstable limit cycles, which appear with larger play, shift to the "
-        "stable ones.",
-        "Rest stays stable, but only nearby: the unstable limit cycle is the boundary. In the closed loop a "
-        f"disturbance well below {unstable.amplitude:.2f} gaps dies out, a larger one grows to the "
-        f"oscillation of {stable.amplitude:.2f} gaps. Both exist for every gap.",
-        ("txt-5.2.1-second-limit-cycle", "txt-5.2.3-unstable-inner", "txt-5.2.1-stable"),
-    )
-
-
-def _friction(evidence: Evidence) -> Answer:
-    thesis = evidence.cycles.equivalent.in_place.merger.force_per_gap
-    both = evidence.cycles.equivalent.in_place_both_channels.merger.force_per_gap
-    return Answer(
-        "How does friction influence stability and performance?",
-        "Coulomb friction between cutter and guard suppresses the limit cycles of backlash; it is desired.",
-        "It does, although the thesis's equation 3.2 and its equivalent nonlinearity have friction with the "
-        "wrong sign. By harmonic balance the limit cycle is gone when the force over the gap exceeds "
-        f"{thesis:.0f} N/m ({both:.0f} N/m with the pin's velocity): for 0.2 mm of play {thesis * 2e-4:.1f} "
-        f"N ({both * 2e-4:.1f} N). Friction also damps the modes that impacts excite.",
-        ("txt-7-coulomb", "eq-3.2", "txt-5.2.5-coulomb-term", "txt-3.3-friction-suppresses"),
-    )
-
-
-def _input_amplitude() -> Answer:
-    return Answer(
-        "How do input amplitude and play influence stability and performance?",
-        "The input amplitude does not change the limit cycle.",
-        "In open loop there is no limit cycle to change. What is seen are harmonics of the drive: they "
-        "depend on the ratio of the input amplitude to the gap, and tend to a multiple of the gap when the "
-        "input is much larger.",
-        ("txt-7-input-amplitude", "txt-5.2.1-drive-amplitude"),
-    )
-
-
-def _input_frequency(evidence: Evidence) -> Answer:
-    low, high = evidence.cycles.friction.stable.frequency, evidence.cycles.inertia.stable.frequency
-    return Answer(
-        "How does the input frequency influence stability and performance?",
-        "Hardly, since stable limit cycles can only lie in the band from 733 to 815 Hz.",
-        "In open loop it decides which harmonics of the drive meet a resonance, which matters more than any "
-        f"limit cycle: near 110 Hz the fifth meets the mode at 549.6 Hz. The band is {low:.1f} to {high:.1f} "
-        "Hz.",
-        ("txt-7-input-frequency", "txt-5.2.3-band", "txt-5.1.3-first-resonance"),
-    )
-
-
-def _in_the_output(evidence: Evidence) -> Answer:
-    error = solve_orbits(evidence.numbers, evidence.cycles).friction.stable.amplitude_error
-    return Answer(
-        "How does the predicted limit cycle show in the output?",
-        "As an oscillation on top of the driven one in open loop, and alone in the closed loop.",
-        f"In the closed loop alone, as said; harmonic balance predicts its amplitude to {error:.1%}. In open "
-        "loop not at all: a stable linear system behind play settles to the period of the drive. The peaks "
-        "read as limit cycles are harmonics of the drive, or natural modes that have not yet decayed.",
-        ("txt-5.2.1-open-loop-peak", "txt-7-subharmonics", "txt-3.3-peak-550", "txt-3.3-peak-366"),
-    )
+def _answer(question: str, thesis: str, now: str, claims: tuple[str, ...], /, **numbers: object) -> Answer:
+    return Answer(question, filled(thesis), filled(now, **numbers), claims)

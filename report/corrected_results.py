@@ -6,49 +6,40 @@ from collections.abc import Iterator
 
 from report.document import CorrectedResult
 from report.evidence import Evidence
-from report.numbers.exact_orbits import ExactOrbits, OrbitPair, solve_orbits
+from report.numbers.exact_orbits import OrbitPair
 from report.numbers.limit_cycle_numbers import Pair
+from report.text import filled
+from report.thesis import LARGE_GAP, SMALL_GAP
 
-GAP, LARGER_GAP = 4e-6, 4e-5
-"""Gaps of section 5.2.1, m."""
 
-
-def corrected_results(evidence: Evidence) -> tuple[CorrectedResult, ...]:
+def corrected_results(known: Evidence) -> tuple[CorrectedResult, ...]:
     """Return one row for each prediction, in the order of the thesis."""
-    orbits = solve_orbits(evidence.numbers, evidence.cycles)
     return (
-        *_friction(evidence, orbits),
-        *_velocity(evidence, orbits),
-        *_inertia(evidence, orbits),
-        *_errors(evidence, orbits),
-        *_with_friction(evidence),
+        *_friction(known.cycles.friction, known.orbits.friction),
+        *_velocity(known.cycles.friction_both_channels, known.orbits.friction_both_channels),
+        *_inertia(known),
+        *_errors(known),
+        _with_friction(known.cycles.equivalent.in_place.merger.force_per_gap),
     )
 
 
-def _friction(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResult]:
-    cycles, exact = evidence.cycles.friction, orbits.friction
+def _friction(cycles: Pair, exact: OrbitPair) -> Iterator[CorrectedResult]:
+    threshold, remark = "smallest gap with a limit cycle", "amplitude over gap is the same for every gap"
+    yield CorrectedResult("txt-5.2.1-threshold", threshold, "2e-8", "none", "none", "m", remark)
+    stable = r"stable, $b$ = $4\times10^{-6}$ m"
+    yield _amplitude("txt-5.2.1-prediction", stable, "3.3138e-5", SMALL_GAP, cycles, exact)
+    yield _frequency("txt-5.2.1-prediction", "stable, any gap", "733.3", cycles, exact)
     yield CorrectedResult(
-        "txt-5.2.1-threshold",
-        "smallest gap with a limit cycle",
-        *("2e-8", "none", "none"),
-        unit="m",
-        remark="amplitude over gap is the same for every gap",
-    )
-    predicted = "txt-5.2.1-prediction"
-    yield _amplitude(predicted, "stable, $b$ = $4\\times10^{-6}$ m", "3.3138e-5", GAP, cycles, exact)
-    yield _frequency(predicted, "stable, any gap", "733.3", cycles, exact)
-    second = "txt-5.2.1-second-limit-cycle"
-    yield CorrectedResult(
-        second,
-        "amplitude, unstable, $b$ = $4\\times10^{-5}$ m",
+        "txt-5.2.1-second-limit-cycle",
+        r"amplitude, unstable, $b$ = $4\times10^{-5}$ m",
         "2.1089e-5",
-        f"{cycles.unstable.amplitude * LARGER_GAP:.5g}",
-        f"{exact.unstable.amplitude * LARGER_GAP:.5g}",
+        f"{cycles.unstable.amplitude * LARGE_GAP:.5g}",
+        f"{exact.unstable.amplitude * LARGE_GAP:.5g}",
         "m",
         "there for every gap, not only for larger ones",
     )
     yield CorrectedResult(
-        second,
+        "txt-5.2.1-second-limit-cycle",
         "frequency, unstable, any gap",
         "533.22",
         f"{cycles.unstable.frequency:.2f}",
@@ -57,90 +48,71 @@ def _friction(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResu
     )
 
 
-def _velocity(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResult]:
-    cycles, exact = evidence.cycles.friction_both_channels, orbits.friction_both_channels
-    remark = "the thesis's loop leaves the pin's velocity out"
-    yield _amplitude("lst-A.1", "stable, with the pin's velocity, per gap", "", 1.0, cycles, exact, remark)
-    yield _frequency("lst-A.1", "stable, with the pin's velocity", "", cycles, exact, remark)
+def _velocity(cycles: Pair, exact: OrbitPair) -> Iterator[CorrectedResult]:
+    stable, remark = "stable, with the pin's velocity", "the thesis's loop leaves the pin's velocity out"
+    yield _amplitude("lst-A.1", f"{stable}, per gap", "", 1.0, cycles, exact, remark)
+    yield _frequency("lst-A.1", stable, "", cycles, exact, remark)
 
 
-def _inertia(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResult]:
-    cycles, exact = evidence.cycles.inertia, orbits.inertia
-    low, exact_low = evidence.cycles.friction.stable, orbits.friction.stable
-    prediction, figure = "txt-5.2.2-prediction", "fig-5.13"
-    yield _frequency(prediction, "stable, inertia-controlled", "814.9", cycles, exact)
-    yield _amplitude(prediction, "stable, inertia-controlled, per gap", "", 1.0, cycles, exact)
+def _inertia(known: Evidence) -> Iterator[CorrectedResult]:
+    cycles, exact = known.cycles.inertia, known.orbits.inertia
+    low, exact_low = known.cycles.friction.stable.frequency, known.orbits.friction.stable.frequency
+    missed = f"{cycles.unstable.amplitude:.3f} and exactly {exact.unstable.amplitude:.3f} gaps"
+    stable = "stable, inertia-controlled"
+    yield _frequency("txt-5.2.2-prediction", stable, "814.9", cycles, exact)
+    yield _amplitude("txt-5.2.2-prediction", f"{stable}, per gap", "", 1.0, cycles, exact)
     yield CorrectedResult(
-        figure,
+        "fig-5.13",
         "frequency, unstable, inertia-controlled",
         "",
         f"{cycles.unstable.frequency:.1f}",
         f"{exact.unstable.frequency:.1f}",
         "Hz",
-        f"missed by the thesis; {cycles.unstable.amplitude:.3f} and exactly "
-        f"{exact.unstable.amplitude:.3f} gaps",
+        f"missed by the thesis; {missed}",
     )
     yield CorrectedResult(
         "txt-5.2.3-band",
         "band of stable limit cycles",
         "733 to 815",
-        f"{low.frequency:.1f} to {cycles.stable.frequency:.1f}",
-        f"{exact_low.frequency:.1f} to {exact.stable.frequency:.1f}",
+        f"{low:.1f} to {cycles.stable.frequency:.1f}",
+        f"{exact_low:.1f} to {exact.stable.frequency:.1f}",
         "Hz",
         "760 Hz, the example of equation 5.11, lies outside",
     )
 
 
-def _errors(evidence: Evidence, orbits: ExactOrbits) -> Iterator[CorrectedResult]:
-    friction, inertia = orbits.friction.stable, orbits.inertia.stable
+def _errors(known: Evidence) -> Iterator[CorrectedResult]:
+    friction, inertia = known.orbits.friction.stable, known.orbits.inertia.stable
     against = "error of harmonic balance against the exact orbit"
     for claim, quantity, printed, error in (
         ("txt-5.2.1-amplitude-error", "amplitude, friction-controlled", "0.4334", friction.amplitude_error),
         ("txt-5.2.1-frequency-error", "frequency, friction-controlled", "0.046", friction.frequency_error),
         ("txt-5.2.2-error", "frequency, inertia-controlled", "23.47", inertia.frequency_error),
     ):
-        yield CorrectedResult(
-            claim, f"error of the predicted {quantity}", printed, f"{100 * abs(error):.2g}", "0", "%", against
-        )
+        predicted = f"error of the predicted {quantity}"
+        yield CorrectedResult(claim, predicted, printed, f"{100 * abs(error):.2g}", "0", "%", against)
 
 
-def _with_friction(evidence: Evidence) -> Iterator[CorrectedResult]:
-    merger = evidence.cycles.equivalent.in_place.merger
-    yield CorrectedResult(
-        "txt-5.2.5-prediction",
-        "frequency with friction, $b$ = $4\\times10^{-6}$ m, $F_c$ = 0.6 N",
-        "737.514",
-        "none",
-        "",
-        "Hz",
-        f"no limit cycle above $F_c/b$ = {merger.force_per_gap:.0f} N/m: "
-        f"{merger.force_per_gap * GAP:.2g} N for this gap",
+def _with_friction(force_per_gap: float) -> CorrectedResult:
+    remark = filled(
+        "no limit cycle above $F_c/b$ = [[ per_gap | f0 ]] N/m: [[ force | g2 ]] N for this gap",
+        per_gap=force_per_gap,
+        force=force_per_gap * SMALL_GAP,
     )
+    quantity = r"frequency with friction, $b$ = $4\times10^{-6}$ m, $F_c$ = 0.6 N"
+    return CorrectedResult("txt-5.2.5-prediction", quantity, "737.514", "none", "", "Hz", remark)
 
 
 def _amplitude(
     claim: str, quantity: str, printed: str, gap: float, cycles: Pair, exact: OrbitPair, remark: str = ""
 ) -> CorrectedResult:
-    return CorrectedResult(
-        claim,
-        f"amplitude, {quantity}",
-        printed,
-        f"{cycles.stable.amplitude * gap:.5g}",
-        f"{exact.stable.amplitude * gap:.5g}",
-        "" if gap == 1.0 else "m",
-        remark,
-    )
+    balance, orbit = (f"{each.stable.amplitude * gap:.5g}" for each in (cycles, exact))
+    unit = "" if gap == 1.0 else "m"
+    return CorrectedResult(claim, f"amplitude, {quantity}", printed, balance, orbit, unit, remark)
 
 
 def _frequency(
     claim: str, quantity: str, printed: str, cycles: Pair, exact: OrbitPair, remark: str = ""
 ) -> CorrectedResult:
-    return CorrectedResult(
-        claim,
-        f"frequency, {quantity}",
-        printed,
-        f"{cycles.stable.frequency:.2f}",
-        f"{exact.stable.frequency:.2f}",
-        "Hz",
-        remark,
-    )
+    balance, orbit = (f"{each.stable.frequency:.2f}" for each in (cycles, exact))
+    return CorrectedResult(claim, f"frequency, {quantity}", printed, balance, orbit, "Hz", remark)

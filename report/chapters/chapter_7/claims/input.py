@@ -1,103 +1,258 @@
-"""Claim of chapter 7 on the amplitude of the input."""
+"""Claims of chapter 7 on the input: its amplitude, its frequency, and what shows of it in the output."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
+import sympy
 
-from report.chapters.chapter_5.claims.driven_open_loop import open_loop_repeats
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
+from derivations.backlash import (
+    CONTACT,
+    GAMMA,
+    GAP,
+    friction_waveform,
+    inertia_contact_ratio,
+    inertia_waveform,
+)
+from derivations.friction import FORCE
+from derivations.symbols import A, omega
+from derivations.waveform import describing_function
+from report.chapters.appendix_a.claims.elements import friction_expression
+from report.chapters.chapter_5.claims.driven_open_loop import (
+    REPEATS,
+    line_part,
+    open_loop,
+    open_loop_repeats,
+)
+from report.chapters.chapter_5.claims.figures_5_2_5 import LISTING
+from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.numbers.drive_amplitudes import SAMPLES
+from report.numbers.independent.waveforms import inertia_contact_angle
+from report.numbers.record import line_amplitudes
+from report.parts import assertion, close, expression, small, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import frequency_response
 from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.viscous_backlash import ViscousBacklash
 
-OPEN_LOOP_GAP = 4e-5
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
-TURN = 2 * math.pi
 FIFTH = 5
+SIMULATED = "exact simulation with 1.5 mm and 100 Hz"
+BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claim."""
-    return (_input_amplitude(evidence),)
-
-
-def harmonic_of_output(evidence: Evidence, amplitude: float, frequency: float, harmonic: int) -> float:
-    """Return the amplitude of a harmonic behind backlash and linear part in open loop, m."""
-    gain = FrictionBacklash(OPEN_LOOP_GAP).describing_function(amplitude, harmonic=harmonic)
-    response = frequency_response(evidence.numbers.displacement_only, TURN * harmonic * frequency)
+def fifth_harmonic(known: Evidence, amplitude: float, frequency: float) -> float:
+    """Return the amplitude of the fifth harmonic behind backlash and linear part in open loop, m."""
+    gain = FrictionBacklash(LARGE_GAP).describing_function(amplitude, harmonic=FIFTH)
+    response = frequency_response(known.numbers.displacement_only, TURN * FIFTH * frequency)
     return float(amplitude * abs(gain * response))
 
 
-def _input_amplitude(evidence: Evidence) -> Claim:
-    fifth = [harmonic_of_output(evidence, a, DRIVE_FREQUENCY, 5) for a in DRIVE_AMPLITUDES]
-    return Claim(
-        id="txt-7-input-amplitude",
-        parts=(
-            _open_loop(evidence),
-            _dependence(evidence, fifth),
-        ),
-        explanation=(
-            "In open loop nothing is fed back, so there is no limit cycle that could keep its amplitude: "
-            "what is seen are harmonics of the drive. Scaling shows what they may depend on: input and gap "
-            "times one factor give the output times that factor, so an output that did not depend on the "
-            "input would be proportional to the gap. That is the limit for an input much larger than the "
-            "gap, where backlash adds nearly a square wave of half the gap; from 1.5 to 3 mm the fifth "
-            f"harmonic grows by {100 * (fifth[2] / fifth[1] - 1):.1f} %, which is easily taken for nothing."
-        ),
-        consequence=(
-            "The answer holds as an approximation for wide strokes. It says nothing on a limit cycle under a "
-            "drive in closed loop, which this method with one sinusoid does not reach."
-        ),
-        impact=Impact.LOCAL,
-        source="trimmer/elements/friction_backlash.py",
-    )
-
-
-def by_simulation(evidence: Evidence, fifth: float) -> Confirmation:
-    """Confirm the fifth harmonic for a drive of 1.5 mm and 100 Hz, m."""
-    run = next(run for run in evidence.motion.drive_amplitudes if run.amplitude == DRIVE_AMPLITUDE)
-    return Confirmation(
-        "exact simulation with 1.5 mm and 100 Hz", CloseNumbers(float(run.harmonics[FIFTH]), fifth, 1e-4)
-    )
-
-
-def _dependence(evidence: Evidence, fifth: list[float]) -> Part:
-    below = FrictionBacklash(OPEN_LOOP_GAP).describing_function(0.49 * OPEN_LOOP_GAP)
-    return Part(
-        "what it depends on",
-        Assertion(
-            statement="the amplitude of the input has no effect on the oscillation that is left",
-            derived=max(fifth) / min(fifth) < 1.001 and not np.isnan(below),
-            evidence=(
-                "for a gap of 40 µm the fifth harmonic of the output is "
-                + ", ".join(f"{1e6 * a:.2f} µm" for a in fifth)
-                + " for inputs of "
-                + ", ".join(f"{1e3 * a:.1f} mm" for a in DRIVE_AMPLITUDES)
-                + "; below half of the gap there is no output at all"
-            ),
-            method="fifth harmonic of the derived element times the response of $G$",
-        ),
-        by_simulation(evidence, fifth[1]),
-    )
-
-
-def _open_loop(evidence: Evidence) -> Part:
-    decay = max(mode.eigenvalue.real for mode in evidence.numbers.modes)
-    return Part(
+@claim("txt-7-input-amplitude", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
+def input_amplitude(known: Evidence) -> Record:
+    decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
+    fifth = [fifth_harmonic(known, amplitude, DRIVE_FREQUENCY) for amplitude in DRIVE_AMPLITUDES]
+    yield assertion(
         "what oscillates in open loop",
-        Assertion(
-            statement="besides the drive and its harmonics a limit cycle goes on",
-            derived=decay >= 0,
-            evidence=(
-                "the backlash repeats with the drive's period, and behind it every free motion of "
-                f"the linear part decays as $e^{{{decay:.1f}\\,t}}$ or faster"
-            ),
-            method="periodic input of a stable linear system",
+        "besides the drive and its harmonics a limit cycle goes on",
+        decay >= 0,
+        filled(
+            r"""
+            the backlash repeats with the drive's period, and behind it every free motion of the linear part
+            decays as $e^{[[ decay | f1 ]]\,t}$ or faster
+            """,
+            decay=decay,
         ),
-        open_loop_repeats(evidence),
+        method="periodic input of a stable linear system",
+        second=open_loop_repeats(known),
+    )
+    below = FrictionBacklash(LARGE_GAP).describing_function(0.49 * LARGE_GAP)
+    yield assertion(
+        "what it depends on",
+        "the amplitude of the input has no effect on the oscillation that is left",
+        max(fifth) / min(fifth) < 1.001 and not np.isnan(below),
+        filled(
+            """
+            for a gap of 40 µm the fifth harmonic of the output is [[ outputs ]] for inputs of [[ inputs ]];
+            below half of the gap there is no output at all
+            """,
+            outputs=", ".join(f"{1e6 * each:.2f} µm" for each in fifth),
+            inputs=", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES),
+        ),
+        method=BY_RESPONSE,
+        second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth[1], 1e-4),
+    )
+    yield text(
+        """
+        In open loop nothing is fed back, so there is no limit cycle that could keep its amplitude: what is
+        seen are harmonics of the drive. Scaling shows what they may depend on: input and gap times one factor
+        give the output times that factor, so an output that did not depend on the input would be proportional
+        to the gap. That is the limit for an input much larger than the gap, where backlash adds nearly a
+        square wave of half the gap; from 1.5 to 3 mm the fifth harmonic grows by [[ growth | f1 ]] %, which
+        is easily taken for nothing.
+
+        The answer holds as an approximation for wide strokes. It says nothing on a limit cycle under a drive
+        in closed loop, which this method with one sinusoid does not reach.
+        """,
+        growth=100 * (fifth[2] / fifth[1] - 1),
+    )
+
+
+@claim("txt-7-input-frequency", source="derivations/backlash.py", impact=Impact.LOCAL)
+def input_frequency(known: Evidence) -> Record:
+    friction = describing_function(friction_waveform(), A)
+    inertia = describing_function(inertia_waveform(), A).subs(GAP, A * inertia_contact_ratio())
+    limits, slow_and_fast = (ViscousBacklash(1.0, each) for each in (1e-9, 1e3)), np.array([1e2, 1e4])
+    changes = [abs(complex(np.diff(each.describing_function(2.0, slow_and_fast))[0])) for each in limits]
+    general = "the general element with $M/D$ of 1 ns and of 1000 s, at 100 and at 10 000 rad/s"
+    yield assertion(
+        "describing functions",
+        "those of friction- and inertia-controlled backlash do not depend on frequency",
+        not {omega, GAMMA} & (friction.free_symbols | inertia.free_symbols),
+        "with $A$, the gap and the contact angle they are complete",
+        method="symbols of the derived functions",
+        second=so(general, max(changes) < 1e-4),
+    )
+    fifth, measured = (
+        fifth_harmonic(known, DRIVE_AMPLITUDE, each) for each in (DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY)
+    )
+    yield assertion(
+        "what follows for the output",
+        "for friction-controlled backlash the input frequency changes nothing",
+        abs(measured / fifth - 1) < 0.1,
+        filled(
+            """
+            behind a gap of 40 µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive of [[ drive | f0 ]] Hz
+            and [[ measured | f0 ]] µm for one of [[ measured_drive ]] Hz
+            """,
+            fifth=1e6 * fifth,
+            drive=DRIVE_FREQUENCY,
+            measured=1e6 * measured,
+            measured_drive=MEASURED_DRIVE_FREQUENCY,
+        ),
+        method=BY_RESPONSE,
+        second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth, 1e-4),
+    )
+    cycles, orbits = known.cycles, known.orbits
+    without_inertia, without_friction = cycles.friction.stable.frequency, cycles.inertia.stable.frequency
+    ratio = without_friction / without_inertia
+    by_orbits = "the ratio of the exact orbits' frequencies"
+    exact_ratio = orbits.inertia.stable.frequency / orbits.friction.stable.frequency
+    yield assertion(
+        "condition of harmonic balance",
+        "the frequency follows from the transfer function alone",
+        abs(ratio - 1) < 1e-6,
+        filled(
+            """
+            with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
+            inertia-controlled backlash
+            """,
+            friction=without_inertia,
+            inertia=without_friction,
+        ),
+        method="all solutions of harmonic balance for both elements",
+        second=close(by_orbits, exact_ratio, ratio, 0.005),
+    )
+    added = LISTING - friction_expression()
+    far_up = abs(complex(added.subs({FORCE: 1, A: 1, omega: 10**12})))
+    yield expression(
+        "what Listing A.6 adds to backlash, with rising frequency",
+        sympy.Integer(0),
+        sympy.limit(added, omega, sympy.oo),
+        r"\lim (N - N_r)",
+        second=small("its size at $10^{12}$ rad/s, raised by one", far_up),
+    )
+    slow = complex(sympy.limit(-1 / LISTING.subs({A: GAP}), omega, 0))
+    at_gap = complex((-1 / inertia).subs(CONTACT, inertia_contact_angle(1)).evalf())
+    element = -1 / complex(InertiaBacklash(1.0).describing_function(1.0))
+    yield assertion(
+        "equivalent nonlinearity, with falling frequency",
+        "the contour of Listing A.6 tends to that of inertia-controlled backlash",
+        abs(slow - at_gap) < 1e-3,
+        filled(
+            """
+            at $A = b$ the listing's $-1/N$ tends to [[ slow | f0 ]], that of inertia is $[[ real | f2 ]]
+            [[ imaginary | signed2 ]]j$
+            """,
+            slow=slow.real,
+            real=at_gap.real,
+            imaginary=at_gap.imag,
+        ),
+        method="limit of the listing's function",
+        second=close("the inertia-controlled element", element, at_gap),
+    )
+    stable = [cycle for found in cycles.viscous for cycle in found if cycle.stable]
+    lowest, highest = (limit(cycle.frequency for cycle in stable) for limit in (min, max))
+    yield assertion(
+        "range of frequencies",
+        "stable limit cycles have nearly one frequency whatever $M/D$ is",
+        highest / lowest < 1.03,
+        f"from {lowest:.1f} to {highest:.1f} Hz",
+        method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+        second=close(by_orbits, exact_ratio, highest / lowest, 0.005),
+    )
+    yield text(
+        """
+        That two of the functions do not depend on frequency is right, and does not make the system
+        independent of it: $G$ does depend. The frequency in the others is that of the limit cycle, not that
+        of the input. The function of Listing A.6 tends to backlash at high frequency because of its wrong
+        factor, and to no kind of backlash at low frequency; friction itself does not depend on frequency at
+        all. The range of frequencies is narrow, as stated; the amplitude still falls by [[ fall | f0 ]] %
+        from its largest value to that for inertia.
+
+        At the measured 109.945 Hz the fifth harmonic meets a resonance, which matters more than anything in
+        this answer.
+        """,
+        fall=100 * (1 - cycles.inertia.stable.amplitude / max(cycle.amplitude for cycle in stable)),
+    )
+
+
+@claim("txt-7-subharmonics", source="report/numbers/drive_amplitudes.py", impact=Impact.LOCAL)
+def subharmonics(known: Evidence) -> Record:
+    run, orbit = open_loop(known), known.orbits.friction.stable
+    first, second = run.output[:SAMPLES], run.output[SAMPLES:]
+    change = float(abs(second - first).max() / abs(second).max())
+    fifth = fifth_harmonic(known, DRIVE_AMPLITUDE, DRIVE_FREQUENCY)
+    by_response = "the fifth harmonic by describing function and frequency response"
+    yield assertion(
+        "open loop: what the peaks are",
+        "they are subharmonics of the drive",
+        change > REPEATS,
+        filled(
+            """
+            two periods differ by [[ change | power0 ]] of the output, and at half of the [[ drive | f0 ]] Hz
+            there are [[ half | power0 ]] of the first harmonic; the lines are at three, five and seven times
+            the drive
+            """,
+            change=change,
+            drive=DRIVE_FREQUENCY,
+            half=float(line_amplitudes(run.output)[1]) / run.harmonics[1],
+        ),
+        method="exact simulation; two periods of the settled open loop",
+        second=close(by_response, fifth, run.harmonics[FIFTH], 1e-4),
+    )
+    yield line_part(known, "a limit cycle on top of the drive's oscillation, in open loop")
+    largest = 100 * abs(orbit.harmonics[2] / orbit.harmonics[0])
+    elsewhere = "a motion that starts elsewhere, 0.1 % outside of the unstable orbit, and ends on it"
+    yield assertion(
+        "closed loop without input",
+        "the limit cycle is the only oscillation that stays",
+        orbit.stable,
+        f"every disturbance of it decays; its own harmonics stay with it, the largest with {largest:.2f} %",
+        method="Floquet multipliers of the exact orbit",
+        second=close(elsewhere, known.orbits.left_by[1], orbit.amplitude, 1e-5),
+    )
+    yield text(
+        """
+        The peaks that are meant lie at multiples of the drive: they are harmonics, not subharmonics. A
+        subharmonic, at a fraction of the drive's frequency, would need a motion with several times its
+        period, which a stable linear system behind play does not have. A limit cycle on top of the driven
+        oscillation shows where the output is fed back to the pin, not in open loop.
+
+        In a spectrum of the open loop no peak has to be sorted out as a limit cycle: what is no harmonic is a
+        free vibration that has not died out.
+        """
     )

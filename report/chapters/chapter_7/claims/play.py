@@ -1,136 +1,177 @@
-"""Claims of chapter 7 on what play does to the stability of the loop."""
+"""Claims of chapter 7 on what play does to stability, and on which of its models to use."""
 
 from __future__ import annotations
 
-import control
 import numpy as np
 
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
+from report.chapters.chapter_5.claims.section_5_2_4 import on_the_imaginary_axis
+from report.claim import Impact
+from report.comparisons.second_ways import by_floquet
 from report.evidence import Evidence
+from report.numbers.independent.closed_linear_loop import slowest_growth
+from report.numbers.independent.loci import phase_range
+from report.parts import assertion, close, so
+from report.record import Record, claim, text
+from report.text import filled
+from trimmer import real_axis_crossings
 
 SOURCE = "report/numbers/exact_orbits.py"
 CLOSE = 1e-3
 """Share by which the amplitude of a motion may differ from that of the limit cycle it ends on."""
+ALIKE = 0.1
+"""Share by which frequencies may differ and still be called approximately equal."""
+BELOW = 0.05
+"""Share by which the recommended model's amplitude may stay below another's and still stand for it."""
+ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_only_stable(evidence), _stability(evidence))
-
-
-def _only_stable(evidence: Evidence) -> Claim:
-    cycle = evidence.cycles.friction.unstable
-    orbit = evidence.motion.closed.orbits.friction.unstable
-    growth = abs(orbit.nontrivial_multipliers).max()
-    return Claim(
-        id="txt-7-only-stable",
-        parts=(
-            Part(
-                "",
-                Assertion(
-                    statement="all predicted limit cycles are stable",
-                    derived=bool(cycle.stable),
-                    evidence=(
-                        f"besides the stable one each gap $b$ has one of {cycle.amplitude:.4f} $b$ at "
-                        f"{cycle.frequency:.2f} Hz, which is not"
-                    ),
-                    method="all solutions of harmonic balance, Loeb's criterion",
-                ),
-                Confirmation(
-                    "a Floquet multiplier of the exact orbit outside of the unit circle",
-                    Assertion(
-                        statement="the orbit is stable",
-                        derived=orbit.stable,
-                        evidence=f"a disturbance grows {growth:.1f} times in a period",
-                        method="Floquet multipliers",
-                        asserted=False,
-                    ),
-                ),
-            ),
+@claim("txt-7-only-stable", source=SOURCE, impact=Impact.LOCAL)
+def only_stable(known: Evidence) -> Record:
+    cycle, orbit = known.cycles.friction.unstable, known.orbits.friction.unstable
+    yield assertion(
+        "",
+        "all predicted limit cycles are stable",
+        cycle.stable,
+        filled(
+            """
+            besides the stable one each gap $b$ has one of [[ amplitude | f4 ]] $b$ at [[ frequency | f2 ]]
+            Hz, which is not
+            """,
+            amplitude=cycle.amplitude,
+            frequency=cycle.frequency,
         ),
-        explanation=(
-            "Harmonic balance has two solutions for every gap, and the smaller one is unstable: a deviation "
-            f"from the exact orbit grows {growth:.1f} times in each period. Table 5.1 lists it, and the "
-            "answers of this chapter speak of unstable limit cycles, so the summary contradicts both."
-        ),
-        consequence=(
-            "The unstable one decides whether the stable one is reached: what starts inside of it comes to "
-            "rest."
-        ),
-        impact=Impact.LOCAL,
-        source=SOURCE,
+        method="all solutions of harmonic balance, Loeb's criterion",
+        second=so("a Floquet multiplier of the exact orbit outside of the unit circle", not orbit.stable),
+    )
+    yield text(
+        """
+        Harmonic balance has two solutions for every gap, and the smaller one is unstable: a deviation from
+        the exact orbit grows [[ growth | f1 ]] times in each period. Table 5.1 lists it, and the answers of
+        this chapter speak of unstable limit cycles, so the summary contradicts both.
+
+        The unstable one decides whether the stable one is reached: what starts inside of it comes to rest.
+        """,
+        growth=abs(orbit.nontrivial_multipliers).max(),
     )
 
 
-def _stability(evidence: Evidence) -> Claim:
-    stable = evidence.motion.closed.orbits.friction.stable
-    slowest = slowest_growth(evidence)
-    return Claim(
-        id="txt-7-play-stability",
-        parts=(
-            Part(
-                "the loop without play and with it",
-                Assertion(
-                    statement="play does not alter whether the loop comes to rest from every start",
-                    derived=(slowest < 0) == (not stable.stable),
-                    evidence=(
-                        f"without play every motion decays, as $e^{{{slowest:.1f}\\,t}}$ or faster; with "
-                        f"play there is a stable limit cycle of {stable.amplitude:.4f} gaps"
-                    ),
-                    method="eigenvalues of the closed linear loop; Floquet multipliers of the exact orbit",
-                ),
-                Confirmation(
-                    "a motion from 0.1 % outside of the unstable orbit, which ends on it",
-                    CloseNumbers(evidence.motion.closed.orbits.left_by[1], stable.amplitude, 1e-5),
-                ),
-            ),
-            _both_ways(evidence),
+@claim("txt-7-play-stability", source=SOURCE, impact=Impact.DOWNSTREAM)
+def play_and_stability(known: Evidence) -> Record:
+    stable, unstable = known.orbits.friction.stable, known.orbits.friction.unstable
+    inside, outside = known.orbits.left_by
+    slowest = slowest_growth(known.numbers.displacement_only)
+    from_outside = "a motion from 0.1 % outside of the unstable orbit, which ends on it"
+    yield assertion(
+        "the loop without play and with it",
+        "play does not alter whether the loop comes to rest from every start",
+        (slowest < 0) == (not stable.stable),
+        filled(
+            r"""
+            without play every motion decays, as $e^{[[ slowest | f1 ]]\,t}$ or faster; with play there is a
+            stable limit cycle of [[ amplitude | f4 ]] gaps
+            """,
+            slowest=slowest,
+            amplitude=stable.amplitude,
         ),
-        explanation=(
-            "The rest position stays stable, in that the text is right. But a loop that without play comes "
-            "to rest from any start, with play does so only from small ones: beyond the unstable limit cycle "
-            "it goes on for ever. The unstable one does not shift towards the stable one; it is left on "
-            "either side, as section 2.3.6 itself says."
-        ),
-        consequence=(
-            "The answer to the second sub-question has to read: an oscillation smaller than the unstable "
-            f"limit cycle, {evidence.motion.closed.orbits.friction.unstable.amplitude:.2f} gaps, dies out, a "
-            f"larger one ends at {stable.amplitude:.2f} gaps."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source=SOURCE,
+        method="eigenvalues of the closed linear loop; Floquet multipliers of the exact orbit",
+        second=close(from_outside, outside, stable.amplitude, 1e-5),
     )
-
-
-def _both_ways(evidence: Evidence) -> Part:
-    orbits = evidence.motion.closed.orbits
-    inside, outside = orbits.left_by
-    outward = [each for each in orbits.friction.unstable.nontrivial_multipliers if abs(each) > 1]
-    return Part(
+    outward = [each for each in unstable.nontrivial_multipliers if abs(each) > 1]
+    to_either_side = len(outward) == 1 and np.isreal(outward[0]) and outward[0].real > 1
+    one_multiplier = "the one multiplier outside of the unit circle, which is real and positive"
+    yield assertion(
         "what starts at the unstable limit cycle",
-        Assertion(
-            statement="it goes to the stable one",
-            derived=all(abs(each / orbits.friction.stable.amplitude - 1) < CLOSE for each in orbits.left_by),
-            evidence=(
-                f"started 0.1 % inside it ends with {inside:.2f} gaps, 0.1 % outside with {outside:.2f} gaps"
-            ),
-            method="exact simulation",
-        ),
-        Confirmation(
-            "the one multiplier outside of the unit circle, which is real and positive",
-            Assertion(
-                statement="it is left in one direction, to either side",
-                derived=len(outward) == 1 and bool(np.isreal(outward[0])) and outward[0].real > 1,
-                evidence=", ".join(f"{each.real:.3f}" for each in outward),
-                method="Floquet multipliers",
-            ),
-        ),
+        "it goes to the stable one",
+        all(abs(each / stable.amplitude - 1) < CLOSE for each in (inside, outside)),
+        f"started 0.1 % inside it ends with {inside:.2f} gaps, 0.1 % outside with {outside:.2f} gaps",
+        method="exact simulation",
+        second=so(one_multiplier, to_either_side),
+    )
+    yield text(
+        """
+        The rest position stays stable, in that the text is right. But a loop that without play comes to rest
+        from any start, with play does so only from small ones: beyond the unstable limit cycle it goes on for
+        ever. The unstable one does not shift towards the stable one; it is left on either side, as section
+        2.3.6 itself says.
+
+        The answer to the second sub-question has to read: an oscillation smaller than the unstable limit
+        cycle, [[ unstable | f2 ]] gaps, dies out, a larger one ends at [[ stable | f2 ]] gaps.
+        """,
+        unstable=unstable.amplitude,
+        stable=stable.amplitude,
     )
 
 
-def slowest_growth(evidence: Evidence) -> float:
-    """Return the largest real part of the poles of the loop closed without play, 1/s."""
-    closed = control.feedback(evidence.numbers.displacement_only, 1)
-    return float(max(pole.real for pole in control.poles(closed)))
+@claim("txt-7-models", source="report/numbers/limit_cycle_numbers.py", impact=Impact.LOCAL)
+def models(known: Evidence) -> Record:
+    cycles, system = known.cycles, known.numbers.displacement_only
+    friction, inertia = known.orbits.friction.stable, known.orbits.inertia.stable
+    loads = [cycle for found in cycles.viscous for cycle in found if cycle.stable]
+    counts = [sum(cycle.stable for cycle in found) for found in cycles.viscous]
+    yield assertion(
+        "models with play",
+        "each has a stable limit cycle",
+        min(counts) > 0,
+        f"{max(counts)} for each of {len(counts)} loads between the limits",
+        method=ALL_LOADS,
+        second=by_floquet([friction, inertia], stable=True),
+    )
+    lowest_phase, highest_phase = phase_range(system)
+    on_the_real_axis = [each.value for each in real_axis_crossings(system)]
+    by_roots = "all roots of real and imaginary part: $G$ meets neither of the two half axes"
+    yield assertion(
+        "Coulomb friction",
+        "it has a stable limit cycle",
+        lowest_phase <= -180 or highest_phase >= 90,
+        filled(
+            """
+            the phase of $G$ stays between [[ lowest | f1 ]] and [[ highest | f1 ]] degrees; a relay for
+            displacement asks for -180, friction for 90
+            """,
+            lowest=lowest_phase,
+            highest=highest_phase,
+        ),
+        method="phase of the frequency response",
+        second=so(by_roots, max(on_the_imaginary_axis(known.numbers)) < 0 < min(on_the_real_axis)),
+    )
+    lowest, highest = (limit(cycle.frequency for cycle in loads) for limit in (min, max))
+    merger, by_balance = cycles.equivalent.in_place.merger.frequency, cycles.inertia.stable.frequency
+    yield assertion(
+        "frequencies",
+        "they are approximately equal",
+        highest < (1 + ALIKE) * min(lowest, merger),
+        filled(
+            """
+            [[ lowest | f1 ]] to [[ highest | f1 ]] Hz with play alone, down to [[ merger | f1 ]] Hz with as
+            much friction as leaves a limit cycle
+            """,
+            lowest=lowest,
+            highest=highest,
+            merger=merger,
+        ),
+        method="all solutions of harmonic balance for every load and every force",
+        second=close("the exact orbit with inertia alone", inertia.frequency, by_balance, 0.02),
+    )
+    simplest, largest = cycles.friction.stable.amplitude, cycles.largest_viscous.amplitude
+    smallest = min(cycle.amplitude for cycle in loads)
+    yield assertion(
+        "friction-controlled backlash in place of the others",
+        "its limit cycle is not much smaller than that of any load",
+        largest < (1 + BELOW) * simplest,
+        f"it has {simplest:.2f} gaps, other loads have {smallest:.2f} to {largest:.2f}",
+        method=ALL_LOADS,
+        second=close("the exact orbit without inertia", friction.amplitude, simplest, 0.005),
+    )
+    yield text(
+        """
+        Every kind of play has one stable limit cycle, and their frequencies lie closer together than the
+        thesis's own, which are 11 % apart. Coulomb friction alone has none, as section 5.2.4 says; if all
+        models with play are meant, the sentence is right. The recommendation to use friction-controlled
+        backlash holds: its frequency is within 3 % of any other load's, its amplitude at most
+        [[ too_small | f1 ]] % too small and, for a load of inertia alone, [[ too_large | f0 ]] % too large.
+
+        A designer may use the simplest model: but for a few percent it is on the safe side.
+        """,
+        too_small=100 * (largest / simplest - 1),
+        too_large=100 * (simplest / smallest - 1),
+    )

@@ -1,101 +1,130 @@
-"""Claim of chapter 7 on a limit cycle at the frequency of a resonance."""
+"""Claims of chapter 7 on damping, on where the resonances lie, and on a limit cycle at one of them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.second_ways import second_way
+from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.exact_response import gain
-from trimmer import Extremum, frequency_response, resonance_peaks
+from report.numbers.light_damping import lightly_damped
+from report.parts import assertion, close, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_FREQUENCY, TURN
+from trimmer import InputChannels, frequency_response, resonance_peaks, transfer_function
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
+EXACTLY = "exact coefficients, 40 digits"
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claim."""
-    return (_resonance(evidence),)
+@claim("txt-7-damping", source="trimmer/extrema.py", impact=Impact.LOCAL)
+def damping(known: Evidence) -> Record:
+    numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
+    light = transfer_function(lightly_damped(numbers.parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+    highest, without = (max(peak.magnitude for peak in peaks) for peaks in (damped, resonance_peaks(light)))
+    exact = max(float(gain(numbers, peak.omega)) for peak in damped)
+    yield assertion(
+        "",
+        "damping increases the magnitude of the resonances",
+        highest > without,
+        f"the highest peak is {highest:.1f} with damping and {without:.0f} with a thousandth of it",
+        method="all local maxima of the gain for both dampings",
+        second=close(EXACTLY, exact, highest),
+    )
+    yield text(
+        """
+        Damping lowers every resonance, as section 5.1.3 itself says. The answer to the first research
+        question states the opposite.
+
+        The answer has to read: damping lowers the resonances, and moves them by two percent at most.
+        """
+    )
 
 
-def _left_of_third(evidence: Evidence, omega: float) -> float:
+@claim("txt-7-operating-frequency", source="trimmer/modal_analysis.py", impact=Impact.LOCAL)
+def operating_frequency(known: Evidence) -> Record:
+    lowest = min(mode.frequency for mode in known.numbers.modes)
+    undamped = min(mode.omega for mode in known.numbers.undamped) / TURN
+    yield assertion(
+        "",
+        "the resonances lie below the operating frequency",
+        lowest < DRIVE_FREQUENCY,
+        f"the lowest is at {lowest:.2f} Hz, the drive at {DRIVE_FREQUENCY:.0f} Hz",
+        method="eigenvalues",
+        second=close("the undamped eigenvalue problem", undamped, lowest, 1e-3),
+    )
+    yield text(
+        """
+        It is the other way round: all resonances lie above the operating frequency, as section 5.1.3 says.
+        That does not make them irrelevant, because the harmonics of the drive reach them.
+
+        None on numbers; the answer to the first research question contradicts chapter 5.
+        """
+    )
+
+
+@claim("txt-7-resonance", source="trimmer/extrema.py", impact=Impact.LOCAL)
+def resonance(known: Evidence) -> Record:
+    numbers, pair = known.numbers, known.cycles.friction
+    peaks = resonance_peaks(numbers.displacement_only)
+    highest = max(peaks, key=lambda peak: peak.magnitude).omega
+    mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest))
+    width, distance = -2 * mode.eigenvalue.real, pair.unstable.omega - highest
+    height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest))
+    means = f"the exact gain there, {100 * height:.0f} % of the peak's, where half power has 71 %"
+    away = abs(distance) > width / 2
+    yield assertion(
+        "where the limit cycles lie",
+        "no limit cycle lies at a resonance",
+        away,
+        filled(
+            """
+            the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak,
+            which is [[ width | f1 ]] Hz wide
+            """,
+            frequency=pair.unstable.frequency,
+            distance=distance / TURN,
+            width=width / TURN,
+        ),
+        method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
+        second=so(means, (height > math.sqrt(0.5)) == (not away)),
+    )
+    shares = {peak.omega: share_of_third(known, peak.omega) for peak in peaks}
+    at_peaks = ", ".join(f"{share:.2g} at {omega / TURN:.1f} Hz" for omega, share in shares.items())
+    exact = float(gain(numbers, THIRD * highest) / gain(numbers, highest))
+    yield assertion(
+        "what a resonance would do",
+        "at a resonance the harmonics are not attenuated",
+        min(shares.values()) > 1,
+        filled(
+            """
+            against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
+            [[ stable | g2 ]]
+            """,
+            at_peaks=at_peaks,
+            stable=share_of_third(known, pair.stable.omega),
+        ),
+        method="gain at three times each peak's frequency over the peak",
+        second=close(EXACTLY, exact, shares[highest]),
+    )
+    yield text(
+        """
+        Taken to the letter, no two numbers are ever precisely equal; to the width of a peak, the unstable
+        limit cycle lies at the highest one. That does no harm: a resonance magnifies the first harmonic, so
+        the others are weaker beside it, and of all peaks this one filters best. Only at the two lowest, flat
+        peaks does the third harmonic pass unweakened; what spoils filtering is a resonance at three or five
+        times the frequency, which the argument leaves out.
+
+        Harmonic balance is not endangered by the resonances near its two limit cycles. A drive of 110 Hz is:
+        its fifth harmonic meets the highest peak.
+        """
+    )
+
+
+def share_of_third(known: Evidence, omega: float) -> float:
     """Return |G| at three times an angular frequency (rad/s) over |G| at it."""
-    system = evidence.numbers.displacement_only
+    system = known.numbers.displacement_only
     third, first = (abs(complex(frequency_response(system, order * omega))) for order in (THIRD, 1))
     return float(third / first)
-
-
-def _resonance(evidence: Evidence) -> Claim:
-    numbers, pair = evidence.numbers, evidence.cycles.friction
-    peaks = resonance_peaks(numbers.displacement_only)
-    highest = max(peaks, key=lambda peak: peak.magnitude)
-    mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest.omega))
-    width = -2 * mode.eigenvalue.real
-    distance = pair.unstable.omega - highest.omega
-    height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest.omega))
-    return Claim(
-        id="txt-7-resonance",
-        parts=(
-            Part(
-                "where the limit cycles lie",
-                Assertion(
-                    statement="no limit cycle lies at a resonance",
-                    derived=abs(distance) > width / 2,
-                    evidence=(
-                        f"the unstable one, at {pair.unstable.frequency:.1f} Hz, is "
-                        f"{distance / (2 * math.pi):.1f} Hz from the highest peak, which is "
-                        f"{width / (2 * math.pi):.1f} Hz wide"
-                    ),
-                    method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
-                ),
-                second_way(
-                    f"the exact gain there, {100 * height:.0f} % of the peak's, where half power has 71 %",
-                    (height > math.sqrt(0.5)) == (abs(distance) <= width / 2),
-                ),
-            ),
-            _magnified(evidence, peaks, highest),
-        ),
-        explanation=(
-            "Taken to the letter, no two numbers are ever precisely equal; to the width of a peak, the "
-            "unstable limit cycle lies at the highest one. That does no harm: a resonance magnifies the "
-            "first harmonic, so the others are weaker beside it, and of all peaks this one filters best. "
-            "Only at the two lowest, flat peaks does the third harmonic pass unweakened; what spoils "
-            "filtering is a resonance at three or five times the frequency, which the argument leaves out."
-        ),
-        consequence=(
-            "Harmonic balance is not endangered by the resonances near its two limit cycles. A drive of 110 "
-            "Hz is: its fifth harmonic meets the highest peak."
-        ),
-        impact=Impact.LOCAL,
-        source="trimmer/extrema.py",
-    )
-
-
-def _magnified(evidence: Evidence, peaks: Sequence[Extremum], highest: Extremum) -> Part:
-    numbers, stable = evidence.numbers, evidence.cycles.friction.stable
-    shares = [_left_of_third(evidence, peak.omega) for peak in peaks]
-    exact = float(gain(numbers, THIRD * highest.omega) / gain(numbers, highest.omega))
-    return Part(
-        "what a resonance would do",
-        Assertion(
-            statement="at a resonance the harmonics are not attenuated",
-            derived=min(shares) > 1,
-            evidence=(
-                "against the first harmonic $G$ passes the third by "
-                + ", ".join(
-                    f"{share:.2g} at {peak.omega / (2 * math.pi):.1f} Hz"
-                    for peak, share in zip(peaks, shares, strict=True)
-                )
-                + f"; at the stable limit cycle by {_left_of_third(evidence, stable.omega):.2g}"
-            ),
-            method="gain at three times each peak's frequency over the peak",
-        ),
-        Confirmation(
-            "exact coefficients, 40 digits",
-            CloseNumbers(exact, _left_of_third(evidence, highest.omega)),
-        ),
-    )
