@@ -62,27 +62,19 @@ def transfer_function(known: Evidence) -> Record:
     highest = len(PRINTED_NUMERATOR) - 1
     above = zip(PRINTED_NUMERATOR, numbers.numerator, wrong_output, converted[-highest - 1 :], strict=True)
     for place, (printed, derived, wrong, other) in enumerate(above):
-        yield digits(
-            f"above the bar, $s^{{{highest - place}}}$",
-            printed,
-            derived,
-            second=close("conversion of the state space", other, float(derived), 1e-6),
-            slip=repeated("the output is q2 + q4 instead of q2 - q4", wrong),
-        )
+        second = close("conversion of the state space", other, float(derived), 1e-6)
+        slip = repeated("the output is q2 + q4 instead of q2 - q4", wrong)
+        yield digits(f"above the bar, $s^{{{highest - place}}}$", printed, derived, second=second, slip=slip)
+    highest = len(PRINTED_DENOMINATOR) - 1
     below = zip(PRINTED_DENOMINATOR, numbers.denominator, np.poly(model.A), strict=True)
     for place, (printed, derived, other) in enumerate(below):
         # 7.076e+07 with its exponent as a further digit is 7.0767.
         mantissa, _, exponent = f"{float(derived):.3e}".partition("e")
         misset = Fraction(f"{mantissa}{int(exponent)}")
-        yield digits(
-            f"below the bar, $s^{{{len(PRINTED_DENOMINATOR) - 1 - place}}}$",
-            printed,
-            derived,
-            second=close("the product of the eigenvalues", other, float(derived), 1e-6),
-            slip=made_here("the exponent of ten stands behind the digits", misset),
-        )
-    as_printed = 1.233**10
-    in_fractions = float(Fraction("1.233") ** 10)
+        slip = made_here("the exponent of ten stands behind the digits", misset)
+        second = close("the product of the eigenvalues", other, float(derived), 1e-6)
+        yield digits(f"below the bar, $s^{{{highest - place}}}$", printed, derived, second=second, slip=slip)
+    as_printed, in_fractions = 1.233**10, float(Fraction("1.233") ** 10)
     yield assertion(
         "powers of ten",
         "$1.233^{10}$, read as printed, is the coefficient of $s^5$",
@@ -140,6 +132,7 @@ def nyquist(known: Evidence) -> Record:
     unstable = control.tf([0.5], [1, -1])
     silent = encirclements(unstable, -1.0) == 0
     open_loop_stable = all(pole.real < 0 for pole in unstable.poles())
+    means = "python-control's Nyquist count of it, zero, and its response to an impulse, which grows"
     yield no_encirclement_part(known.numbers)
     yield assertion(
         "the conclusion drawn",
@@ -150,10 +143,7 @@ def nyquist(known: Evidence) -> Record:
         loop, and needs those of the open loop to be known
         """,
         method="counterexample",
-        second=so(
-            "python-control's Nyquist count of it, zero, and its response to an impulse, which grows",
-            control.nyquist_response(unstable).count == 0 and impulse_response_grows(unstable),
-        ),
+        second=so(means, control.nyquist_response(unstable).count == 0 and impulse_response_grows(unstable)),
     )
     yield text(
         """
@@ -243,22 +233,18 @@ def bode_plot(known: Evidence) -> Record:
     peaks = resonance_peaks(numbers.displacement_only)
     clear = [peak for peak in peaks if peak.magnitude > CLEAR]
     on_grid = peaks_on_grid(numbers.numerator, numbers.denominator, CLEAR)
-    yield digits(
-        "peaks that are clearly visible (more than twice the pin's motion)",
-        "2",
-        len(clear),
-        second=equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear)),
-    )
+    second = equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear))
+    label = "peaks that are clearly visible (more than twice the pin's motion)"
+    yield digits(label, "2", len(clear), second=second)
     yield text(
         """
-        The redrawn plot shows the two clear peaks, at [[ first | f1 ]] and [[ second | f1 ]] rad/s, and two
-        faint ones, at [[ faint | f1 ]] and [[ other_faint | f1 ]] rad/s, on either side of a shallow valley.
-        What the text reads from it about slope and cutoff is judged under those statements.
+        The redrawn plot shows the two clear peaks, at [[ clear[0].omega | f1 ]] and [[ clear[1].omega | f1 ]]
+        rad/s, and two faint ones, at [[ peaks[0].omega | f1 ]] and [[ peaks[1].omega | f1 ]] rad/s, on either
+        side of a shallow valley. What the text reads from it about slope and cutoff is judged under those
+        statements.
         """,
-        first=clear[0].omega,
-        second=clear[1].omega,
-        faint=peaks[0].omega,
-        other_faint=peaks[1].omega,
+        clear=clear,
+        peaks=peaks,
     )
 
 
@@ -290,7 +276,7 @@ def cutoff(known: Evidence) -> Record:
 
 @claim("txt-5.1.2-roll-off", source=LOW_PASS, impact=Impact.DOWNSTREAM)
 def roll_off(known: Evidence) -> Record:
-    numbers, parameters = known.numbers, known.numbers.parameters
+    numbers = known.numbers
     slope = asymptotic_roll_off(numbers.displacement_only)
     chord = 20 * math.log10(exact_ratio(numbers, 1e3, 10))
     steepness = local_slope(numbers.displacement_only, np.geomspace(ROLL_OFF_FROM, HIGH_OMEGA, 4000))
@@ -299,13 +285,8 @@ def roll_off(known: Evidence) -> Record:
     second = close("the slope of the exact gain at $10^{8}$ rad/s", far, slope, 1e-6)
     yield digits("roll-off", "-20", slope, "dB/decade", second=second, slip=made_here(misread, chord))
     degrees = len(numbers.denominator) - len(numbers.numerator)
-    yield digits(
-        "filter order",
-        "1",
-        -slope / 20,
-        second=equal("the degrees of the polynomials", degrees, -slope / 20),
-        slip=made_here(misread, -chord / 20),
-    )
+    second = equal("the degrees of the polynomials", degrees, -slope / 20)
+    yield digits("filter order", "1", -slope / 20, second=second, slip=made_here(misread, -chord / 20))
     yield text(
         """
         There are two poles more than zeros, so the gain falls by [[ fall | f0 ]] dB per decade in the end,
@@ -321,5 +302,5 @@ def roll_off(known: Evidence) -> Record:
         least=-float(steepness.max()),
         drop=-chord,
         with_velocity=asymptotic_roll_off(numbers.both_channels),
-        corner=parameters.k2 / parameters.c2,
+        corner=numbers.parameters.k2 / numbers.parameters.c2,
     )

@@ -17,7 +17,7 @@ from report.numbers.exact_response import eigenvalues, gain, peak
 from report.numbers.independent.antiresonances import antiresonances, antiresonances_without_damping
 from report.numbers.independent.linear_trimmer import gain_of_state_space
 from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
-from report.parts import assertion, close, digits, equal, made_here, matrix, small
+from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
@@ -43,6 +43,7 @@ PRINTED_EIGENVALUES = (
 )
 READING_ACCURACY = 0.01
 """Share to which a plot can be read."""
+PLOT_READ = f"a plot is read to {100 * READING_ACCURACY:.0f} %"
 OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
 """Weights of the four displacements in the output of the thesis's loop, and in that of figure 5.4."""
 VISIBLE = 3
@@ -76,7 +77,7 @@ def peak_part(index: str, printed: str, omega: float, second: Confirmation) -> P
         f"a peak stands at {printed} rad/s, as far as a plot can be read",
         abs(distance) <= READING_ACCURACY,
         f"it stands at {omega:.2f} rad/s, {100 * distance:+.3f} %",
-        method=f"local maxima of the gain; a plot is read to {100 * READING_ACCURACY:.0f} %",
+        method=f"local maxima of the gain; {PLOT_READ}",
         second=second,
     )
 
@@ -96,7 +97,7 @@ def hidden_peak(known: Evidence) -> Record:
         yield peak_part(index, printed, omega, close(EXACT_SLOPE, peak(numbers, omega), omega, 1e-7))
     pole = next(mode.eigenvalue for mode in numbers.modes if mode.omega_damped > 7000)
     apart = min(abs(zero - pole) for zero in system.zeros())
-    slope = gain(numbers, float(place) * 1.01) - gain(numbers, float(place) * 0.99)
+    falls = gain(numbers, float(place) * 1.01) < gain(numbers, float(place) * 0.99)
     yield assertion(
         rf"peak near $\mathrm{{Im}}\,\lambda_{{{hidden}}}$",
         "the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
@@ -110,11 +111,9 @@ def hidden_peak(known: Evidence) -> Record:
             share=100 * apart / abs(pole),
         ),
         method="all local maxima of the gain",
-        second=equal(
-            "the gain falls from 0.99 to 1.01 times that frequency", float(np.sign(float(slope))), -1.0
-        ),
+        second=so("the gain falls from 0.99 to 1.01 times that frequency", falls),
     )
-    *shifts, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
+    *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
     yield text(
         """
@@ -125,7 +124,7 @@ def hidden_peak(known: Evidence) -> Record:
 
         Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.
         """,
-        others=max(map(abs, shifts)),
+        others=max(map(abs, others)),
         last=last,
         stray=stray,
     )
@@ -233,24 +232,15 @@ def damping(known: Evidence) -> Record:
     shifts = [100 * (each.omega / other.omega - 1) for each, other in zip(damped, light, strict=True)]
     modes = zip(numbers.modes, numbers.undamped, strict=True)
     of_modes = [100 * (mode.omega_damped / undamped.omega - 1) for mode, undamped in modes]
+    of_peaks = ", ".join(f"{shift:+.2f} %" for shift in shifts)
+    of_eigenvalues = ", ".join(f"{shift:+.3f} %" for shift in of_modes)
     first = damped[0].omega
     yield assertion(
         "place of the peaks",
         "damping does not move the resonances",
         max(map(abs, shifts)) <= 100 * READING_ACCURACY,
-        filled(
-            "peaks of the gain move by [[ peaks ]]; eigenfrequencies by [[ modes ]]",
-            peaks=", ".join(f"{shift:+.2f} %" for shift in shifts),
-            modes=", ".join(f"{shift:+.3f} %" for shift in of_modes),
-        ),
-        method=filled(
-            """
-            peaks with [[ factor | g ]] of the damping against peaks with all of it; a plot is read to
-            [[ accuracy | f0 ]] %
-            """,
-            factor=DAMPING_FACTOR,
-            accuracy=100 * READING_ACCURACY,
-        ),
+        f"peaks of the gain move by {of_peaks}; eigenfrequencies by {of_eigenvalues}",
+        method=f"peaks with {DAMPING_FACTOR:g} of the damping against peaks with all of it; {PLOT_READ}",
         second=close(EXACT_SLOPE, peak(numbers, first), first, 1e-7),
     )
     yield text(
@@ -289,31 +279,19 @@ def bode_plot_without_damping(known: Evidence) -> Record:
 @claim("txt-5.1.3-antiresonances", source=DAMPING, impact=Impact.LOCAL)
 def valleys(known: Evidence) -> Record:
     parameters = known.numbers.parameters
-    first, other, undamped = (
-        antiresonances(system)
-        for system in (
-            known.numbers.displacement_only,
-            sum_of_displacements(lightly_damped(parameters)),
-            lightly_damped_trimmer(parameters),
-        )
-    )
+    first = antiresonances(known.numbers.displacement_only)
+    other = antiresonances(sum_of_displacements(lightly_damped(parameters)))
+    undamped = antiresonances(lightly_damped_trimmer(parameters))
     free = "frequencies where a constrained system without damping is free to swing"
     of_sum, of_output = (antiresonances_without_damping(parameters, weights)[1] for weights in (SUM, OUTPUT))
+    in_5_2, in_5_4 = (", ".join(f"{omega:.0f}" for omega in omegas) for omegas in (first, other))
     apart, shift = (float(np.abs(each / first - 1).max()) for each in (other, undamped))
     yield assertion(
         "figure 5.4 beside figure 5.2",
         "the antiresonances of the two figures are the same, as far as a plot can be read",
         apart < READING_ACCURACY,
-        filled(
-            """
-            at [[ first ]] rad/s in figure 5.2 and [[ other ]] rad/s in figure 5.4, up to [[ apart | f1 ]] %
-            apart
-            """,
-            first=", ".join(f"{omega:.0f}" for omega in first),
-            other=", ".join(f"{omega:.0f}" for omega in other),
-            apart=100 * apart,
-        ),
-        method="zeros of the two transfer functions; a plot is read to 1 %",
+        f"at {in_5_2} rad/s in figure 5.2 and {in_5_4} rad/s in figure 5.4, up to {100 * apart:.1f} % apart",
+        method=f"zeros of the two transfer functions; {PLOT_READ}",
         second=close(free, of_sum, other[1], 1e-4),
     )
     yield assertion(

@@ -11,6 +11,7 @@ from derivations.backlash import GAP, friction_waveform
 from derivations.symbols import A
 from derivations.waveform import THETA, describing_function
 from report.claim import Impact
+from report.comparisons.printed import power_of
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
 from report.numbers.independent.friction_contact import least_amplitude_with_contact
@@ -27,25 +28,21 @@ LIBRARY = control.friction_backlash_nonlinearity(1.0)
 @claim("eq-5.4", source=SOURCE, impact=Impact.LOCAL)
 def domain(known: Evidence) -> Record:
     edge = 1.0 / float(OURS.domain(1.0))
-    yield digits(
-        "edge of the domain over the gap $b$ of this section",
-        "1.0",
-        edge,
-        second=close("the contact angle exists", least_amplitude_with_contact(), edge),
-        slip=made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge),
-    )
+    second = close("the contact angle exists", least_amplitude_with_contact(), edge)
+    slip = made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge)
+    yield digits("edge of the domain over the gap $b$ of this section", "1.0", edge, second=second, slip=slip)
     yield text(
         r"""
         In section 2.3.4 $b$ is half of the gap and the condition is right. In this section, its listings and
         its tables $b$ is the whole gap, and the pin reaches the bridge as soon as $A > b/2$ (a thousandth
         above that the real part of $N$ is [[ above | power1 ]]). Table 5.1 itself has a limit cycle at $A =
-        [[ second | f3 ]]\,b$, where equation 5.4 says there is none.
+        [[ cycle.amplitude | f3 ]]\,b$, where equation 5.4 says there is none.
 
         Half of the range of amplitudes with contact below $b$ is declared empty; the second limit cycle lies
         in it.
         """,
         above=float(OURS.describing_function(1.001 * edge).real),
-        second=known.cycles.friction.unstable.amplitude,
+        cycle=known.cycles.friction.unstable,
     )
 
 
@@ -107,7 +104,7 @@ def locus_directions(_: Evidence) -> Record:
         "with growing amplitude",
         "$-1/N$ tends to $-1$",
         distance < 1e-4,
-        filled("at $A = 10^6 b$ it is $-1$ to [[ distance | power0 ]]", distance=distance),
+        f"at $A = 10^6 b$ it is $-1$ to {power_of(distance)}",
         method="the describing function at large amplitude",
         second=close(means, far_by_library, far, 1e-6),
     )
@@ -146,10 +143,7 @@ def library(_: Evidence) -> Record:
         "agreement",
         "the library's describing function of backlash agrees with the listing's",
         distance < 1e-12,
-        filled(
-            "they differ by [[ distance | power0 ]] at most, at five amplitudes from 0.51 to 90 gaps",
-            distance=distance,
-        ),
+        f"they differ by {power_of(distance)} at most, at five amplitudes from 0.51 to 90 gaps",
         method="python-control evaluated beside ours",
         second=close("quadrature of the waveform at four gaps", quadrature, theirs),
     )

@@ -94,14 +94,14 @@ def prediction(known: Evidence) -> Record:
 
         Every prediction of section 5.2.1 carries this shift. The velocity of the pin, which the loop leaves
         out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] % less, at
-        [[ frequency_with_velocity | f2 ]] Hz.
+        [[ both.frequency | f2 ]] Hz.
         """,
         amplitude=1e6 * SMALL_GAP * right.amplitude,
         frequency=right.frequency,
         shift=100 * (listing.amplitude / right.amplitude - 1),
         with_velocity=1e6 * SMALL_GAP * both.amplitude,
         less=100 * (1 - both.amplitude / right.amplitude),
-        frequency_with_velocity=both.frequency,
+        both=both,
     )
 
 
@@ -109,16 +109,15 @@ def prediction(known: Evidence) -> Record:
 def stability(known: Evidence) -> Record:
     cycle, orbit = known.cycles.friction.stable, known.orbits.friction.stable
     largest = abs(orbit.nontrivial_multipliers).max()
-    statement = "the limit cycle near 733 Hz is stable"
-    yield assertion(
-        "by the describing function",
-        statement,
-        bool(cycle.stable),
+    statement, criterion = (
+        "the limit cycle near 733 Hz is stable",
         f"Loeb's criterion at {cycle.frequency:.2f} Hz",
-        method=LOEB,
-        second=by_floquet([orbit], stable=True),
     )
     outward = "a motion that starts 0.1 % outside the unstable orbit ends on it"
+    floquet = by_floquet([orbit], stable=True)
+    yield assertion(
+        "by the describing function", statement, bool(cycle.stable), criterion, method=LOEB, second=floquet
+    )
     yield assertion(
         "in the exact loop",
         statement,
@@ -126,10 +125,10 @@ def stability(known: Evidence) -> Record:
         filled(
             """
             no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
-            [[ frequency | f2 ]] Hz
+            [[ orbit.frequency | f2 ]] Hz
             """,
             largest=largest,
-            frequency=orbit.frequency,
+            orbit=orbit,
         ),
         method="Floquet multipliers of the exact orbit",
         second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
@@ -148,17 +147,11 @@ def stability(known: Evidence) -> Record:
 def second_limit_cycle(known: Evidence) -> Record:
     unstable, _ = predicted(known)
     right, cycles = unstable.exact, known.cycles
-    orbit = known.orbits.friction.unstable
     yield amplitude_part("amplitude", "2.1089e-5", LARGE_GAP, unstable)
     yield second_frequency("frequency", unstable)
-    yield assertion(
-        "stability",
-        "it is unstable",
-        not right.stable,
-        "Loeb's criterion",
-        method=LOEB,
-        second=by_floquet([orbit], stable=False),
-    )
+    second = by_floquet([known.orbits.friction.unstable], stable=False)
+    holds = not right.stable
+    yield assertion("stability", "it is unstable", holds, "Loeb's criterion", method=LOEB, second=second)
     yield assertion(
         "when it appears",
         "it is there only when the gap is large enough",
@@ -186,51 +179,43 @@ def second_limit_cycle(known: Evidence) -> Record:
 def two_limit_cycles(known: Evidence) -> Record:
     unstable, stable = predicted(known)
     listed = stable.listing.frequency
-    slip = f"{ROUNDED}, and the {listed:.4f} Hz that follow are cut off, not rounded"
+    name = f"{ROUNDED}, and the {listed:.4f} Hz that follow are cut off, not rounded"
+    slip = repeated(name, math.floor(100 * listed) / 100)
+    second = close(NEWTON, stable.omega, stable.exact.omega)
     yield amplitude_part("first: amplitude", "3.3138e-4", LARGE_GAP, stable)
-    yield digits(
-        "first: frequency",
-        "733.33",
-        stable.exact.frequency,
-        "Hz",
-        second=close(NEWTON, stable.omega, stable.exact.omega),
-        slip=repeated(slip, math.floor(100 * listed) / 100),
-    )
+    yield digits("first: frequency", "733.33", stable.exact.frequency, "Hz", second=second, slip=slip)
     yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable)
     yield second_frequency("second: frequency", unstable)
     yield text(
         """
-        With exact coefficients the second limit cycle lies at [[ exact | f2 ]] Hz, with those of Listing A.9
-        at [[ listed | f2 ]] Hz; the printed 533.22 Hz has one digit wrong. The other cells come out with the
-        rounded coefficients. Only 733.33 Hz takes a second slip, a number cut off: the percent error of the
-        section has it rounded, as 733.34 Hz.
+        With exact coefficients the second limit cycle lies at [[ unstable.exact.frequency | f2 ]] Hz, with
+        those of Listing A.9 at [[ unstable.listing.frequency | f2 ]] Hz; the printed 533.22 Hz has one digit
+        wrong. The other cells come out with the rounded coefficients. Only 733.33 Hz takes a second slip, a
+        number cut off: the percent error of the section has it rounded, as 733.34 Hz.
 
         The text repeats 533.22 Hz. The first limit cycle, on which the comparisons rest, is not touched.
         """,
-        exact=unstable.exact.frequency,
-        listed=unstable.listing.frequency,
+        unstable=unstable,
     )
 
 
 @claim("tab-5.2", source=SOURCE, impact=Impact.LOCAL)
 def ten_gaps(known: Evidence) -> Record:
     _, stable = predicted(known)
-    right, listing = stable.exact, stable.listing
     for gap, printed in TABLE_5_2.items():
         yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"))
     yield text(
         r"""
-        Every amplitude is [[ ratio | f4 ]] times the gap and every frequency [[ frequency | f2 ]] Hz, in any
-        row. With the rounded coefficients of Listing A.9 they are [[ listed_ratio | f4 ]] and
-        [[ listed_frequency | f2 ]] Hz, which gives all printed cells; with exact ones the rows for
-        $5\times10^{-4}$ m and $8\times10^{-4}$ m and all frequencies round to another last digit.
+        Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
+        [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
+        [[ listing.amplitude | f4 ]] and [[ listing.frequency | f2 ]] Hz, which gives all printed cells; with
+        exact ones the rows for $5\times10^{-4}$ m and $8\times10^{-4}$ m and all frequencies round to another
+        last digit.
 
         None beyond the last digit. The ten rows hold one result, since nothing but the scale changes.
         """,
-        ratio=right.amplitude,
-        frequency=right.frequency,
-        listed_ratio=listing.amplitude,
-        listed_frequency=listing.frequency,
+        exact=stable.exact,
+        listing=stable.listing,
     )
 
 

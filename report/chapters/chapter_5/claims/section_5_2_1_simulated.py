@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from report.claim import Impact, Part
+from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.impulse_response import ABOVE, CHECKED
@@ -35,15 +36,9 @@ SECOND_WAY = "the state at the impact and two durations, solved for with SciPy's
 def peak_part(orbits: ExactOrbits, label: str) -> Part:
     """Return the part on the peak of figure 5.9b."""
     exact = orbits.friction.stable.frequency
-    slip = "the nearest bin of a spectrum over one second is read, of which bins are 1 Hz apart"
-    return digits(
-        label,
-        PEAK,
-        exact,
-        "Hz",
-        second=close(SECOND_WAY, orbits.friction_by_durations[1], exact),
-        slip=repeated(slip, ONE_SECOND.nearest(exact)),
-    )
+    second = close(SECOND_WAY, orbits.friction_by_durations[1], exact)
+    name = "the nearest bin of a spectrum over one second is read, of which bins are 1 Hz apart"
+    return digits(label, PEAK, exact, "Hz", second=second, slip=repeated(name, ONE_SECOND.nearest(exact)))
 
 
 def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> Part:
@@ -59,13 +54,8 @@ def amplitude(known: Evidence) -> Record:
     half = (3.303e-5 - -3.2961e-5) / 2
     in_fractions = float((Fraction("3.303e-5") + Fraction("3.2961e-5")) / 2)
     exact = SMALL_GAP * orbits.friction.stable.amplitude
-    yield digits(
-        "half of the difference of the readings",
-        "3.2995e-05",
-        half,
-        "m",
-        second=close("exact fractions", in_fractions, half),
-    )
+    second = close("exact fractions", in_fractions, half)
+    yield digits("half of the difference of the readings", "3.2995e-05", half, "m", second=second)
     yield amplitude_part(orbits, "amplitude of the limit cycle", "3.2995e-05", SMALL_GAP)
     yield text(
         """
@@ -91,12 +81,10 @@ def amplitude_error(known: Evidence) -> Record:
     quotient = abs(3.3138e-5 - 3.2995e-5) / 3.2995e-5
     in_fractions = float(Fraction("3.3138e-5") / Fraction("3.2995e-5") - 1)
     other = known.cycles.inertia.unstable.amplitude / orbits.inertia.unstable.amplitude - 1
-    yield digits(
-        "arithmetic", "0.4334", 100 * quotient, "%", second=close("exact fractions", in_fractions, quotient)
-    )
-    yield digits(
-        "error of the prediction", "0.4334", error, "%", second=close(SECOND_WAY, second, error, 1e-6)
-    )
+    by_fractions = close("exact fractions", in_fractions, quotient)
+    yield digits("arithmetic", "0.4334", 100 * quotient, "%", second=by_fractions)
+    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    yield digits("error of the prediction", "0.4334", error, "%", second=by_durations)
     yield text(
         """
         The quotient of the printed numbers is right. Prediction and exact limit cycle of one and the same
@@ -141,28 +129,14 @@ def frequency_error(known: Evidence) -> Record:
         100 * (cycles.friction.stable.frequency / each - 1)
         for each in (orbits.friction.stable.frequency, orbits.friction_by_durations[1])
     )
-    read = ONE_SECOND.nearest(orbits.friction_listing.stable.frequency)
-    yield digits(
-        "arithmetic",
-        "0.046",
-        quoted,
-        "%",
-        second=close("the difference of logarithms", 100 * math.log(734.00 / 733.34), quoted, 1e-3),
-        slip=made_here(
-            "733.00 Hz is used for the simulated frequency, printed as 734.00",
-            100 * abs(listing - 733.00) / 733.00,
-        ),
-    )
-    yield digits(
-        "error of the prediction",
-        "0.046",
-        error,
-        "%",
-        second=close(SECOND_WAY, second, error, 1e-6),
-        slip=repeated(
-            f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz", 100 * (listing / read - 1)
-        ),
-    )
+    by_logarithms = close("the difference of logarithms", 100 * math.log(734.00 / 733.34), quoted, 1e-3)
+    name = "733.00 Hz is used for the simulated frequency, printed as 734.00"
+    slip = made_here(name, 100 * abs(listing - 733.00) / 733.00)
+    yield digits("arithmetic", "0.046", quoted, "%", second=by_logarithms, slip=slip)
+    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    name = f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz"
+    slip = repeated(name, 100 * (listing / ONE_SECOND.nearest(orbits.friction_listing.stable.frequency) - 1))
+    yield digits("error of the prediction", "0.046", error, "%", second=by_durations, slip=slip)
     yield text(
         """
         From the two printed frequencies the error is [[ quoted | f3 ]] %, twice what is printed; with a
@@ -192,17 +166,13 @@ def sampling(_: Evidence) -> Record:
 @claim("txt-5.2.1-peak-width", source="report/numbers/record.py", impact=Impact.LOCAL)
 def peak_width(known: Evidence) -> Record:
     peak = float(PEAK)
-    nearest = STATED.nearest(peak)
+    nearest, fine = (samples.nearest(peak) for samples in (STATED, ONE_SECOND))
     bins = np.fft.rfftfreq(STATED.samples, STATED.duration / (STATED.samples - 1))
     yield assertion(
         f"the peak at {PEAK} Hz",
         "it is a line of a spectrum whose lines are 10 Hz apart",
         abs(nearest - peak) < 0.005,
-        filled(
-            "the nearest line is at [[ nearest | f2 ]] Hz; one second has a line at [[ fine | f2 ]] Hz",
-            nearest=nearest,
-            fine=ONE_SECOND.nearest(peak),
-        ),
+        f"the nearest line is at {nearest:.2f} Hz; one second has a line at {fine:.2f} Hz",
         method="multiples of the sample rate over the number of samples",
         second=close("NumPy's bins", float(bins[np.argmin(np.abs(bins - peak))]), nearest),
     )
@@ -303,9 +273,7 @@ def impulse(known: Evidence) -> Record:
             middle=1e9 * middle.amplitude,
             largest=1e9 * largest.amplitude,
         ),
-        method=filled(
-            "exact simulation of the three gaps with [[ impulse | power0 ]] m s", impulse=strongest
-        ),
+        method=f"exact simulation of the three gaps with {power_of(strongest)} m s",
         second=close("the exact orbit for $10^{-8}$ m, by shooting", exact, smallest.amplitude, 1e-4),
     )
     yield text(
@@ -329,15 +297,10 @@ def larger_gap(known: Evidence) -> Record:
     inner, outer = orbits.friction.unstable, orbits.friction.stable
     stable, unstable = (abs(orbit.nontrivial_multipliers).max() for orbit in (outer, inner))
     yield amplitude_part(orbits, "amplitude", "3.2995e-04", LARGE_GAP)
-    slip = "the nearest bin of a spectrum over 0.3 s is read, of which bins are 3.33 Hz apart"
-    yield digits(
-        "frequency",
-        "733.33",
-        outer.frequency,
-        "Hz",
-        second=close(SECOND_WAY, orbits.friction_by_durations[1], outer.frequency),
-        slip=repeated(slip, THIRD_OF_A_SECOND.nearest(outer.frequency)),
-    )
+    second = close(SECOND_WAY, orbits.friction_by_durations[1], outer.frequency)
+    name = "the nearest bin of a spectrum over 0.3 s is read, of which bins are 3.33 Hz apart"
+    slip = repeated(name, THIRD_OF_A_SECOND.nearest(outer.frequency))
+    yield digits("frequency", "733.33", outer.frequency, "Hz", second=second, slip=slip)
     means = "a motion that starts 0.1 % outside of the second one and ends on the first"
     yield assertion(
         "what shows in the settled motion",

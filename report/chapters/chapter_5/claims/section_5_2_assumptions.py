@@ -11,7 +11,7 @@ from derivations.backlash import GAP as TOTAL_GAP
 from derivations.friction import FORCE, relay_waveform
 from derivations.symbols import A
 from derivations.waveform import THETA, Waveform
-from report.chapters.appendix_a.claims.time_domain import PERIOD, inertia_block
+from report.chapters.appendix_a.claims.time_domain import inertia_block
 from report.claim import Impact
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
@@ -21,8 +21,8 @@ from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
-from trimmer import Body, TrimmerParameters, frequency_response
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
+from trimmer import frequency_response
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
@@ -32,14 +32,6 @@ LITTLE = 0.05
 """Share of the fundamental below which a harmonic that comes back is taken as filtered."""
 GAP = 0.5
 """Gap at which python-control's backlash is run, in any unit."""
-ANGLE = sympy.Rational(8, 5)
-VALUES = {
-    FORCE: sympy.Integer(1),
-    A: sympy.Integer(1),
-    CONTACT: ANGLE,
-    TOTAL_GAP: inertia_contact_ratio().subs(CONTACT, ANGLE),
-}
-"""Values of the waveforms' symbols; the gap is the one that belongs to the contact angle."""
 
 
 @claim("txt-5.2-assumptions", source="trimmer/balance/leakage.py", impact=Impact.DOWNSTREAM)
@@ -66,31 +58,28 @@ def _single(known: Evidence) -> Record:
     omegas = np.array([pair.unstable.omega, pair.stable.omega])
     pin = frequency_response(numbers.displacement_only, omegas) / numbers.parameters.k2
     quotients = frequency_response(force_response(numbers.parameters), omegas) / pin
-    solved = sum(_friction_over_pin(numbers.parameters, omega) for omega in omegas)
+    # Cutter against guard: its weights are the directions of friction's forces.
+    by_friction, by_pin = (
+        np.array([BY_FRICTION @ displacements(numbers.parameters, omega, forces) for omega in omegas])
+        for forces in (BY_FRICTION, BY_THE_PIN)
+    )
+    solved = (by_friction / by_pin).sum()
     yield assertion(
         "1: one nonlinearity, for backlash with friction",
         "both act at one place of the loop, so that one element stands for them",
         bool(np.abs(quotients - 1).max() < 1e-6),
         filled(
             """
-            a force between cutter and guard moves them [[ first | f3 ]] times as far at [[ low | f0 ]] Hz and
-            [[ second | f3 ]] times as far at [[ high | f0 ]] Hz as a force by the pin's spring does
+            a force between cutter and guard moves them [[ sizes[0] | f3 ]] times as far at
+            [[ pair.unstable.frequency | f0 ]] Hz and [[ sizes[1] | f3 ]] times as far at
+            [[ pair.stable.frequency | f0 ]] Hz as a force by the pin's spring does
             """,
-            first=abs(quotients[0]),
-            low=pair.unstable.frequency,
-            second=abs(quotients[1]),
-            high=pair.stable.frequency,
+            sizes=abs(quotients),
+            pair=pair,
         ),
         method="responses of $q_2 - q_4$ to both",
         second=close("the matrices of figure 2.1, solved at both frequencies", solved, quotients.sum()),
     )
-
-
-def _friction_over_pin(parameters: TrimmerParameters, omega: float) -> complex:
-    """Return how far friction moves cutter against guard over how far the pin's spring does."""
-    friction, pin = (displacements(parameters, omega, each) for each in (BY_FRICTION, BY_THE_PIN))
-    cutter, guard = Body.CUTTER.index, Body.GUARD.index
-    return complex((friction[cutter] - friction[guard]) / (pin[cutter] - pin[guard]))
 
 
 def _static_and_time_invariant() -> Record:
@@ -113,24 +102,19 @@ def _static_and_time_invariant() -> Record:
         method="two pieces of the derived waveform at one value of the input",
         second=close(means, from_above - from_below, GAP),
     )
-    time = np.linspace(0, PERIOD, 97, endpoint=False) + PERIOD / 1000
-    delayed = time - PERIOD / 4
+    period = 1 / DRIVE_FREQUENCY
+    time = np.linspace(0, period, 97, endpoint=False) + period / 1000
+    delayed = time - period / 4
     pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * delayed)
-    distance = float(np.abs(inertia_block(pin, time) - inertia_block(pin, np.mod(delayed, PERIOD))).max())
+    distance = float(np.abs(inertia_block(pin, time) - inertia_block(pin, np.mod(delayed, period))).max())
+    off = f"{1e3 * distance:.1f}"
     at_rest = float(np.ptp(inertia_block(np.zeros_like(time), time)))
     means = "a pin that stands still, for which its output moves all the same"
     yield assertion(
         "2: time-invariance, for the block of Listing A.8",
         "a delayed input gives the same output, delayed",
         distance < 1e-3 * DRIVE_AMPLITUDE,
-        filled(
-            """
-            for a delay of a quarter period the output is off by up to [[ distance | f1 ]] mm at a stroke of
-            [[ stroke | f1 ]] mm
-            """,
-            distance=1e3 * distance,
-            stroke=1e3 * DRIVE_AMPLITUDE,
-        ),
+        f"for a delay of a quarter period the output is off by up to {off} mm at a stroke of 1.5 mm",
         method="the listing, repeated line by line",
         second=so(means, at_rest > DRIVE_AMPLITUDE),
     )
@@ -177,9 +161,12 @@ def _odd() -> Record:
         "inertia-controlled backlash": inertia_waveform(),
         "Coulomb friction": relay_waveform(),
     }
-    even = (sympy.Integer(1), sympy.cos(2 * THETA), sympy.sin(2 * THETA))
+    one, angle = sympy.Integer(1), sympy.Rational(8, 5)
+    # The gap is the one that belongs to the contact angle.
+    values = {FORCE: one, A: one, CONTACT: angle, TOTAL_GAP: inertia_contact_ratio().subs(CONTACT, angle)}
+    even = (one, sympy.cos(2 * THETA), sympy.sin(2 * THETA))
     for name, wave in waves.items():
-        size = abs(sum(coefficient(wave, weight, VALUES) for weight in even))
+        size = abs(sum(coefficient(wave, weight, values) for weight in even))
         yield assertion(
             f"4: {name}",
             "the output is odd: half a period later it is the same with the other sign",

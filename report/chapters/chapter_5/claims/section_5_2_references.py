@@ -47,11 +47,11 @@ def to_the_models(_: Evidence) -> Record:
         place.number == named.number,
         filled(
             """
-            section 3.1 is “[[ title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in section
-            [[ place ]]
+            section 3.1 is “[[ named.title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in
+            section [[ place.number ]]
             """,
-            title=named.title,
-            place=place.number,
+            named=named,
+            place=place,
         ),
         method="read in the headings of the sections and the places of their figures",
     )
@@ -114,14 +114,9 @@ def quoted_prediction(known: Evidence) -> Record:
     compared, rounded = 737.514, float(f"{predicted:.2f}")
     difference, from_cut_off = (100 * (compared / each - 1) for each in (rounded, 733.33))
     by_logarithms = 100 * math.expm1(math.log(compared) - math.log(rounded))
-    yield digits(
-        "the difference to 737.514 Hz",
-        "0.5705",
-        difference,
-        "%",
-        second=close("the difference of logarithms", by_logarithms, difference),
-        slip=repeated("733.33 Hz, cut off, is used for the rounded 733.34 Hz", from_cut_off),
-    )
+    second = close("the difference of logarithms", by_logarithms, difference)
+    slip = repeated("733.33 Hz, cut off, is used for the rounded 733.34 Hz", from_cut_off)
+    yield digits("the difference to 737.514 Hz", "0.5705", difference, "%", second=second, slip=slip)
     yield text(
         r"""
         Listing A.9's coefficients give [[ predicted | f4 ]] Hz, so 733.3 and 733.34 Hz are right roundings of
@@ -137,8 +132,8 @@ def quoted_prediction(known: Evidence) -> Record:
 
 @claim("txt-5.2.1-amplitude-symbols", source=SOURCE, impact=Impact.NOTATION)
 def amplitude_symbols(known: Evidence) -> Record:
-    under_the_symbol, from_the_locus = "3.2995e-5", "3.3138e-5"
-    cycle, simulated = known.cycles.friction_listing.stable, float(under_the_symbol)
+    under_the_symbol, simulated = "3.2995e-5", 3.2995e-5
+    cycle = known.cycles.friction_listing.stable
     predicted = cycle.amplitude * SMALL_GAP
     ratio, _ = friction_by_newton(LISTING_NUMERATOR, LISTING_DENOMINATOR, cycle)
     readings = (3.303e-5 - -3.2961e-5) / 2
@@ -157,13 +152,8 @@ def amplitude_symbols(known: Evidence) -> Record:
         method="both values of section 5.2.1 against harmonic balance with Listing A.9",
         second=close("half of the distance of the two readings", readings, simulated, 2e-5),
     )
-    yield digits(
-        "footnote 4: $A_{lch}$ is the predicted one",
-        from_the_locus,
-        predicted,
-        "m",
-        second=close(NEWTON, SMALL_GAP * ratio, predicted),
-    )
+    second = close(NEWTON, SMALL_GAP * ratio, predicted)
+    yield digits("footnote 4: $A_{lch}$ is the predicted one", "3.3138e-5", predicted, "m", second=second)
     yield text(
         """
         The nomenclature gives $A_{lcs}$ as the amplitude predicted by the condition for harmonic balance.
