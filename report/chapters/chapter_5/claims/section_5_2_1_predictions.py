@@ -73,7 +73,7 @@ def all_parts(prefix: str, gap: float, of: Predicted, printed: tuple[str, str, s
 
 
 def second_frequency(label: str, unstable: Predicted) -> Part:
-    """Return the part on the frequency of the second limit cycle, of which a digit is misread."""
+    """Return the part on the frequency of the second limit cycle, printed with one digit wrong."""
     exact, listed = unstable.exact, f"{unstable.listing.frequency:.2f}"
     name = f"{ROUNDED}, and the second digit is written 3 instead of 5"
     slip = made_here(name, float(f"{listed[0]}3{listed[2:]}"))
@@ -109,10 +109,8 @@ def prediction(known: Evidence) -> Record:
 def stability(known: Evidence) -> Record:
     cycle, orbit = known.cycles.friction.stable, known.orbits.friction.stable
     largest = abs(orbit.nontrivial_multipliers).max()
-    statement, criterion = (
-        "the limit cycle near 733 Hz is stable",
-        f"Loeb's criterion at {cycle.frequency:.2f} Hz",
-    )
+    statement = "the limit cycle near 733 Hz is stable"
+    criterion = f"Loeb's criterion at {cycle.frequency:.2f} Hz"
     outward = "a motion that starts 0.1 % outside the unstable orbit ends on it"
     floquet = by_floquet([orbit], stable=True)
     yield assertion(
