@@ -4,112 +4,76 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from scipy.integrate import solve_ivp
-
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, PrintedDigits
+from report.claim import Impact, Part
 from report.evidence import Evidence
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
-from trimmer import linear_model, steady_state
+from report.numbers.independent.linear_trimmer import deviation_from_pin
+from report.numbers.linear_numbers import LinearNumbers
+from report.parts import assertion, close, digits
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
+from trimmer import steady_state
 
 SOURCE = "trimmer/time_domain.py"
 SMALL_DEVIATION = 0.01
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_amplitude(evidence.numbers), _time_response(evidence.numbers))
+def amplitude_part(numbers: LinearNumbers) -> Part:
+    settled = steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude
+    simulated = numbers.start.settled_amplitude
+    second = close("half of peak to peak of a simulation", simulated, settled, 1e-5)
+    return digits("amplitude of the settled output", "0.0015", settled, "m", second=second)
 
 
-def _settled(numbers: LinearNumbers, frequency: float) -> tuple[float, float]:
-    """Return amplitude (m) and phase (rad) of the settled output at a frequency (Hz)."""
-    settled = steady_state(numbers.displacement_only, 2 * math.pi * frequency, DRIVE_AMPLITUDE)
-    return settled.amplitude, settled.phase
-
-
-def _amplitude_part(numbers: LinearNumbers) -> Part:
-    amplitude, _ = _settled(numbers, DRIVE_FREQUENCY)
-    return Part(
-        "amplitude of the settled output",
-        PrintedDigits("0.0015", amplitude, "m"),
-        Confirmation(
-            "half of peak to peak of a simulation",
-            CloseNumbers(numbers.start.settled_amplitude, amplitude, 1e-5),
-        ),
+@claim("txt-5.1.1-amplitude", source=SOURCE)
+def amplitude(known: Evidence) -> Record:
+    system, both = known.numbers.displacement_only, known.numbers.both_channels
+    settled = steady_state(system, DRIVE_OMEGA, DRIVE_AMPLITUDE)
+    yield amplitude_part(known.numbers)
+    yield text(
+        """
+        At 100 Hz the gain is [[ gain | f5 ]], so the amplitudes agree to the printed digits; the output lags
+        by [[ lag | f2 ]] degrees. That is a coincidence of this frequency: a slow drive gives [[ slow | f1 ]]
+        % of the pin's amplitude, and from there the gain rises towards the resonances. With the pin's
+        velocity as second input the gain is [[ with_velocity | f5 ]].
+        """,
+        gain=settled.amplitude / DRIVE_AMPLITUDE,
+        lag=-math.degrees(settled.phase),
+        slow=100 * steady_state(system, TURN, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE,
+        with_velocity=steady_state(both, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE,
     )
 
 
-def _amplitude(numbers: LinearNumbers) -> Claim:
-    amplitude, phase = _settled(numbers, DRIVE_FREQUENCY)
-    slow, _ = _settled(numbers, 1.0)
-    both = steady_state(numbers.both_channels, 2 * math.pi * DRIVE_FREQUENCY, DRIVE_AMPLITUDE)
-    return Claim(
-        id="txt-5.1.1-amplitude",
-        parts=(_amplitude_part(numbers),),
-        explanation=(
-            f"At 100 Hz the gain is {amplitude / DRIVE_AMPLITUDE:.5f}, so the amplitudes agree to the "
-            f"printed digits; the output lags by {-math.degrees(phase):.2f} degrees. That is a coincidence "
-            f"of this frequency: a slow drive gives {100 * slow / DRIVE_AMPLITUDE:.1f} % of the pin's "
-            "amplitude, and from there the gain rises towards the resonances. With the pin's velocity as "
-            f"second input the gain is {both.amplitude / DRIVE_AMPLITUDE:.5f}."
+@claim("fig-5.1", source=SOURCE, impact=Impact.LOCAL)
+def time_response(known: Evidence) -> Record:
+    numbers, deviation = known.numbers, known.numbers.start.deviation
+    integrated = deviation_from_pin(numbers.parameters)
+    yield amplitude_part(numbers)
+    yield assertion(
+        "from rest, first period",
+        "the output follows the input precisely",
+        deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
+        filled(
+            """
+            in the first period the output is up to [[ deviation | f2 ]] mm away from the pin,
+            [[ share | f0 ]] % of the amplitude
+            """,
+            deviation=1e3 * deviation,
+            share=100 * deviation / DRIVE_AMPLITUDE,
         ),
-        source=SOURCE,
+        method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
+        second=close("SciPy's DOP853 over that period", integrated, deviation, 1e-5),
     )
+    yield text(
+        """
+        Read as the settled motion, the statement holds to the printed digits. Read as it stands, for the
+        command that is quoted and its start from rest, it does not: the start excites the natural modes, and
+        the slowest of them decays with [[ slowest | f0 ]]/s, so it is visible for several periods. After that
+        a lag of [[ lag | f2 ]] degrees is left.
 
-
-def _deviation(numbers: LinearNumbers) -> float:
-    """Return the largest difference of output and pin in the first period from rest (m) by integration."""
-    model = linear_model(numbers.parameters)[0, 0]
-    state, drive, output = np.asarray(model.A), np.asarray(model.B)[:, 0], np.asarray(model.C)[0]
-    omega, times = 2 * math.pi * DRIVE_FREQUENCY, np.linspace(0, 1 / DRIVE_FREQUENCY, 1001)
-    run = solve_ivp(
-        lambda time, x: state @ x + drive * (DRIVE_AMPLITUDE * math.sin(omega * time)),
-        (0, times[-1]),
-        np.zeros(drive.size),
-        "DOP853",
-        times,
-        rtol=1e-9,
-        atol=1e-12,
-    )
-    return float(np.abs(output @ run.y - DRIVE_AMPLITUDE * np.sin(omega * times)).max())
-
-
-def _time_response(numbers: LinearNumbers) -> Claim:
-    deviation = numbers.start.deviation
-    _, phase = _settled(numbers, DRIVE_FREQUENCY)
-    slowest = min(-mode.eigenvalue.real for mode in numbers.modes)
-    return Claim(
-        id="fig-5.1",
-        parts=(
-            _amplitude_part(numbers),
-            Part(
-                "from rest, first period",
-                Assertion(
-                    statement="the output follows the input precisely",
-                    derived=deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
-                    evidence=(
-                        f"in the first period the output is up to {1e3 * deviation:.2f} mm away from the "
-                        f"pin, {100 * deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude"
-                    ),
-                    method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
-                ),
-                Confirmation(
-                    "SciPy's DOP853 over that period", CloseNumbers(_deviation(numbers), deviation, 1e-5)
-                ),
-            ),
-        ),
-        explanation=(
-            "Read as the settled motion, the statement holds to the printed digits. Read as it stands, for "
-            "the command that is quoted and its start from rest, it does not: the start excites the natural "
-            f"modes, and the slowest of them decays with {slowest:.0f}/s, so it is visible for several "
-            f"periods. After that a lag of {-math.degrees(phase):.2f} degrees is left."
-        ),
-        consequence=(
-            "None on predictions. A spectrum of such a run has peaks at the natural frequencies that no "
-            "nonlinearity caused, unless the start is cut off."
-        ),
-        impact=Impact.LOCAL,
-        source=SOURCE,
+        None on predictions. A spectrum of such a run has peaks at the natural frequencies that no
+        nonlinearity caused, unless the start is cut off.
+        """,
+        slowest=min(-mode.eigenvalue.real for mode in numbers.modes),
+        lag=-math.degrees(steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).phase),
     )

@@ -1,220 +1,306 @@
-"""Claims of section 5.1.2 on the transfer function, its order and its Nyquist locus."""
+"""Claims of section 5.1.2: the transfer function, its locus, and how it filters (figures 5.2 and 5.3)."""
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import control
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 
-from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.comparisons.second_ways import second_way
+from report.claim import Impact, Part
+from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
+from report.numbers.exact_response import gain, gain_crossing
+from report.numbers.independent.linear_trimmer import (
+    highest_unfiltered,
+    impulse_response_grows,
+    peaks_on_grid,
+    states_in_use,
+)
 from report.numbers.linear_numbers import LinearNumbers
-from trimmer import encirclements, linear_model
+from report.parts import assertion, close, digits, equal, made_here, repeated, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
+from trimmer import (
+    Body,
+    asymptotic_roll_off,
+    bandwidth_crossings,
+    encirclements,
+    filtering_ratio,
+    gain_crossings,
+    linear_model,
+    local_slope,
+    resonance_peaks,
+)
 
+TRANSFER_FUNCTION, LOW_PASS = "derivations/transfer_function.py", "trimmer/low_pass.py"
 PRINTED_NUMERATOR = ("1e7", "1.233e10", "5.939e14", "1.655e17", "4.079e21", "3.71e23", "5.79e27")
 PRINTED_DENOMINATOR = (
     *("1", "1378", "7.0767", "3.878e10", "1.069e15"),
     *("2.676e17", "4.889e21", "4.595e23", "5.971e27"),
 )
-CUTTER, GUARD = 1, 3
-ROUNDING = 1e-10
+CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
+LIMIT_CYCLE_OMEGA = 4607.7
+"""Angular frequency of the limit cycle that table 5.1 predicts at 733.33 Hz, rad/s."""
+MUCH_SMALLER = 0.1
+HARMONICS = range(2, 40)
+CLEAR = 2.0
+"""Gain above which a peak is clearly visible."""
+ROLL_OFF_FROM = 4700.0
+"""Angular frequency above which the slope of the gain is examined, rad/s."""
+HIGH_OMEGA = 1e8
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    numbers = evidence.numbers
-    return (_transfer_function(numbers), _order(numbers), _nyquist(numbers), _nyquist_locus(numbers))
-
-
-def _transfer_function(numbers: LinearNumbers) -> Claim:
+@claim("eq-5.1", source=TRANSFER_FUNCTION, impact=Impact.LOCAL)
+def transfer_function(known: Evidence) -> Record:
+    numbers, model = known.numbers, linear_model(known.numbers.parameters)
     wrong_output = numbers.combined_numerator({CUTTER: 1, GUARD: 1})
-    static_gain = [float(rows[-1] / numbers.denominator[-1]) for rows in (numbers.numerator, wrong_output)]
-    return Claim(
-        id="eq-5.1",
-        parts=(
-            *_numerator_parts(numbers, wrong_output),
-            *_denominator_parts(numbers),
-            Part(
-                "powers of ten",
-                Assertion(
-                    statement="$1.233^{10}$, read as printed, is the coefficient of $s^5$",
-                    derived=PrintedDigits("1.233e10", 1.233**10).compare().agrees,
-                    evidence=f"$1.233^{{10}} = {1.233**10:.2f}$; meant is $1.233\\cdot 10^{{10}}$",
-                    method="evaluation as printed",
-                ),
-                Confirmation(
-                    "ten factors in exact fractions", CloseNumbers(float(Fraction("1.233") ** 10), 1.233**10)
-                ),
-            ),
-        ),
-        explanation=(
-            "The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - "
-            "q_4$ of equation 2.14; the first three are the same for both. Powers of ten are set as powers "
-            "of the coefficient, and in the coefficient of $s^6$ below the fraction bar the exponent 7 "
-            "stands behind the digits 7.076."
-        ),
-        consequence=(
-            f"The printed function has a static gain of {static_gain[1]:.4f} instead of "
-            f"{static_gain[0]:.4f}. Listing A.9, which computes the limit cycles, has the right "
-            "coefficients, so no prediction changes."
-        ),
-        impact=Impact.LOCAL,
-        source="derivations/transfer_function.py",
+    converted = np.trim_zeros(np.round(control.ss2tf(model[0, 0]).num[0][0], 0), "f")
+    highest = len(PRINTED_NUMERATOR) - 1
+    above = zip(PRINTED_NUMERATOR, numbers.numerator, wrong_output, converted[-highest - 1 :], strict=True)
+    for place, (printed, derived, wrong, other) in enumerate(above):
+        second = close("conversion of the state space", other, float(derived), 1e-6)
+        slip = repeated("the output is q2 + q4 instead of q2 - q4", wrong)
+        yield digits(f"above the bar, $s^{{{highest - place}}}$", printed, derived, second=second, slip=slip)
+    highest = len(PRINTED_DENOMINATOR) - 1
+    below = zip(PRINTED_DENOMINATOR, numbers.denominator, np.poly(model.A), strict=True)
+    for place, (printed, derived, other) in enumerate(below):
+        # 7.076e+07 with its exponent as a further digit is 7.0767.
+        mantissa, _, exponent = f"{float(derived):.3e}".partition("e")
+        misset = Fraction(f"{mantissa}{int(exponent)}")
+        slip = made_here("the exponent of ten stands behind the digits", misset)
+        second = close("the product of the eigenvalues", other, float(derived), 1e-6)
+        yield digits(f"below the bar, $s^{{{highest - place}}}$", printed, derived, second=second, slip=slip)
+    as_printed, in_fractions = 1.233**10, float(Fraction("1.233") ** 10)
+    yield assertion(
+        "powers of ten",
+        "$1.233^{10}$, read as printed, is the coefficient of $s^5$",
+        PrintedDigits("1.233e10", as_printed).compare().agrees,
+        rf"$1.233^{{10}} = {as_printed:.2f}$; meant is $1.233\cdot 10^{{10}}$",
+        method="evaluation as printed",
+        second=close("ten factors in exact fractions", in_fractions, as_printed),
+    )
+    yield text(
+        """
+        The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - q_4$ of
+        equation 2.14; the first three are the same for both. Powers of ten are set as powers of the
+        coefficient, and in the coefficient of $s^6$ below the fraction bar the exponent 7 stands behind the
+        digits 7.076.
+
+        The printed function has a static gain of [[ printed | f4 ]] instead of [[ right | f4 ]]. Listing A.9,
+        which computes the limit cycles, has the right coefficients, so no prediction changes.
+        """,
+        printed=float(wrong_output[-1] / numbers.denominator[-1]),
+        right=float(numbers.numerator[-1] / numbers.denominator[-1]),
     )
 
 
-def _numerator_parts(numbers: LinearNumbers, wrong_output: tuple[Fraction, ...]) -> list[Part]:
-    system = control.ss2tf(linear_model(numbers.parameters)[0, 0])
-    converted = np.trim_zeros(np.round(system.num[0][0], 0), "f")[-len(PRINTED_NUMERATOR) :]
-    slip = "the output is q2 + q4 instead of q2 - q4"
-    return [
-        Part(
-            f"above the bar, $s^{{{len(PRINTED_NUMERATOR) - 1 - index}}}$",
-            PrintedDigits(printed, derived),
-            Confirmation("conversion of the state space", CloseNumbers(other, float(derived), 1e-6)),
-            Slip(slip, wrong, Verdict.EXPLAINED),
-        )
-        for index, (printed, derived, wrong, other) in enumerate(
-            zip(PRINTED_NUMERATOR, numbers.numerator, wrong_output, converted, strict=True)
-        )
-    ]
-
-
-def _denominator_parts(numbers: LinearNumbers) -> list[Part]:
-    from_eigenvalues = np.poly(linear_model(numbers.parameters).A)
-    return [
-        Part(
-            f"below the bar, $s^{{{len(PRINTED_DENOMINATOR) - 1 - index}}}$",
-            PrintedDigits(printed, derived),
-            Confirmation("the product of the eigenvalues", CloseNumbers(other, float(derived), 1e-6)),
-            Slip(
-                "the exponent of ten stands behind the digits", _exponent_as_digit(derived), Verdict.ERRATUM
-            ),
-        )
-        for index, (printed, derived, other) in enumerate(
-            zip(PRINTED_DENOMINATOR, numbers.denominator, from_eigenvalues, strict=True)
-        )
-    ]
-
-
-def _exponent_as_digit(value: Fraction) -> Fraction:
-    """Return what is read when 7.076e+07 is set with its exponent as a further digit, 7.0767."""
-    digits, _, exponent = f"{float(value):.3e}".partition("e")
-    return Fraction(f"{digits}{int(exponent)}")
-
-
-def _order(numbers: LinearNumbers) -> Claim:
-    power = sympy.Symbol("s")
+@claim("txt-5.1.2-order", source=TRANSFER_FUNCTION)
+def order(known: Evidence) -> Record:
+    numbers, system = known.numbers, known.numbers.displacement_only
     above, below = (
-        sympy.Poly([sympy.Rational(c.numerator, c.denominator) for c in coefficients], power)
+        sympy.Poly([sympy.Rational(c.numerator, c.denominator) for c in coefficients], sympy.Symbol("s"))
         for coefficients in (numbers.numerator, numbers.denominator)
     )
     minimal = below.degree() - sympy.gcd(above, below).degree()
-    poles, zeros = numbers.displacement_only.poles(), numbers.displacement_only.zeros()
-    nearest = min(abs(pole - zero) / abs(pole) for pole in poles for zero in zeros)
-    seen = _eigenvalues_seen(linear_model(numbers.parameters)[0, 0])
-    return Claim(
-        id="txt-5.1.2-order",
-        parts=(
-            Part(
-                "",
-                PrintedDigits("8", minimal),
-                Confirmation(
-                    "the Popov-Belevitch-Hautus test of every eigenvalue", CloseNumbers(seen, minimal)
-                ),
-            ),
-        ),
-        explanation=(
-            "Numerator and denominator have no common factor, in exact arithmetic, so all eight states "
-            f"count. One pair of poles comes within {100 * nearest:.3f} % of a pair of zeros, which hides a "
-            "resonance but keeps the order."
-        ),
-        source="derivations/transfer_function.py",
+    seen = states_in_use(linear_model(numbers.parameters)[0, 0])
+    nearest = min(abs(pole - zero) / abs(pole) for pole in system.poles() for zero in system.zeros())
+    second = equal("the Popov-Belevitch-Hautus test of every eigenvalue", seen, minimal)
+    yield digits("", "8", minimal, second=second)
+    yield text(
+        """
+        Numerator and denominator have no common factor, in exact arithmetic, so all eight states count. One
+        pair of poles comes within [[ nearest | f3 ]] % of a pair of zeros, which hides a resonance but keeps
+        the order.
+        """,
+        nearest=100 * nearest,
     )
 
 
-def _eigenvalues_seen(system: control.StateSpace) -> int:
-    """Count the eigenvalues that the input reaches and the output shows."""
-    scale = float(np.abs(system.poles()).max())
-    states = np.repeat([1.0, scale], system.nstates // 2)
-    a = system.A * states / states[:, None] / scale
-    b, c = system.B / states[:, None] / scale, system.C * states
-    shifted = [a - eigenvalue * np.eye(system.nstates) for eigenvalue in np.linalg.eigvals(a)]
-    return sum(
-        min(_smallest_singular_value(np.hstack([each, b])), _smallest_singular_value(np.vstack([each, c])))
-        > ROUNDING
-        for each in shifted
-    )
-
-
-def _smallest_singular_value(matrix: NDArray[np.complex128]) -> float:
-    return float(np.linalg.svd(matrix, compute_uv=False).min())
-
-
-def _no_encirclement_part(numbers: LinearNumbers) -> Part:
+def no_encirclement_part(numbers: LinearNumbers) -> Part:
     system = numbers.displacement_only
-    sampled = control.nyquist_response(system).count
     turns = encirclements(system, -1.0)
-    return Part(
-        "encirclements of $-1$",
-        PrintedDigits("0", turns),
-        Confirmation("python-control's Nyquist count", CloseNumbers(1.0 + sampled, 1.0 + turns)),
-    )
+    second = equal("python-control's Nyquist count", control.nyquist_response(system).count, turns)
+    return digits("encirclements of $-1$", "0", turns, second=second)
 
 
-def _nyquist(numbers: LinearNumbers) -> Claim:
+@claim("txt-5.1.2-nyquist", source="trimmer/nyquist.py", impact=Impact.LOCAL)
+def nyquist(known: Evidence) -> Record:
     unstable = control.tf([0.5], [1, -1])
     silent = encirclements(unstable, -1.0) == 0
     open_loop_stable = all(pole.real < 0 for pole in unstable.poles())
-    early, late = control.impulse_response(unstable, np.array([1.0, 2.0])).outputs
-    return Claim(
-        id="txt-5.1.2-nyquist",
-        parts=(
-            _no_encirclement_part(numbers),
-            Part(
-                "the conclusion drawn",
-                Assertion(
-                    statement="a locus that does not encircle $-1$ shows that the open loop is stable",
-                    derived=not silent or open_loop_stable,
-                    evidence=(
-                        "$0.5/(s - 1)$ does not encircle $-1$ and is unstable. The count gives unstable "
-                        "poles of the closed loop, and needs those of the open loop to be known"
-                    ),
-                    method="counterexample",
-                ),
-                second_way(
-                    "python-control's Nyquist count of it, zero, and its response to an impulse, which grows",
-                    control.nyquist_response(unstable).count == 0 and abs(late) > abs(early),
-                ),
-            ),
-        ),
-        explanation=(
-            "The count is right, the conclusion is not: with no encirclement and no unstable pole of the "
-            "open loop (its eigenvalues show that), it is the closed loop with unit gain that is stable."
-        ),
-        consequence=(
-            "None: the trimmer is stable in open loop by equation 5.2. The right conclusion matters later, "
-            "since unit gain is the limit of a small gap: the trimmer without play is stable in the thesis's "
-            "loop."
-        ),
-        impact=Impact.LOCAL,
-        source="trimmer/nyquist.py",
+    means = "python-control's Nyquist count of it, zero, and its response to an impulse, which grows"
+    yield no_encirclement_part(known.numbers)
+    yield assertion(
+        "the conclusion drawn",
+        "a locus that does not encircle $-1$ shows that the open loop is stable",
+        not silent or open_loop_stable,
+        """
+        $0.5/(s - 1)$ does not encircle $-1$ and is unstable. The count gives unstable poles of the closed
+        loop, and needs those of the open loop to be known
+        """,
+        method="counterexample",
+        second=so(means, control.nyquist_response(unstable).count == 0 and impulse_response_grows(unstable)),
+    )
+    yield text(
+        """
+        The count is right, the conclusion is not: with no encirclement and no unstable pole of the open loop
+        (its eigenvalues show that), it is the closed loop with unit gain that is stable.
+
+        None: the trimmer is stable in open loop by equation 5.2. The right conclusion matters later, since
+        unit gain is the limit of a small gap: the trimmer without play is stable in the thesis's loop.
+        """
     )
 
 
-def _nyquist_locus(numbers: LinearNumbers) -> Claim:
-    return Claim(
-        id="fig-5.3",
-        parts=(_no_encirclement_part(numbers),),
-        explanation=(
-            "The redrawn locus stays clear of $-1$, as the text reads from it. It meets the real axis on the "
-            "positive side only, so every positive gain would leave the loop stable."
+@claim("fig-5.3", source="trimmer/nyquist.py")
+def nyquist_locus(known: Evidence) -> Record:
+    yield no_encirclement_part(known.numbers)
+    yield text(
+        """
+        The redrawn locus stays clear of $-1$, as the text reads from it. It meets the real axis on the
+        positive side only, so every positive gain would leave the loop stable.
+        """
+    )
+
+
+def exact_ratio(numbers: LinearNumbers, omega: float, harmonic: int) -> float:
+    """Return how well a harmonic of ω (rad/s) passes over the fundamental, from exact coefficients."""
+    return float(gain(numbers, harmonic * omega) / gain(numbers, omega))
+
+
+@claim("txt-5.1.2-filtering", source=LOW_PASS, impact=Impact.DOWNSTREAM)
+def filtering(known: Evidence) -> Record:
+    numbers, system = known.numbers, known.numbers.displacement_only
+    measured = TURN * MEASURED_DRIVE_FREQUENCY
+    third = float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3))
+    fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
+    every = highest_unfiltered(system, HARMONICS)
+    exact = "exact coefficients, 40 digits"
+    yield assertion(
+        f"at the predicted limit cycle, {LIMIT_CYCLE_OMEGA} rad/s",
+        f"every odd harmonic is passed at most {MUCH_SMALLER:g} times as well",
+        third <= MUCH_SMALLER,
+        rf"$|G(3j\omega)|/|G(j\omega)| = {third:.4f}$, higher ones less",
+        method="frequency response",
+        second=close(exact, exact_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
+    )
+    yield assertion(
+        "at every frequency, as equation 2.26 asks",
+        r"$|G(j\omega)| \gg |G(jn\omega)|$ for $n = 2, 3, \dots$",
+        every == 0.0,
+        filled(
+            """
+            below [[ every | f1 ]] Hz some harmonic passes better than the fundamental (odd ones: below
+            [[ odd | f1 ]] Hz); at [[ measured ]] Hz the fifth passes [[ fifth | f2 ]] times better
+            """,
+            every=every,
+            odd=highest_unfiltered(system, range(3, 40, 2)),
+            measured=MEASURED_DRIVE_FREQUENCY,
+            fifth=fifth_measured,
         ),
-        source="trimmer/nyquist.py",
+        method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
+        second=close(exact, exact_ratio(numbers, measured, 5), fifth_measured),
+    )
+    yield text(
+        """
+        Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: the third
+        harmonic passes [[ third | f3 ]] times as well as the fundamental, the second [[ second | f3 ]] times.
+        At the drive it does not: at 100 Hz the fifth harmonic passes [[ fifth | f1 ]] times better than the
+        drive itself. At the measured [[ measured ]] Hz it would be [[ fifth_measured | f0 ]] times, as it
+        falls on the resonance at [[ highest | f1 ]] Hz; the parameters of the measured trimmer (table C.1)
+        are not given.
+
+        Predictions of limit cycles near 733 Hz keep their basis. A describing function must not be used for
+        the motion at the drive's frequency, and in driven spectra harmonics of the drive near
+        [[ highest | f0 ]] Hz stand out without any limit cycle.
+        """,
+        third=third,
+        second=float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 2)),
+        fifth=fifth,
+        measured=MEASURED_DRIVE_FREQUENCY,
+        fifth_measured=fifth_measured,
+        highest=max(resonance_peaks(system), key=lambda peak: peak.magnitude).omega / TURN,
+    )
+
+
+@claim("fig-5.2", source="trimmer/extrema.py")
+def bode_plot(known: Evidence) -> Record:
+    numbers = known.numbers
+    peaks = resonance_peaks(numbers.displacement_only)
+    clear = [peak for peak in peaks if peak.magnitude > CLEAR]
+    on_grid = peaks_on_grid(numbers.numerator, numbers.denominator, CLEAR)
+    second = equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear))
+    label = "peaks that are clearly visible (more than twice the pin's motion)"
+    yield digits(label, "2", len(clear), second=second)
+    yield text(
+        """
+        The redrawn plot shows the two clear peaks, at [[ clear[0].omega | f1 ]] and [[ clear[1].omega | f1 ]]
+        rad/s, and two faint ones, at [[ peaks[0].omega | f1 ]] and [[ peaks[1].omega | f1 ]] rad/s, on either
+        side of a shallow valley. What the text reads from it about slope and cutoff is judged under those
+        statements.
+        """,
+        clear=clear,
+        peaks=peaks,
+    )
+
+
+@claim("txt-5.1.2-cutoff", source=LOW_PASS, impact=Impact.LOCAL)
+def cutoff(known: Evidence) -> Record:
+    numbers = known.numbers
+    unity = gain_crossings(numbers.displacement_only)[-1]
+    first, *_, last = bandwidth_crossings(numbers.displacement_only)
+    level = float(gain(numbers, 0)) * 10 ** (-3 / 20)
+    slip = repeated("the highest frequency with |G| = 1 (0 dB) is taken", unity)
+    for label, omega in (("first -3 dB frequency", first), ("last -3 dB frequency", last)):
+        second = close("a root search on exact coefficients", gain_crossing(numbers, level, omega), omega)
+        yield digits(label, "4.6329e+03", omega, "rad/s", second=second, slip=slip)
+    yield text(
+        """
+        The printed number is the highest frequency at which $|G| = 1$, [[ unity | f2 ]] rad/s, not a cutoff.
+        The cutoff is where the gain is 3 dB below its static value: first at [[ first | f1 ]] rad/s, in the
+        valley between two resonances, and for good at [[ last | f1 ]] rad/s, beyond the last one.
+
+        The number is not used again. It lies [[ above | f1 ]] % above the predicted limit cycle, and not by
+        accident: where the play is small beside the amplitude, $|N|$ and so $|G|$ are close to one.
+        """,
+        unity=unity,
+        first=first,
+        last=last,
+        above=100 * (unity / LIMIT_CYCLE_OMEGA - 1),
+    )
+
+
+@claim("txt-5.1.2-roll-off", source=LOW_PASS, impact=Impact.DOWNSTREAM)
+def roll_off(known: Evidence) -> Record:
+    numbers = known.numbers
+    slope = asymptotic_roll_off(numbers.displacement_only)
+    chord = 20 * math.log10(exact_ratio(numbers, 1e3, 10))
+    steepness = local_slope(numbers.displacement_only, np.geomspace(ROLL_OFF_FROM, HIGH_OMEGA, 4000))
+    far = 20 * math.log10(exact_ratio(numbers, HIGH_OMEGA, 10))
+    misread = "the fall over the decade from $10^{3}$ to $10^{4}$ rad/s is read as the slope"
+    second = close("the slope of the exact gain at $10^{8}$ rad/s", far, slope, 1e-6)
+    yield digits("roll-off", "-20", slope, "dB/decade", second=second, slip=made_here(misread, chord))
+    degrees = len(numbers.denominator) - len(numbers.numerator)
+    second = equal("the degrees of the polynomials", degrees, -slope / 20)
+    yield digits("filter order", "1", -slope / 20, second=second, slip=made_here(misread, -chord / 20))
+    yield text(
+        """
+        There are two poles more than zeros, so the gain falls by [[ fall | f0 ]] dB per decade in the end,
+        and above [[ start | f0 ]] rad/s nowhere by less than [[ least | f1 ]]. From $10^3$ to $10^4$ rad/s
+        the curve as a whole drops by [[ drop | f1 ]] dB, which may have been read as the slope.
+
+        The linear part filters better than the thesis says: section 6.2 calls it on the edge of filtering,
+        with order 1. With the pin's velocity as second input the slope is [[ with_velocity | f0 ]] dB per
+        decade, but only far above [[ corner | f0 ]] rad/s.
+        """,
+        fall=-slope,
+        start=ROLL_OFF_FROM,
+        least=-float(steepness.max()),
+        drop=-chord,
+        with_velocity=asymptotic_roll_off(numbers.both_channels),
+        corner=numbers.parameters.k2 / numbers.parameters.c2,
     )

@@ -1,20 +1,40 @@
-"""Claims of section 5.1.3 on eigenvalues and on the resonances that they make (equation 5.2)."""
+"""Claims of section 5.1.3: eigenvalues, resonances, damping and antiresonances (equations 5.2 and 5.3)."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
+import control
 import numpy as np
+import sympy
 
-from report.claim import Claim, Confirmation, Impact, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, PrintedDigits
+from derivations.state_space import output_row
+from report.chapters.chapter_5.claims.section_5_1_2 import exact_ratio
+from report.claim import Confirmation, Impact, Part
 from report.evidence import Evidence
 from report.numbers.exact_response import eigenvalues, gain, peak
-from report.numbers.linear_numbers import DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY, LinearNumbers
-from trimmer import filtering_ratio, resonance_peaks
+from report.numbers.independent.antiresonances import antiresonances, antiresonances_without_damping
+from report.numbers.independent.linear_trimmer import gain_of_state_space
+from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
+from report.parts import assertion, close, digits, made_here, matrix, small, so
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
+from trimmer import (
+    Body,
+    Displacement,
+    InputChannels,
+    TrimmerParameters,
+    filtering_ratio,
+    frequency_response,
+    linear_model,
+    resonance_peaks,
+    transfer_function,
+)
+from trimmer.extrema import Extremum
 
-SOURCE = "trimmer/modal_analysis.py"
+MODES, DAMPING = "trimmer/modal_analysis.py", "report/numbers/light_damping.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -23,179 +43,274 @@ PRINTED_EIGENVALUES = (
 )
 READING_ACCURACY = 0.01
 """Share to which a plot can be read."""
+PLOT_READ = f"a plot is read to {100 * READING_ACCURACY:.0f} %"
+OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
+"""Weights of the four displacements in the output of the thesis's loop, and in that of figure 5.4."""
+VISIBLE = 3
+"""Peaks that the output of the thesis shows with all of the damping."""
+EXACT_ROOTS, EXACT_SLOPE = "the roots of the exact polynomial", "the slope of the exact gain"
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    numbers = evidence.numbers
-    return (
-        _eigenvalues(numbers),
-        _hidden_peak(numbers),
-        _first_resonance(numbers),
+@claim("eq-5.2", source=MODES)
+def printed_eigenvalues(known: Evidence) -> Record:
+    exact = sorted(
+        (root for root in eigenvalues(known.numbers) if root.imag > 0), key=lambda root: -root.imag
     )
-
-
-def _eigenvalues(numbers: LinearNumbers) -> Claim:
-    exact = sorted((root for root in eigenvalues(numbers) if root.imag > 0), key=lambda root: -root.imag)
-    solved = sorted((mode.eigenvalue for mode in numbers.modes), key=lambda root: -root.imag)
-    parts = []
+    solved = sorted((mode.eigenvalue for mode in known.numbers.modes), key=lambda root: -root.imag)
     for (index, real, imaginary), value, other in zip(PRINTED_EIGENVALUES, solved, exact, strict=True):
-        confirmation = Confirmation("the roots of the exact polynomial", CloseNumbers(other, value))
-        parts.append(
-            Part(
-                f"$\\mathrm{{Re}}\\,\\lambda_{{{index}}}$",
-                PrintedDigits(real, value.real, "1/s"),
-                confirmation,
-            )
-        )
-        parts.append(
-            Part(
-                f"$\\mathrm{{Im}}\\,\\lambda_{{{index}}}$",
-                PrintedDigits(imaginary, value.imag, "rad/s"),
-                confirmation,
-            )
-        )
-    return Claim(
-        id="eq-5.2",
-        parts=tuple(parts),
-        explanation=(
-            "All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for "
-            "each mode; they are poles, never zeros, of the transfer function, which the text leaves open."
-        ),
-        source=SOURCE,
+        second = close(EXACT_ROOTS, other, value)
+        yield digits(rf"$\mathrm{{Re}}\,\lambda_{{{index}}}$", real, value.real, "1/s", second=second)
+        yield digits(rf"$\mathrm{{Im}}\,\lambda_{{{index}}}$", imaginary, value.imag, "rad/s", second=second)
+    yield text(
+        """
+        All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for each
+        mode; they are poles, never zeros, of the transfer function, which the text leaves open.
+        """
     )
 
 
-def _nearest_peak(numbers: LinearNumbers, omega: float) -> float:
-    found = (each.omega for each in resonance_peaks(numbers.displacement_only))
-    return min(found, key=lambda each: abs(each - omega))
-
-
-def peak_part(index: str, printed: str, omega: float, confirmation: Confirmation) -> Part:
+def peak_part(index: str, printed: str, omega: float, second: Confirmation) -> Part:
     """Hold the frequency of a peak against an eigenvalue's imaginary part, as well as a plot can be read."""
     distance = omega / float(printed) - 1
-    return Part(
-        f"peak near $\\mathrm{{Im}}\\,\\lambda_{{{index}}}$",
-        Assertion(
-            statement=f"a peak stands at {printed} rad/s, as far as a plot can be read",
-            derived=abs(distance) <= READING_ACCURACY,
-            evidence=f"it stands at {omega:.2f} rad/s, {100 * distance:+.3f} %",
-            method=f"local maxima of the gain; a plot is read to {100 * READING_ACCURACY:.0f} %",
-        ),
-        confirmation,
+    return assertion(
+        rf"peak near $\mathrm{{Im}}\,\lambda_{{{index}}}$",
+        f"a peak stands at {printed} rad/s, as far as a plot can be read",
+        abs(distance) <= READING_ACCURACY,
+        f"it stands at {omega:.2f} rad/s, {100 * distance:+.3f} %",
+        method=f"local maxima of the gain; {PLOT_READ}",
+        second=second,
     )
 
 
-def _hidden_peak(numbers: LinearNumbers) -> Claim:
-    hidden, *visible = PRINTED_EIGENVALUES
-    system = numbers.displacement_only
-    found = {printed: _nearest_peak(numbers, float(printed)) for _, _, printed in visible}
-    parts = [
-        peak_part(
-            index,
-            printed,
-            found[printed],
-            Confirmation(
-                "the slope of the exact gain",
-                CloseNumbers(peak(numbers, found[printed]), found[printed], 1e-7),
-            ),
-        )
-        for index, _, printed in visible
-    ]
-    *shifts, shift = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
-    (stray,) = (each.omega for each in resonance_peaks(system) if each.omega not in found.values())
-    return Claim(
-        id="txt-5.1.3-hidden-peak",
-        parts=(
-            *parts,
-            _hidden(numbers, float(hidden[2])),
-        ),
-        explanation=(
-            "One resonance is hidden, as the text says, because zeros all but cancel its poles. Two others "
-            f"stand within {max(map(abs, shifts)):.1f} % of the imaginary parts, but the one near 1397 "
-            f"rad/s, next to a valley, has its peak {shift:.1f} % higher. A further faint maximum, at "
-            f"{stray:.1f} rad/s, belongs to no eigenvalue at all."
-        ),
-        consequence="Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.",
-        impact=Impact.LOCAL,
-        source="trimmer/extrema.py",
-    )
+def nearest(peaks: Sequence[Extremum], omega: float) -> Extremum:
+    return min(peaks, key=lambda each: abs(each.omega - omega))
 
 
-def _hidden(numbers: LinearNumbers, hidden_omega: float) -> Part:
-    system = numbers.displacement_only
-    near = [each for each in resonance_peaks(system) if abs(each.omega / hidden_omega - 1) < 0.2]
+@claim("txt-5.1.3-hidden-peak", source="trimmer/extrema.py", impact=Impact.LOCAL)
+def hidden_peak(known: Evidence) -> Record:
+    numbers, system = known.numbers, known.numbers.displacement_only
+    peaks = resonance_peaks(system)
+    (hidden, _, place), *visible = PRINTED_EIGENVALUES
+    found = {printed: nearest(peaks, float(printed)).omega for _, _, printed in visible}
+    for index, _, printed in visible:
+        omega = found[printed]
+        yield peak_part(index, printed, omega, close(EXACT_SLOPE, peak(numbers, omega), omega, 1e-7))
     pole = next(mode.eigenvalue for mode in numbers.modes if mode.omega_damped > 7000)
-    zero = min(system.zeros(), key=lambda each: abs(each - pole))
-    slope = float(gain(numbers, hidden_omega * 1.01) - gain(numbers, hidden_omega * 0.99))
-    return Part(
-        "peak near $\\mathrm{Im}\\,\\lambda_{1,2}$",
-        Assertion(
-            statement="the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
-            derived=not near,
-            evidence=(
-                f"a pair of zeros lies {abs(zero - pole):.2f} rad/s from the pair of poles, "
-                f"{100 * abs(zero - pole) / abs(pole):.3f} % of their size, and takes the peak away"
-            ),
-            method="all local maxima of the gain",
+    apart = min(abs(zero - pole) for zero in system.zeros())
+    falls = gain(numbers, float(place) * 1.01) < gain(numbers, float(place) * 0.99)
+    yield assertion(
+        rf"peak near $\mathrm{{Im}}\,\lambda_{{{hidden}}}$",
+        "the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
+        all(abs(each.omega / float(place) - 1) >= 0.2 for each in peaks),
+        filled(
+            """
+            a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their
+            size, and takes the peak away
+            """,
+            apart=apart,
+            share=100 * apart / abs(pole),
         ),
-        Confirmation(
-            "the gain falls from 0.99 to 1.01 times that frequency",
-            CloseNumbers(float(np.sign(slope)), -1.0),
-        ),
+        method="all local maxima of the gain",
+        second=so("the gain falls from 0.99 to 1.01 times that frequency", falls),
+    )
+    *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
+    (stray,) = (each.omega for each in peaks if each.omega not in found.values())
+    yield text(
+        """
+        One resonance is hidden, as the text says, because zeros all but cancel its poles. Two others stand
+        within [[ others | f1 ]] % of the imaginary parts, but the one near 1397 rad/s, next to a valley, has
+        its peak [[ last | f1 ]] % higher. A further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no
+        eigenvalue at all.
+
+        Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.
+        """,
+        others=max(map(abs, others)),
+        last=last,
+        stray=stray,
     )
 
 
-def _first_resonance(numbers: LinearNumbers) -> Claim:
-    frequency = numbers.modes[0].frequency
-    exact = min(abs(root.imag) for root in eigenvalues(numbers)) / (2 * math.pi)
-    return Claim(
-        id="txt-5.1.3-first-resonance",
-        parts=(
-            Part(
-                "first eigenfrequency",
-                PrintedDigits("222.35", frequency, "Hz"),
-                Confirmation("the roots of the exact polynomial", CloseNumbers(exact, frequency)),
-            ),
-            _what_follows(numbers),
-        ),
-        explanation=(
-            f"The number is right: the first eigenfrequency is {frequency / DRIVE_FREQUENCY:.1f} times the "
-            "drive. The conclusion holds for a purely sinusoidal motion only, since play and friction make "
-            f"harmonics. The fifth of {MEASURED_DRIVE_FREQUENCY} Hz, the drive that was measured, lies at "
-            f"{5 * MEASURED_DRIVE_FREQUENCY:.1f} Hz, on the highest peak of this gain; the parameters of the "
-            "measured trimmer (table C.1) are not given."
-        ),
-        consequence=(
-            "A peak near 550 Hz in a driven spectrum of this trimmer needs no limit cycle: a harmonic of the "
-            "drive is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for "
-            "a fifth harmonic too."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source="trimmer/low_pass.py",
-    )
-
-
-def _what_follows(numbers: LinearNumbers) -> Part:
-    system = numbers.displacement_only
-    drives = (DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY)
-    fifth = {drive: float(filtering_ratio(system, 2 * math.pi * drive, 5)) for drive in drives}
-    measured = 2 * math.pi * MEASURED_DRIVE_FREQUENCY
-    exact_fifth = float(gain(numbers, 5 * measured) / gain(numbers, measured))
-    return Part(
+@claim("txt-5.1.3-first-resonance", source="trimmer/low_pass.py", impact=Impact.DOWNSTREAM)
+def first_resonance(known: Evidence) -> Record:
+    numbers, system = known.numbers, known.numbers.displacement_only
+    frequency, measured = numbers.modes[0].frequency, TURN * MEASURED_DRIVE_FREQUENCY
+    exact = min(abs(root.imag) for root in eigenvalues(numbers)) / TURN
+    fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
+    second = close(EXACT_ROOTS, exact, frequency)
+    yield digits("first eigenfrequency", "222.35", frequency, "Hz", second=second)
+    yield assertion(
         "what follows for the drive",
-        Assertion(
-            statement="the resonances do not matter, as the drive is far below the first one",
-            derived=max(fifth.values()) < 1,
-            evidence=(
-                f"the drive's harmonics meet them: the fifth passes {fifth[DRIVE_FREQUENCY]:.1f} "
-                f"times better than the drive at {DRIVE_FREQUENCY:.0f} Hz and "
-                f"{fifth[MEASURED_DRIVE_FREQUENCY]:.1f} times better at {MEASURED_DRIVE_FREQUENCY} Hz"
-            ),
-            method="frequency response at multiples of the drive",
+        "the resonances do not matter, as the drive is far below the first one",
+        max(fifth, fifth_measured) < 1,
+        filled(
+            """
+            the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at
+            100 Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
+            """,
+            fifth=fifth,
+            fifth_measured=fifth_measured,
+            measured=MEASURED_DRIVE_FREQUENCY,
         ),
-        Confirmation(
-            "exact coefficients, 40 digits",
-            CloseNumbers(exact_fifth, fifth[MEASURED_DRIVE_FREQUENCY]),
-        ),
+        method="frequency response at multiples of the drive",
+        second=close("exact coefficients, 40 digits", exact_ratio(numbers, measured, 5), fifth_measured),
+    )
+    yield text(
+        """
+        The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
+        holds for a purely sinusoidal motion only, since play and friction make harmonics. The fifth of
+        [[ measured ]] Hz, the drive that was measured, lies at [[ fifth | f1 ]] Hz, on the highest peak of
+        this gain; the parameters of the measured trimmer (table C.1) are not given.
+
+        A peak near 550 Hz in a driven spectrum of this trimmer needs no limit cycle: a harmonic of the drive
+        is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for a fifth
+        harmonic too.
+        """,
+        ratio=frequency / DRIVE_FREQUENCY,
+        measured=MEASURED_DRIVE_FREQUENCY,
+        fifth=5 * MEASURED_DRIVE_FREQUENCY,
+    )
+
+
+@claim("eq-5.3", source="derivations/state_space.py", impact=Impact.LOCAL)
+def output_matrix(known: Evidence) -> Record:
+    parameters, bodies = known.numbers.parameters, len(Body)
+    tracked = sympy.ImmutableMatrix.vstack(*(output_row(body, None, bodies) for body in range(bodies)))
+    added = sympy.ImmutableMatrix(sympy.ones(1, bodies) * tracked)
+    model = linear_model(parameters, [Displacement(body) for body in Body])
+    difference = np.abs(np.array(tracked, dtype=float) - np.asarray(model.C)).max()
+    yield matrix(
+        "",
+        sympy.ImmutableMatrix([[1, 1, 1, 1, 0, 0, 0, 0]]),
+        tracked,
+        left=sympy.Symbol("C"),
+        second=small("the numeric model with each displacement as an output", float(difference)),
+        slip=made_here("the four rows are added up into one", added),
+    )
+    system = lightly_damped_trimmer(parameters)
+    highest = known.numbers.undamped[-1].omega
+    beside = abs(frequency_response(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
+    spike = nearest(resonance_peaks(system), highest)
+    yield text(
+        """
+        To track four positions takes four rows. The printed row gives one output, the sum $x_1 + x_2 + x_3 +
+        x_4$, in which motions of opposite sign cancel.
+
+        Figure 5.4 shows the sum; its four peaks are those of the modes all the same. With a thousandth of the
+        damping $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
+        """,
+        spike=20 * math.log10(spike.magnitude / float(beside.max())),
+    )
+
+
+def lightly_damped_trimmer(parameters: TrimmerParameters) -> control.TransferFunction:
+    return transfer_function(lightly_damped(parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+
+
+@claim("txt-5.1.3-damping", source=MODES, impact=Impact.LOCAL)
+def damping(known: Evidence) -> Record:
+    numbers, parameters = known.numbers, known.numbers.parameters
+    systems = numbers.displacement_only, lightly_damped_trimmer(parameters)
+    damped, light = (
+        [nearest(resonance_peaks(system), mode.omega) for mode in numbers.undamped[:VISIBLE]]
+        for system in systems
+    )
+    ratios = [each.magnitude / other.magnitude for each, other in zip(light, damped, strict=True)]
+    least, most = min(ratios), max(ratios)
+    solved = [
+        gain_of_state_space(lightly_damped(parameters), each.omega)
+        / gain_of_state_space(parameters, other.omega)
+        for each, other in zip(light, damped, strict=True)
+    ]
+    yield assertion(
+        "height of the peaks",
+        "damping lowers every peak",
+        least > 1,
+        f"a thousandth of the damping makes the visible peaks {least:.0f} to {most:.0f} times higher",
+        method="all local maxima of the gain for both dampings",
+        second=close("the state space solved at these peaks", min(solved), least, 1e-6),
+    )
+    shifts = [100 * (each.omega / other.omega - 1) for each, other in zip(damped, light, strict=True)]
+    modes = zip(numbers.modes, numbers.undamped, strict=True)
+    of_modes = [100 * (mode.omega_damped / undamped.omega - 1) for mode, undamped in modes]
+    of_peaks = ", ".join(f"{shift:+.2f} %" for shift in shifts)
+    of_eigenvalues = ", ".join(f"{shift:+.3f} %" for shift in of_modes)
+    first = damped[0].omega
+    yield assertion(
+        "place of the peaks",
+        "damping does not move the resonances",
+        max(map(abs, shifts)) <= 100 * READING_ACCURACY,
+        f"peaks of the gain move by {of_peaks}; eigenfrequencies by {of_eigenvalues}",
+        method=f"peaks with {DAMPING_FACTOR:g} of the damping against peaks with all of it; {PLOT_READ}",
+        second=close(EXACT_SLOPE, peak(numbers, first), first, 1e-7),
+    )
+    yield text(
+        """
+        Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by
+        [[ largest | f1 ]] % for the peak near 1400 rad/s, and by [[ highest | f2 ]] % for the highest
+        eigenfrequency. On the scale of a Bode plot most of that cannot be seen.
+
+        Small. Chapter 7 sums this up as an increase of the magnitude by damping, and puts the resonances
+        below the operating frequency; neither is so.
+        """,
+        largest=max(map(abs, shifts)),
+        highest=-of_modes[3],
+    )
+
+
+@claim("fig-5.4", source=MODES)
+def bode_plot_without_damping(known: Evidence) -> Record:
+    found = resonance_peaks(sum_of_displacements(lightly_damped(known.numbers.parameters)))
+    farthest = 0.0
+    for (index, _, printed), mode in zip(reversed(PRINTED_EIGENVALUES), known.numbers.undamped, strict=True):
+        omega = nearest(found, mode.omega).omega
+        farthest = max(farthest, abs(omega / float(printed) - 1))
+        second = close("the undamped eigenvalue problem", omega, mode.omega, 1e-4)
+        yield peak_part(index, printed, omega, second)
+    yield text(
+        """
+        With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
+        frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %, as
+        well as a plot shows. The thesis does not say how small its damping was.
+        """,
+        farthest=100 * farthest,
+    )
+
+
+@claim("txt-5.1.3-antiresonances", source=DAMPING, impact=Impact.LOCAL)
+def valleys(known: Evidence) -> Record:
+    parameters = known.numbers.parameters
+    first = antiresonances(known.numbers.displacement_only)
+    other = antiresonances(sum_of_displacements(lightly_damped(parameters)))
+    undamped = antiresonances(lightly_damped_trimmer(parameters))
+    free = "frequencies where a constrained system without damping is free to swing"
+    of_sum, of_output = (antiresonances_without_damping(parameters, weights)[1] for weights in (SUM, OUTPUT))
+    in_5_2, in_5_4 = (", ".join(f"{omega:.0f}" for omega in omegas) for omegas in (first, other))
+    apart, shift = (float(np.abs(each / first - 1).max()) for each in (other, undamped))
+    yield assertion(
+        "figure 5.4 beside figure 5.2",
+        "the antiresonances of the two figures are the same, as far as a plot can be read",
+        apart < READING_ACCURACY,
+        f"at {in_5_2} rad/s in figure 5.2 and {in_5_4} rad/s in figure 5.4, up to {100 * apart:.1f} % apart",
+        method=f"zeros of the two transfer functions; {PLOT_READ}",
+        second=close(free, of_sum, other[1], 1e-4),
+    )
+    yield assertion(
+        "damping itself, for one output",
+        "damping does not move the antiresonances, as far as a plot can be read",
+        shift < READING_ACCURACY,
+        f"those of $q_2 - q_4$ move by {100 * shift:.2f} % at most",
+        method="zeros with all and with a thousandth of the damping",
+        second=close(free, of_output, undamped[1], 1e-4),
+    )
+    yield text(
+        """
+        Resonances belong to the system, antiresonances to the output that is looked at. Figure 5.4 shows the
+        sum of all displacements, figure 5.2 a difference of two, so their valleys may not be compared: the
+        one near [[ first | f0 ]] rad/s is at [[ other | f0 ]] rad/s there. That damping hardly moves them is
+        right, but only for one and the same output.
+
+        None: no later number uses an antiresonance.
+        """,
+        first=first[1],
+        other=other[1],
     )

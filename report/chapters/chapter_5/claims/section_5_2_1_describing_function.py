@@ -1,0 +1,170 @@
+"""Claims of section 5.2.1 on the describing function: domain, loci, input, library (equations 5.4 to 5.6)."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import sympy
+
+from derivations.backlash import GAP, friction_waveform
+from derivations.symbols import A
+from derivations.waveform import THETA, describing_function
+from report.claim import Impact
+from report.comparisons.printed import power_of
+from report.comparisons.quadrature import coefficient
+from report.evidence import Evidence
+from report.numbers.independent.friction_contact import least_amplitude_with_contact
+from report.parts import assertion, close, digits, expression, made_here
+from report.record import Record, claim, text
+from report.text import filled
+from trimmer.elements.friction_backlash import FrictionBacklash
+
+SOURCE = "trimmer/elements/friction_backlash.py"
+OURS = FrictionBacklash(1.0)
+LIBRARY = control.friction_backlash_nonlinearity(1.0)
+
+
+@claim("eq-5.4", source=SOURCE, impact=Impact.LOCAL)
+def domain(known: Evidence) -> Record:
+    edge = 1.0 / float(OURS.domain(1.0))
+    second = close("the contact angle exists", least_amplitude_with_contact(), edge)
+    slip = made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge)
+    yield digits("edge of the domain over the gap $b$ of this section", "1.0", edge, second=second, slip=slip)
+    yield text(
+        r"""
+        In section 2.3.4 $b$ is half of the gap and the condition is right. In this section, its listings and
+        its tables $b$ is the whole gap, and the pin reaches the bridge as soon as $A > b/2$ (a thousandth
+        above that the real part of $N$ is [[ above | power1 ]]). Table 5.1 itself has a limit cycle at $A =
+        [[ cycle.amplitude | f3 ]]\,b$, where equation 5.4 says there is none.
+
+        Half of the range of amplitudes with contact below $b$ is declared empty; the second limit cycle lies
+        in it.
+        """,
+        above=float(OURS.describing_function(1.001 * edge).real),
+        cycle=known.cycles.friction.unstable,
+    )
+
+
+@claim("eq-5.5", source=SOURCE, impact=Impact.DOWNSTREAM)
+def proportionality(_: Evidence) -> Record:
+    function = describing_function(friction_waveform(), A)
+    at_one, at_ten = (complex((function * A / GAP).subs({GAP: 1, A: ratio})) for ratio in (1, 10))
+    by_library = 10 * LIBRARY.describing_function(10.0)
+    yield assertion(
+        "",
+        "$N$ is proportional to $b/A$, so $-1/N$ is proportional to $-A/b$",
+        abs(at_one - at_ten) < 1e-9,
+        filled(
+            r"""
+            $NA/b$ is [[ at_one | f2 ]] in size at $A = b$ and [[ at_ten | f2 ]] at $A = 10b$; for large
+            amplitudes $N \to [[ limit | latex ]]$
+            """,
+            at_one=abs(at_one),
+            at_ten=abs(at_ten),
+            limit=sympy.limit(function.subs(GAP, 1), A, sympy.oo),
+        ),
+        method="the derived describing function at two amplitudes, and its limit",
+        second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
+    )
+    yield text(
+        """
+        $N$ is a function of $b/A$ and not a multiple of it. It tends to one, not to zero, when $b/A$ does.
+        The proportion printed is that of a relay. Nor does what the text draws from it follow: $-A/b$ comes
+        closer to zero as $b$ grows, where $-1/N$ at a given amplitude moves away from it.
+
+        The text concludes from it that a larger gap moves the curve until it meets $G$ a second time. The
+        curve as a whole does not depend on the gap at all; only the amplitudes along it do.
+        """
+    )
+
+
+@claim("eq-5.6", source="report/chapters/chapter_5/claims/section_5_2_1_describing_function.py")
+def external_input(_: Evidence) -> Record:
+    time, amplitude = sympy.Symbol("t", real=True), sympy.Rational("0.0015")
+    printed = amplitude * sympy.sin(200 * sympy.pi * time)
+    derived = sympy.im(amplitude * sympy.exp(2 * sympy.pi * 100 * sympy.I * time))
+    yield expression("", printed, derived, left=sympy.Symbol("r"))
+    yield text(
+        """
+        Equation 2.1 with an eccentricity of 1.5 mm and 100 turns a second. The motor of the experiment turned
+        faster, see the places where its frequency is quoted.
+        """
+    )
+
+
+@claim("txt-5.2.1-locus-directions", source=SOURCE)
+def locus_directions(_: Evidence) -> Record:
+    amplitudes = 1e6, 0.5 * (1 + 1e-2), 0.5 * (1 + 1e-4)
+    far, near, nearer = (complex(-1 / OURS.describing_function(each)) for each in amplitudes)
+    far_by_library, _, nearer_by_library = (-1 / LIBRARY.describing_function(each) for each in amplitudes)
+    means = "python-control's describing function there"
+    distance = abs(far + 1)
+    yield assertion(
+        "with growing amplitude",
+        "$-1/N$ tends to $-1$",
+        distance < 1e-4,
+        f"at $A = 10^6 b$ it is $-1$ to {power_of(distance)}",
+        method="the describing function at large amplitude",
+        second=close(means, far_by_library, far, 1e-6),
+    )
+    yield assertion(
+        "with growing gap at fixed amplitude",
+        r"$-1/N$ tends to $(-\infty, -\infty j)$",
+        nearer.real < near.real < 0 and nearer.imag < near.imag < 0,
+        filled(
+            """
+            it runs from [[ near.real | f0 ]] [[ near.imag | signed0 ]] j to [[ nearer.real | f0 ]]
+            [[ nearer.imag | signed0 ]] j as the gap comes from 1 % to 0.01 % below twice the amplitude
+            """,
+            near=near,
+            nearer=nearer,
+        ),
+        method="the describing function near the edge of the dead band",
+        second=close(means, nearer_by_library, nearer, 1e-6),
+    )
+    yield text(
+        """
+        Both directions are right. They are one and the same motion along one curve, whose parameter is $b/A$.
+        """
+    )
+
+
+@claim("txt-5.2.1-second-implementation", source=SOURCE, impact=Impact.LOCAL)
+def library(_: Evidence) -> Record:
+    distance = max(
+        abs(complex(OURS.describing_function(a)) - LIBRARY.describing_function(a))
+        for a in (0.51, 0.7, 1.0, 4.0, 90.0)
+    )
+    values = {A: sympy.Integer(4), GAP: sympy.Integer(1)}
+    sine, cosine = (coefficient(friction_waveform(), wave(THETA), values) for wave in (sympy.sin, sympy.cos))
+    quadrature, theirs = (sine + 1j * cosine) / 4, LIBRARY.describing_function(4.0)
+    yield assertion(
+        "agreement",
+        "the library's describing function of backlash agrees with the listing's",
+        distance < 1e-12,
+        f"they differ by {power_of(distance)} at most, at five amplitudes from 0.51 to 90 gaps",
+        method="python-control evaluated beside ours",
+        second=close("quadrature of the waveform at four gaps", quadrature, theirs),
+    )
+    named = ("friction_backlash", "relay_hysteresis", "saturation")
+    names = [f"`{name}_nonlinearity`" for name in named if hasattr(control, f"{name}_nonlinearity")]
+    saturated = control.saturation_nonlinearity(1.0).describing_function(2.0)
+    by_hand = 2 / math.pi * (math.asin(0.5) + 0.5 * math.sqrt(0.75))
+    yield assertion(
+        "what the library holds",
+        "it holds no other describing function",
+        len(names) == 1,
+        f"it has {', '.join(names)}",
+        method="names in the installed python-control",
+        second=close("that of saturation, called for twice its bound", saturated, by_hand),
+    )
+    yield text(
+        """
+        The two implementations agree, with the total gap as parameter in both. The library has had saturation
+        and a relay with hysteresis from the start as well, the latter with zero hysteresis being the thesis's
+        Coulomb friction.
+
+        A check of the friction listing against the library would have been possible.
+        """
+    )

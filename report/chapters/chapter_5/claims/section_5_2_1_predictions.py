@@ -1,0 +1,280 @@
+"""Claims of section 5.2.1, and of chapters 6 and 7, on predictions for friction-controlled backlash."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from report.claim import Confirmation, Impact, Part
+from report.comparisons.printed import power
+from report.comparisons.second_ways import by_floquet, by_waveform
+from report.evidence import Evidence
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_exactly
+from report.parts import assertion, close, digits, made_here, repeated
+from report.record import Record, claim, text
+from report.text import filled
+from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.friction_backlash import FrictionBacklash
+
+SOURCE = "trimmer/balance/solve.py"
+NEWTON = "Newton's method in 30 digits"
+LOEB = "Loeb's criterion, from analytic derivatives of both curves"
+SCALING = "scaling of the describing function in the gap"
+TINY_GAP = 2e-11
+TABLE_5_2 = {
+    **{"1e-4": "0.00083", "2e-4": "0.0017", "3e-4": "0.0025", "4e-4": "0.0033", "5e-4": "0.0041"},
+    **{"6e-4": "0.0050", "7e-4": "0.0058", "8e-4": "0.0066", "9e-4": "0.0075", "1e-3": "0.0083"},
+}
+"""Amplitude for each gap, m."""
+
+
+@dataclass(frozen=True)
+class Predicted:
+    """A limit cycle with exact coefficients, with those of Listing A.9, and the first in a second way.
+
+    The latter as amplitude over gap, and angular frequency in rad/s.
+    """
+
+    exact: LimitCycle
+    listing: LimitCycle
+    ratio: float
+    omega: float
+
+
+def predicted(known: Evidence) -> tuple[Predicted, Predicted]:
+    """Return the unstable and the stable limit cycle for a gap of one metre."""
+    exact, listing = known.cycles.friction, known.cycles.friction_listing
+    unstable, stable = (
+        Predicted(cycle, rounded, *friction_exactly(known.numbers, cycle))
+        for cycle, rounded in ((exact.unstable, listing.unstable), (exact.stable, listing.stable))
+    )
+    return unstable, stable
+
+
+def amplitude_part(label: str, printed: str, gap: float, of: Predicted) -> Part:
+    derived = gap * of.exact.amplitude
+    slip = repeated(ROUNDED, gap * of.listing.amplitude)
+    return digits(label, printed, derived, "m", second=close(NEWTON, gap * of.ratio, derived), slip=slip)
+
+
+def all_parts(prefix: str, gap: float, of: Predicted, printed: tuple[str, str, str]) -> Iterator[Part]:
+    """Yield the parts on amplitude (m), angular frequency and frequency, which are printed in this order."""
+    exact, listing = of.exact, of.listing
+    amplitude, omega, frequency = printed
+    second = close(NEWTON, of.omega, exact.omega)
+    yield amplitude_part(f"{prefix}amplitude", amplitude, gap, of)
+    slip = repeated(ROUNDED, listing.omega)
+    yield digits(f"{prefix}angular frequency", omega, exact.omega, "rad/s", second=second, slip=slip)
+    slip = repeated(ROUNDED, listing.frequency)
+    yield digits(f"{prefix}frequency", frequency, exact.frequency, "Hz", second=second, slip=slip)
+
+
+def second_frequency(label: str, unstable: Predicted) -> Part:
+    """Return the part on the frequency of the second limit cycle, printed with one digit wrong."""
+    exact, listed = unstable.exact, f"{unstable.listing.frequency:.2f}"
+    name = f"{ROUNDED}, and the second digit is written 3 instead of 5"
+    slip = made_here(name, float(f"{listed[0]}3{listed[2:]}"))
+    second = close(NEWTON, unstable.omega, exact.omega)
+    return digits(label, "533.22", exact.frequency, "Hz", second=second, slip=slip)
+
+
+@claim("txt-5.2.1-prediction", source=SOURCE, impact=Impact.DOWNSTREAM)
+def prediction(known: Evidence) -> Record:
+    _, stable = predicted(known)
+    right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
+    yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"))
+    yield text(
+        """
+        With exact coefficients the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz.
+        The printed numbers come out with the coefficients that Listing A.9 has rounded to four digits; that
+        moves the amplitude by [[ shift | f2 ]] %, because the loop passes close to $-1$.
+
+        Every prediction of section 5.2.1 carries this shift. The velocity of the pin, which the loop leaves
+        out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] % less, at
+        [[ both.frequency | f2 ]] Hz.
+        """,
+        amplitude=1e6 * SMALL_GAP * right.amplitude,
+        frequency=right.frequency,
+        shift=100 * (listing.amplitude / right.amplitude - 1),
+        with_velocity=1e6 * SMALL_GAP * both.amplitude,
+        less=100 * (1 - both.amplitude / right.amplitude),
+        both=both,
+    )
+
+
+@claim("txt-5.2.1-stable", source="trimmer/balance/stability.py")
+def stability(known: Evidence) -> Record:
+    cycle, orbit = known.cycles.friction.stable, known.orbits.friction.stable
+    largest = abs(orbit.nontrivial_multipliers).max()
+    statement = "the limit cycle near 733 Hz is stable"
+    criterion = f"Loeb's criterion at {cycle.frequency:.2f} Hz"
+    outward = "a motion that starts 0.1 % outside the unstable orbit ends on it"
+    floquet = by_floquet([orbit], stable=True)
+    yield assertion(
+        "by the describing function", statement, bool(cycle.stable), criterion, method=LOEB, second=floquet
+    )
+    yield assertion(
+        "in the exact loop",
+        statement,
+        orbit.stable,
+        filled(
+            """
+            no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
+            [[ orbit.frequency | f2 ]] Hz
+            """,
+            largest=largest,
+            orbit=orbit,
+        ),
+        method="Floquet multipliers of the exact orbit",
+        second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
+    )
+    yield text(
+        """
+        A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again, and a smaller one
+        the other way. That is the thesis's own argument, a statement of the describing function; the
+        multipliers of the exact limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
+        """,
+        decay=-math.log(largest) / orbit.period,
+    )
+
+
+@claim("txt-5.2.1-second-limit-cycle", source=SOURCE, impact=Impact.DOWNSTREAM)
+def second_limit_cycle(known: Evidence) -> Record:
+    unstable, _ = predicted(known)
+    right, cycles = unstable.exact, known.cycles
+    yield amplitude_part("amplitude", "2.1089e-5", LARGE_GAP, unstable)
+    yield second_frequency("frequency", unstable)
+    second = by_floquet([known.orbits.friction.unstable], stable=False)
+    holds = not right.stable
+    yield assertion("stability", "it is unstable", holds, "Loeb's criterion", method=LOEB, second=second)
+    yield assertion(
+        "when it appears",
+        "it is there only when the gap is large enough",
+        len(limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP))) < 2,
+        rf"it has $A = {right.amplitude:.4f}\,b$ for every gap, since $N$ depends on $b/A$ alone",
+        method=SCALING,
+        second=at_the_tiny_gap(known, right),
+    )
+    yield text(
+        r"""
+        Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles exist
+        for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$. The
+        locus that Listing A.9 plots starts at $b/2 + 10^{-6}$ m and reaches it only for gaps above
+        [[ seen_from | power1 ]] m: that is why it is missing for $4\times10^{-6}$ m and there for
+        $4\times10^{-5}$ m.
+
+        A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
+        unstable one is the threshold: what starts below it decays.
+        """,
+        seen_from=PLOT_OFFSET / (right.amplitude - 0.5),
+    )
+
+
+@claim("tab-5.1", source=SOURCE, impact=Impact.LOCAL)
+def two_limit_cycles(known: Evidence) -> Record:
+    unstable, stable = predicted(known)
+    listed = stable.listing.frequency
+    name = f"{ROUNDED}, and the {listed:.4f} Hz that follow are cut off, not rounded"
+    slip = repeated(name, math.floor(100 * listed) / 100)
+    second = close(NEWTON, stable.omega, stable.exact.omega)
+    yield amplitude_part("first: amplitude", "3.3138e-4", LARGE_GAP, stable)
+    yield digits("first: frequency", "733.33", stable.exact.frequency, "Hz", second=second, slip=slip)
+    yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable)
+    yield second_frequency("second: frequency", unstable)
+    yield text(
+        """
+        With exact coefficients the second limit cycle lies at [[ unstable.exact.frequency | f2 ]] Hz, with
+        those of Listing A.9 at [[ unstable.listing.frequency | f2 ]] Hz; the printed 533.22 Hz has one digit
+        wrong. The other cells come out with the rounded coefficients. Only 733.33 Hz takes a second slip, a
+        number cut off: the percent error of the section has it rounded, as 733.34 Hz.
+
+        The text repeats 533.22 Hz. The first limit cycle, on which the comparisons rest, is not touched.
+        """,
+        unstable=unstable,
+    )
+
+
+@claim("tab-5.2", source=SOURCE, impact=Impact.LOCAL)
+def ten_gaps(known: Evidence) -> Record:
+    _, stable = predicted(known)
+    for gap, printed in TABLE_5_2.items():
+        yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"))
+    yield text(
+        r"""
+        Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
+        [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
+        [[ listing.amplitude | f4 ]] and [[ listing.frequency | f2 ]] Hz, which gives all printed cells; with
+        exact ones the rows for $5\times10^{-4}$ m and $8\times10^{-4}$ m and all frequencies round to another
+        last digit.
+
+        None beyond the last digit. The ten rows hold one result, since nothing but the scale changes.
+        """,
+        exact=stable.exact,
+        listing=stable.listing,
+    )
+
+
+def at_the_tiny_gap(known: Evidence, cycle: LimitCycle) -> Confirmation:
+    """Confirm that a limit cycle, scaled down, is one of a tiny gap: by the waveform, sampled there."""
+    scaled = replace(cycle, amplitude=cycle.amplitude * TINY_GAP)
+    return by_waveform(known.numbers.displacement_only, [(FrictionBacklash(TINY_GAP), scaled)])
+
+
+def stable_at_the_tiny_gap(cycles: LimitCycleNumbers) -> float:
+    """Return the stable amplitude over a tiny gap, with the coefficients of Listing A.9."""
+    (cycle,) = (each for each in limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP)) if each.stable)
+    return cycle.amplitude / TINY_GAP
+
+
+def proportionality(known: Evidence) -> Record:
+    cycles, cycle = known.cycles, known.cycles.friction.stable
+    listed = cycles.friction_listing.stable.amplitude
+    yield assertion(
+        "",
+        "the predicted amplitude is proportional to the gap, the frequency does not depend on it",
+        math.isclose(stable_at_the_tiny_gap(cycles), listed, rel_tol=1e-9),
+        rf"$A = {cycle.amplitude:.4f}\,b$ at {cycle.frequency:.2f} Hz for every gap $b$",
+        method=SCALING,
+        second=at_the_tiny_gap(known, cycle),
+    )
+    yield text(
+        r"""
+        $N$ depends on $b/A$ alone, so a solution $(A, \omega)$ for the gap $b$ gives the solution $(kA,
+        \omega)$ for $kb$. The same holds for every kind of backlash. Contrast the statement that there is a
+        smallest gap, which this excludes.
+        """
+    )
+
+
+proportional = claim("txt-5.2.1-proportional", source=SOURCE)(proportionality)
+proportional_in_chapter_7 = claim("txt-7-proportional", source=SOURCE)(proportionality)
+
+
+def smallest_gap(known: Evidence) -> Record:
+    stable, listed = (
+        pair.stable.amplitude for pair in (known.cycles.friction, known.cycles.friction_listing)
+    )
+    means = "the scaling law, at a gap of a thousandth of that"
+    second = close(means, stable_at_the_tiny_gap(known.cycles), listed)
+    yield digits("smallest gap with a limit cycle", "2e-8", 0.0, "m", second=second)
+    yield text(
+        """
+        There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle every gap has one,
+        with an amplitude in proportion: at $b = 10^{-8}$ m it is [[ at_1e_8 | power2 ]] m. A locus that is
+        plotted from an amplitude of $b/2 + 10^{-6}$ m on, as Listing A.9 does, meets $G$ only for gaps above
+        [[ seen_from | power1 ]] m; another start gives another apparent threshold.
+
+        Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small enough to
+        exclude the predicted limit cycle; what remains is its size, 8.3 times the gap, and whether friction
+        and drive let it start.
+        """,
+        at_1e_8=stable * 1e-8,
+        seen_from=PLOT_OFFSET / (stable - 0.5),
+    )
+
+
+threshold = claim("txt-5.2.1-threshold", source=SOURCE, impact=Impact.DOWNSTREAM)(smallest_gap)
+threshold_in_chapter_6 = claim("txt-6-threshold", source=SOURCE, impact=Impact.DOWNSTREAM)(smallest_gap)
