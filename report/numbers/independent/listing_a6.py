@@ -9,6 +9,7 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq
 
+from report.numbers.equivalent_nonlinearity import FORCE, GAP
 from report.numbers.friction_in_place import Merger, force_response
 from report.numbers.limit_cycle_numbers import DIGITS
 from report.numbers.linear_numbers import LinearNumbers
@@ -16,11 +17,11 @@ from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR, TURN
 from trimmer import FrictionBacklash, LimitCycle, frequency_response
 
 
-def listing_function(amplitude: float, force: float, gap: float, omega: float) -> complex:
-    """Return N for an amplitude and a gap in m, a force in N and ω in rad/s."""
-    c = 1 - gap / amplitude
+def listing_function(amplitude: float, omega: float) -> complex:
+    """Return N for the gap and the force of figure 5.23, an amplitude in m and ω in rad/s."""
+    c = 1 - GAP / amplitude
     real = (math.pi / 2 + math.asin(c) + c * math.sqrt(1 - c**2)) / math.pi
-    return complex(real, -(1 - c**2) / math.pi - 4 * force / (math.pi * amplitude * omega))
+    return complex(real, -(1 - c**2) / math.pi - 4 * FORCE / (math.pi * amplitude * omega))
 
 
 def listing_by_newton(near: LimitCycle, force: float, gap: float, omega: float) -> tuple[float, float]:

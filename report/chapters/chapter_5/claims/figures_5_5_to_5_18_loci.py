@@ -5,6 +5,7 @@ from __future__ import annotations
 import control
 
 from report.chapters.appendix_a.claims.elements import friction_listing
+from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
 from report.comparisons.second_ways import by_grid, by_waveform, sampled_gain
@@ -15,12 +16,12 @@ from report.numbers.independent.backlash_loci import (
     distance_from_curve,
     intersections_by_library,
 )
-from report.numbers.limit_cycle_numbers import friction_by_newton, friction_exactly, inertia_by_newton
+from report.numbers.limit_cycle_numbers import friction_by_newton, inertia_by_newton
 from report.numbers.viscous_listing import intersections, listing_contour
-from report.parts import assertion, close, digits, equal, made_here, repeated, so, uncheckable
+from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.record import Record, claim, text
 from report.text import filled
-from report.thesis import LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET, ROUNDED, TURN
+from report.thesis import LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET, TURN
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
@@ -58,18 +59,18 @@ def second_implementation(known: Evidence) -> Record:
     )
     (second, _), (first, omega) = intersections_by_library(known.cycles.listing)
     stable = known.cycles.friction_listing.stable
-    coefficients = (tuple(map(float, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR))
-    by_newton, _ = friction_by_newton(*coefficients, stable)
+    above, below = (tuple(map(float, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR))
+    by_newton, _ = friction_by_newton(above, below, stable)
     error = abs(first / LIBRARY_GAP / stable.amplitude - 1)
     evidence = filled(
         """
         it gives [[ first | f3 ]] mm at [[ frequency | f1 ]] Hz; right for its coefficients is
-        [[ right | f3 ]] mm at [[ right_frequency | f1 ]] Hz
+        [[ right | f3 ]] mm at [[ stable.frequency | f1 ]] Hz
         """,
         first=1e3 * first,
         frequency=omega / TURN,
         right=1e3 * LIBRARY_GAP * stable.amplitude,
-        right_frequency=stable.frequency,
+        stable=stable,
     )
     yield assertion(
         "the outer intersection",
@@ -138,49 +139,30 @@ def one_intersection(known: Evidence) -> Record:
 
 @claim("fig-5.10", source=SOURCE)
 def larger_gap(known: Evidence) -> Record:
-    exact = limit_cycles(known.numbers.displacement_only, FrictionBacklash(LARGE_GAP))
-    listing = limit_cycles(known.cycles.listing, FrictionBacklash(LARGE_GAP))
-    inner, outer = exact
-    orbits = known.orbits.friction
-    second = equal("the coefficients of Listing A.9", len(listing), len(exact))
-    yield digits("a: intersections", "2", len(exact), second=second)
-    as_exact = orbits.stable.stable and not orbits.unstable.stable
+    found = inner, outer = limit_cycles(known.numbers.displacement_only, FrictionBacklash(LARGE_GAP))
+    rounded = limit_cycles(known.cycles.listing, FrictionBacklash(LARGE_GAP))
+    unstable, stable = known.orbits.friction.unstable, known.orbits.friction.stable
+    small, large = 1e6 * inner.amplitude, 1e6 * outer.amplitude
+    size, low, high = 1e6 * LARGE_GAP * stable.amplitude, inner.frequency, outer.frequency
+    second = equal("the coefficients of Listing A.9", len(rounded), len(found))
+    yield digits("a: intersections", "2", len(found), second=second)
+    as_exact = stable.stable and not unstable.stable
     yield assertion(
         "a: stability",
         "the outer one is stable, the inner one unstable",
         outer.stable and not inner.stable,
-        filled(
-            """
-            [[ inner | f2 ]] µm at [[ low | f2 ]] Hz is unstable, [[ outer | f1 ]] µm at [[ high | f2 ]] Hz
-            stable
-            """,
-            inner=1e6 * inner.amplitude,
-            low=inner.frequency,
-            outer=1e6 * outer.amplitude,
-            high=outer.frequency,
-        ),
+        f"{small:.2f} µm at {low:.2f} Hz is unstable, {large:.1f} µm at {high:.2f} Hz stable",
         method="Loeb's criterion, from analytic derivatives of both curves",
         second=so("the Floquet multipliers of the exact orbits", as_exact),
     )
+    means = "a motion that starts 0.1 % outside of the unstable orbit and ends on this one"
     yield assertion(
         "b: time response",
         "an oscillation sustains itself",
-        orbits.stable.stable,
-        filled(
-            """
-            [[ size | f2 ]] µm at [[ frequency | f2 ]] Hz; the motion is that of figure 5.9, ten times as
-            large
-            """,
-            size=1e6 * LARGE_GAP * orbits.stable.amplitude,
-            frequency=orbits.stable.frequency,
-        ),
+        stable.stable,
+        f"{size:.2f} µm at {stable.frequency:.2f} Hz; the motion is that of figure 5.9, ten times as large",
         method="Floquet multipliers of the exact orbit",
-        second=close(
-            "a motion that starts 0.1 % outside of the unstable orbit and ends on this one",
-            known.orbits.left_by[1],
-            orbits.stable.amplitude,
-            1e-5,
-        ),
+        second=close(means, known.orbits.left_by[1], stable.amplitude, 1e-5),
     )
     yield text(
         """
@@ -209,12 +191,13 @@ def inertia(known: Evidence) -> Record:
     yield digits(label, "5.12e3", stable.omega, "rad/s", second=second)
     yield text(
         r"""
-        Drawn with equation 2.43 the curve meets the locus twice: once at [[ omega | f0 ]] rad/s, and once
-        more beyond $\beta = 2$, where the thesis stops. What was drawn to give 5120 rad/s could not be found.
+        Drawn with equation 2.43 the curve meets the locus twice: once at [[ stable.omega | f0 ]] rad/s, and
+        once more beyond $\beta = 2$, where the thesis stops. What was drawn to give 5120 rad/s could not be
+        found.
 
         See the prediction in section 5.2.2 and the band of equation 5.10.
         """,
-        omega=stable.omega,
+        stable=stable,
     )
 
 
@@ -332,12 +315,7 @@ def viscous(known: Evidence) -> Record:
 
 @claim("fig-5.17", source=SOURCE, impact=Impact.DOWNSTREAM)
 def band(known: Evidence) -> Record:
-    low, high = known.cycles.friction.stable, known.cycles.inertia.stable
-    second = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
-    slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
-    yield digits("lower end", "733", low.frequency, "Hz", second=second, slip=slip)
-    second = close(NEWTON, inertia_by_newton(known.numbers, high)[1], high.omega)
-    yield digits("upper end", "815", high.frequency, "Hz", second=second)
+    yield from band_parts(known)
     yield text(
         """
         The arrow ends at the two limits of the load, of which the upper one is wrong: [[ high | f1 ]] Hz. The
@@ -345,7 +323,7 @@ def band(known: Evidence) -> Record:
 
         See equation 5.10.
         """,
-        high=high.frequency,
+        high=known.cycles.inertia.stable.frequency,
     )
 
 

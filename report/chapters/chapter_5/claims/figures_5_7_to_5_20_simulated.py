@@ -17,7 +17,6 @@ from report.chapters.chapter_5.claims.section_5_2_4 import (
     relay_part,
 )
 from report.claim import Confirmation, Impact
-from report.comparisons.printed import power_of
 from report.comparisons.second_ways import by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods

@@ -123,18 +123,16 @@ def prediction(known: Evidence) -> Record:
     yield converted("conversion of 5120 rad/s", "814.9", 5.12e3)
     yield text(
         r"""
-        The stable solution lies at [[ omega | f1 ]] rad/s, [[ frequency | f2 ]] Hz, with $A =
-        [[ amplitude | f3 ]]\,b$, for the thesis's own loop and its own describing function; with the pin's
-        velocity as second input at [[ both | f2 ]] Hz. There is a second, unstable one at [[ other | f2 ]]
-        Hz. Listing A.4, called with a second argument other than one, moves the intersection up to about 5050
-        rad/s; what gives 5120 rad/s could not be found.
+        The stable solution lies at [[ cycle.omega | f1 ]] rad/s, [[ cycle.frequency | f2 ]] Hz, with $A =
+        [[ cycle.amplitude | f3 ]]\,b$, for the thesis's own loop and its own describing function; with the
+        pin's velocity as second input at [[ both | f2 ]] Hz. There is a second, unstable one at
+        [[ other | f2 ]] Hz. Listing A.4, called with a second argument other than one, moves the intersection
+        up to about 5050 rad/s; what gives 5120 rad/s could not be found.
 
         The gap between friction- and inertia-controlled backlash shrinks from 82 Hz to [[ width | f1 ]] Hz,
         and with it the band of equation 5.10, which the conclusions quote.
         """,
-        omega=cycle.omega,
-        frequency=cycle.frequency,
-        amplitude=cycle.amplitude,
+        cycle=cycle,
         both=cycles.inertia_both_channels.stable.frequency,
         other=cycles.inertia.unstable.frequency,
         width=cycle.frequency - cycles.friction.stable.frequency,
@@ -201,18 +199,6 @@ def largest_other_line(numbers: TimedBlockNumbers) -> tuple[float, float]:
     return RECORD.frequency(other), float(amplitudes[other])
 
 
-def floquet_line(numbers: TimedBlockNumbers) -> tuple[float, float]:
-    """Return frequency (Hz) and decay (1/s) of the Floquet exponent that shows nearest to the peak.
-
-    An exponent is known up to multiples of the drive's frequency, and shows at all of them.
-    """
-    turns = numbers.exponents.imag / TURN
-    shown = turns + DRIVE_FREQUENCY * np.round((float(PEAK) - turns) / DRIVE_FREQUENCY)
-    slow = np.flatnonzero(np.abs(numbers.exponents.real) < 100)
-    best = min(slow, key=lambda each: abs(shown[each] - float(PEAK)))
-    return float(shown[best]), float(-numbers.exponents[best].real)
-
-
 def peak_parts(known: Evidence) -> tuple[Part, ...]:
     """Return the parts on the peak at 659 Hz and its reading."""
     block, peak = known.motion.closed.timed_block, float(PEAK)
@@ -258,7 +244,10 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
 def peak(known: Evidence) -> Record:
     block = known.motion.closed.timed_block
     read, size = largest_other_line(block)
-    frequency, decay = floquet_line(block)
+    # A Floquet exponent is known up to multiples of the drive's frequency, and shows at all of them.
+    turns, decay = block.exponents.imag / TURN, -block.exponents.real
+    away = (float(PEAK) - turns + DRIVE_FREQUENCY / 2) % DRIVE_FREQUENCY - DRIVE_FREQUENCY / 2
+    best = min(np.flatnonzero(np.abs(decay) < 100), key=lambda each: abs(away[each]))
     yield from peak_parts(known)
     yield text(
         """
@@ -274,7 +263,7 @@ def peak(known: Evidence) -> Record:
         """,
         read=read,
         size=1e6 * size,
-        frequency=frequency,
-        decay=decay,
+        frequency=float(PEAK) - away[best],
+        decay=decay[best],
         cycle=known.orbits.inertia.stable.frequency,
     )

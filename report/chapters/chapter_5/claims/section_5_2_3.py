@@ -9,7 +9,7 @@ from derivations.element_steps import contours, general_backlash, slopes
 from derivations.element_steps.limits import step as limits_step
 from derivations.identity import UnprovenError
 from derivations.proven_step import ProvenStep
-from report.claim import Confirmation, Impact
+from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
 from report.comparisons.second_ways import by_division_back, by_floquet, by_waveform
@@ -28,28 +28,36 @@ ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
+def band_parts(known: Evidence) -> tuple[Part, Part]:
+    """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
+    low, high = known.cycles.friction.stable, known.cycles.inertia.stable
+    by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
+    by_inertia = close(NEWTON, inertia_by_newton(known.numbers, high)[1], high.omega)
+    slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
+    return (
+        digits("lower end", "733", low.frequency, "Hz", second=by_friction, slip=slip),
+        digits("upper end", "815", high.frequency, "Hz", second=by_inertia),
+    )
+
+
 @claim("eq-5.10", source=SOLVER, impact=Impact.DOWNSTREAM)
 def band(known: Evidence) -> Record:
-    cycles = known.cycles
-    low, high = cycles.friction.stable, cycles.inertia.stable
-    second = close(NEWTON, friction_exactly(known.numbers, low)[1] / TURN, low.frequency)
-    slip = repeated(ROUNDED, cycles.friction_listing.stable.frequency)
-    yield digits("lower end", "733", low.frequency, "Hz", second=second, slip=slip)
-    second = close(NEWTON, inertia_by_newton(known.numbers, high)[1] / TURN, high.frequency)
-    yield digits("upper end", "815", high.frequency, "Hz", second=second)
+    low, high = known.cycles.friction.stable, known.cycles.inertia.stable
+    yield from band_parts(known)
     yield text(
         """
-        The ends are the two limits of the load: [[ low | f1 ]] Hz without inertia and [[ high | f1 ]] Hz
-        without friction. The upper one repeats the wrong prediction of section 5.2.2.
+        The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
+        [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong prediction of section
+        5.2.2.
 
         The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
-        from [[ low_both | f1 ]] to [[ high_both | f1 ]] Hz.
+        from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
         """,
-        low=low.frequency,
-        high=high.frequency,
+        low=low,
+        high=high,
         width=high.frequency - low.frequency,
-        low_both=cycles.friction_both_channels.stable.frequency,
-        high_both=cycles.inertia_both_channels.stable.frequency,
+        low_both=known.cycles.friction_both_channels.stable,
+        high_both=known.cycles.inertia_both_channels.stable,
     )
 
 

@@ -1,4 +1,4 @@
-"""Claims of section 5.2.5 on backlash with friction: its function (5.14), the limit cycle at 0.6 N, the peaks."""
+"""Claims of section 5.2.5 on backlash with friction: its function (5.14), limit cycle and peaks at 0.6 N."""
 
 from __future__ import annotations
 
@@ -14,7 +14,14 @@ from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, printed_function
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    GAP,
+    OMEGA,
+    EquivalentNumbers,
+    Point,
+    printed_function,
+)
 from report.numbers.independent.listing_a6 import (
     frequency_of_strong_friction,
     listing_by_newton,
@@ -26,7 +33,7 @@ from report.parts import assertion, close, digits, equal, expression, made_here,
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE
-from trimmer import frequency_response
+from trimmer import LimitCycle, frequency_response
 
 OPERATOR, BODIES = "derivations/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
@@ -155,10 +162,16 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def loop_closes(known: Evidence, element: complex, at: float) -> Confirmation:
-    """Confirm a solution by the loop, with the element's value there and the angular frequency in rad/s."""
-    loop = element * complex(frequency_response(known.numbers.displacement_only, at))
-    return close("$NG$ at that amplitude and frequency", loop, -1)
+def loop_closes(known: Evidence, solution: LimitCycle | Point, element: complex) -> Confirmation:
+    """Confirm a solution by the loop, with the element's value there."""
+    response = complex(frequency_response(known.numbers.displacement_only, solution.omega))
+    return close("$NG$ at that amplitude and frequency", element * response, -1)
+
+
+def solution_part(known: Evidence, label: str, solution: LimitCycle | Point, element: complex) -> Part:
+    """Return the part on the printed frequency as another form of the element gives it."""
+    second = loop_closes(known, solution, element)
+    return digits(label, PRINTED, solution.frequency, "Hz", second=second)
 
 
 @claim("txt-5.2.5-prediction", source="report/numbers/equivalent_nonlinearity.py", impact=Impact.DOWNSTREAM)
@@ -168,26 +181,12 @@ def prediction(known: Evidence) -> Record:
     own, as_printed = numbers.own_frequency, numbers.as_printed
     yield intersections_part(numbers)
     yield frequency_part(numbers)
-    variants = (
-        (
-            "frequency by Listing A.6 with exact coefficients",
-            listing,
-            listing_function(listing.amplitude, FORCE, GAP, OMEGA),
-        ),
-        (
-            "the same, with the loop's frequency in the friction term instead of the drive's",
-            own,
-            listing_function(own.amplitude, FORCE, GAP, own.omega),
-        ),
-        (
-            "frequency by equation 5.14 as printed",
-            as_printed,
-            printed_function(as_printed.amplitude, FORCE),
-        ),
-    )
-    for label, solution, element in variants:
-        second = loop_closes(known, element, solution.omega)
-        yield digits(label, PRINTED, solution.frequency, "Hz", second=second)
+    exact, free = listing_function(listing.amplitude, OMEGA), listing_function(own.amplitude, own.omega)
+    yield solution_part(known, "frequency by Listing A.6 with exact coefficients", listing, exact)
+    label = "the same, with the loop's frequency in the friction term instead of the drive's"
+    yield solution_part(known, label, own, free)
+    by_equation = printed_function(as_printed.amplitude, FORCE)
+    yield solution_part(known, "frequency by equation 5.14 as printed", as_printed, by_equation)
     yield text(
         r"""
         With the right friction term there is no limit cycle at [[ force ]] N: friction between cutter and
@@ -241,7 +240,7 @@ def amplitude(known: Evidence) -> Record:
         growth > 10 and abs(shift) < 0.01,
         by_listing,
         method=BY_LISTING,
-        second=loop_closes(known, listing_function(listing.amplitude, FORCE, GAP, OMEGA), listing.omega),
+        second=loop_closes(known, listing, listing_function(listing.amplitude, OMEGA)),
     )
     in_place = filled(
         """
@@ -274,29 +273,17 @@ def amplitude(known: Evidence) -> Record:
     )
 
 
-def swapped(frequency: float) -> float:
-    """Return a frequency whose last two of three decimals are exchanged."""
-    printed = f"{frequency:.3f}"
-    return float(printed[:-2] + printed[-1] + printed[-2])
-
-
 def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
     """Return a part for each peak, and one on what the highest of them is."""
     numbers, branch = known.motion.closed.released_bodies, known.cycles.equivalent.in_place
     read = [RECORD.frequency(number) for number in numbers.runs[0].peaks]
-    parts = [
-        digits(
-            f"{prefix}peak {number} of {RECORD.duration:.0f} s, all bodies released alike",
-            printed,
-            frequency,
-            "Hz",
-            second=close(
-                f"natural mode {number} of the loop without play and friction", mode, frequency, 2e-3
-            ),
-            slip=made_here("the last two digits are exchanged", swapped(frequency)),
-        )
-        for number, printed, frequency, mode in zip((1, 2, 3), PEAKS, read, numbers.modes, strict=False)
-    ]
+    parts = []
+    for number, printed, frequency, mode in zip((1, 2, 3), PEAKS, read, numbers.modes, strict=False):
+        label = f"{prefix}peak {number} of {RECORD.duration:.0f} s, all bodies released alike"
+        second = close(f"natural mode {number} of the loop without play and friction", mode, frequency, 2e-3)
+        shown = f"{frequency:.3f}"
+        slip = made_here("the last two digits are exchanged", float(shown[:-2] + shown[-1] + shown[-2]))
+        parts.append(digits(label, printed, frequency, "Hz", second=second, slip=slip))
     left = max(run.left / run.displacement for run in numbers.runs)
     evidence = filled(
         """
@@ -326,12 +313,11 @@ def peaks(known: Evidence) -> Record:
     apart = abs(2 * second - third) / RECORD.bin_width
     evidence = filled(
         """
-        twice [[ second ]] Hz is [[ apart | f0 ]] bins away from [[ third ]] Hz; harmonics lie above, and odd
-        elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
+        twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
+        odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
         """,
-        second=PEAKS[1],
+        peaks=PEAKS,
         apart=apart,
-        third=PEAKS[2],
         mode=modes[1],
     )
     yield from peak_parts(known)
@@ -345,19 +331,17 @@ def peaks(known: Evidence) -> Record:
     )
     yield text(
         """
-        All three are free vibrations of the closed loop without play and friction, at [[ first | f2 ]],
-        [[ second | f2 ]] and [[ third | f2 ]] Hz. Released with all four bodies displaced alike, which is our
-        guess of the start, the thesis's loop with 4 µm and 0.6 N has its largest peaks in exactly these bins
-        of one second ([[ least | g ]] m to [[ most | g ]] m), the first with its digits exchanged in print.
-        Nothing of play or friction is in them: with a start much larger than the gap the loop is linear, and
-        friction ends the motion.
+        All three are free vibrations of the closed loop without play and friction, at [[ modes[0] | f2 ]],
+        [[ modes[1] | f2 ]] and [[ modes[2] | f2 ]] Hz. Released with all four bodies displaced alike, which
+        is our guess of the start, the thesis's loop with 4 µm and 0.6 N has its largest peaks in exactly
+        these bins of one second ([[ least | g ]] m to [[ most | g ]] m), the first with its digits exchanged
+        in print. Nothing of play or friction is in them: with a start much larger than the gap the loop is
+        linear, and friction ends the motion.
 
         The agreement of 736.993 with the predicted 737.514 Hz is no evidence for the equivalent nonlinearity:
         both are nearly the frequency at which $G$ passes by $-1$.
         """,
-        first=modes[0],
-        second=modes[1],
-        third=modes[2],
+        modes=modes,
         least=numbers.runs[0].displacement,
         most=numbers.runs[-1].displacement,
     )
