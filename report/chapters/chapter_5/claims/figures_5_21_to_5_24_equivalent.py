@@ -25,20 +25,12 @@ from report.chapters.chapter_5.claims.section_5_2_5 import (
 from report.claim import Impact
 from report.comparisons.second_ways import by_matching_real_parts
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import (
-    FORCE,
-    FORCES,
-    GAP,
-    OMEGA,
-    OTHER_FORCE,
-    OTHER_GAP,
-    listing_element,
-)
+from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE, OTHER_GAP, listing_element
 from report.numbers.limit_cycle_numbers import friction_exactly
 from report.parts import assertion, close, digits, equal, expression, made_here, repeated
 from report.record import Record, claim, text
 from report.text import filled
-from report.thesis import PLOT_OFFSET, ROUNDED, TURN
+from report.thesis import DRIVE_OMEGA, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 NEWTON = "Newton's method in 30 digits"
@@ -73,7 +65,7 @@ def three_panels(known: Evidence) -> Record:
         len(found) > 1,
         f"at {inner.frequency:.1f} Hz, unstable, and at {outer.frequency:.1f} Hz, stable",
         method=BY_LISTING,
-        second=by_matching_real_parts(system, -OTHER_FORCE / OMEGA / OTHER_GAP, len(found)),
+        second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / OTHER_GAP, len(found)),
     )
     yield text(
         r"""
@@ -93,11 +85,11 @@ def three_panels(known: Evidence) -> Record:
 def without_force(known: Evidence) -> Record:
     stable, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
     ratio, turning = friction_exactly(known.numbers, stable)
-    size, derived = GAP * stable.amplitude, simplified_describing_function(friction_waveform(), A)
+    size, derived = SMALL_GAP * stable.amplitude, simplified_describing_function(friction_waveform(), A)
     yield expression("Listing A.6 for $F_c = 0$", LISTING.subs(COULOMB, 0), derived, "N", assume=REACHED)
-    cut = math.floor(1e8 * GAP * rounded.amplitude) / 1e8
+    cut = math.floor(1e8 * SMALL_GAP * rounded.amplitude) / 1e8
     slip = repeated(f"{ROUNDED}, and the last digit is cut off", cut)
-    yield digits("amplitude", "3.313e-5", size, "m", second=close(NEWTON, GAP * ratio, size), slip=slip)
+    yield digits("amplitude", "3.313e-5", size, "m", second=close(NEWTON, SMALL_GAP * ratio, size), slip=slip)
     second, slip = close(NEWTON, turning / TURN, stable.frequency), repeated(ROUNDED, rounded.frequency)
     yield digits("frequency", "733.3", stable.frequency, "Hz", second=second, slip=slip)
     yield text(
@@ -109,7 +101,7 @@ def without_force(known: Evidence) -> Record:
 
         See the prediction in section 5.2.1; equation 5.14 cannot have drawn this figure.
         """,
-        inner=1e6 * GAP * known.cycles.friction.unstable.amplitude,
+        inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude,
         offset=1e6 * PLOT_OFFSET,
     )
 
@@ -118,7 +110,7 @@ def without_force(known: Evidence) -> Record:
 def one_force(known: Evidence) -> Record:
     numbers, system = known.cycles.equivalent, known.numbers.displacement_only
     both, turned = len(numbers.over_stiffness_both_channels), len(numbers.sign_turned)
-    in_place = numbers.in_place_both_channels.limit_cycles(FORCE / GAP)
+    in_place = numbers.in_place_both_channels.limit_cycles(FORCE / SMALL_GAP)
     yield intersections_part(numbers)
     yield digits(
         "the same in the loop with both channels of the pin",
@@ -131,7 +123,7 @@ def one_force(known: Evidence) -> Record:
         "limit cycles by Listing A.6 with the sign of line 18 turned",
         "1",
         turned,
-        second=by_matching_real_parts(system, FORCE / OMEGA / GAP, turned),
+        second=by_matching_real_parts(system, FORCE / DRIVE_OMEGA / SMALL_GAP, turned),
         slip=made_here(LINE_18, len(numbers.listing)),
     )
     yield frequency_part(numbers)

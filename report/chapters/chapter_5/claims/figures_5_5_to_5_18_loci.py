@@ -45,8 +45,7 @@ STABLE_SIDE = TURN * 600
 
 @claim("fig-5.5", source="trimmer/elements/friction_backlash.py")
 def second_implementation(known: Evidence) -> Record:
-    library = control.friction_backlash_nonlinearity(LIBRARY_GAP)
-    gain = library.describing_function
+    gain = control.friction_backlash_nonlinearity(LIBRARY_GAP).describing_function
     distance = max(abs(friction_listing(a, LIBRARY_GAP) / gain(a) - 1) for a in LIBRARY_GRID)
     sampled = sampled_gain(FrictionBacklash(LIBRARY_GAP), float(LIBRARY_GRID[-1]), 1.0)
     yield assertion(
@@ -203,11 +202,8 @@ def inertia(known: Evidence) -> Record:
 
 @claim("fig-5.15", source="trimmer/balance/leakage.py", impact=Impact.DOWNSTREAM)
 def higher_harmonics(known: Evidence) -> Record:
-    system, cycle, element = (
-        known.numbers.displacement_only,
-        known.cycles.inertia.stable,
-        InertiaBacklash(1.0),
-    )
+    system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
+    element = InertiaBacklash(1.0)
     returned = sum(harmonic_leakage(system, element, cycle, HARMONICS))
     thickness = returned / abs(complex(element.describing_function(cycle.amplitude)))
     lines = abs(known.orbits.inertia.stable.harmonics)
@@ -257,16 +253,10 @@ def higher_harmonics(known: Evidence) -> Record:
 def viscous(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     listing = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
-    found = [
-        (gamma, cycle)
-        for gamma in GAMMAS
-        for cycle in limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0))
-    ]
-    outer = [
-        (ViscousBacklash(1.0, gamma / cycle.omega), cycle)
-        for gamma, cycle in found
-        if cycle.omega > STABLE_SIDE
-    ]
+    balanced = {gamma: limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0)) for gamma in GAMMAS}
+    found = [(gamma, cycle) for gamma, cycles in balanced.items() for cycle in cycles]
+    on_outer = [(gamma, cycle) for gamma, cycle in found if cycle.omega > STABLE_SIDE]
+    outer = [(ViscousBacklash(1.0, gamma / cycle.omega), cycle) for gamma, cycle in on_outer]
     inner = [cycle.frequency for _, cycle in found if not cycle.stable]
     high = [cycle.frequency for _, cycle in outer]
     yield assertion(
@@ -278,19 +268,17 @@ def viscous(known: Evidence) -> Record:
         second=by_waveform(system, outer),
         slip=made_here(LINE_6, max(listing) < STABLE_SIDE),
     )
-    elements = [ViscousBacklash(1.0, gamma) for gamma in GAMMAS]
+    loads = [ViscousBacklash(1.0, gamma) for gamma in GAMMAS]
     starts, ends = (
-        [complex(-1 / element.describing_function(1 / ratio, 1.0)) for element in elements]
-        for ratio in (1e-3, 2.0)
+        [complex(-1 / load.describing_function(1 / ratio, 1.0)) for load in loads] for ratio in (1e-3, 2.0)
     )
-    to_the_right = (
-        abs(start + 1) < 0.01 and end.real > start.real for start, end in zip(starts, ends, strict=True)
-    )
-    sampled = -1 / sampled_gain(elements[-1], 0.5, 1.0)
+    runs = zip(starts, ends, strict=True)
+    to_the_right = all(abs(start + 1) < 0.01 and end.real > start.real for start, end in runs)
+    sampled = -1 / sampled_gain(loads[-1], 0.5, 1.0)
     yield assertion(
         r"with growing $\beta = b/A$",
         "the contours run from $-1$ to the right",
-        all(to_the_right),
+        to_the_right,
         rf"at $\beta = 2$ they are at {', '.join(f'${end.real:.2f} {end.imag:+.2f}j$' for end in ends)}",
         method="right describing function at both ends of the range",
         second=close(f"{FIRST_LINE} at the last of these points", sampled, ends[-1], 1e-6),

@@ -31,12 +31,6 @@ PEAK = "659"
 MOST = 40
 """Peaks among which the largest is sought that is no multiple of the drive's frequency."""
 SETTLED = 1e-6
-BLOCK_IN_LOOP = f"""
-    {LOOP_CLOSED}; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins at
-    rest; the digits after the point are cut off
-    """
-
-"""The slip that gives the peak."""
 BIN = 10.0
 """Width of a bin over 0.1 s, Hz."""
 
@@ -229,13 +223,20 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
     )
     exact = known.orbits.inertia.stable.frequency
     means = "the state at the impact and two durations, solved for with SciPy's matrix exponential"
+    slip = filled(
+        """
+        [[ closed ]]; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins
+        at rest; the digits after the point are cut off
+        """,
+        closed=LOOP_CLOSED,
+    )
     of_limit_cycle = digits(
         "frequency of the limit cycle of inertia-controlled backlash",
         PEAK,
         exact,
         "Hz",
         second=close(means, known.orbits.inertia_by_durations, exact),
-        slip=made_here(BLOCK_IN_LOOP, math.floor(largest_other_line(block)[0])),
+        slip=made_here(slip, math.floor(largest_other_line(block)[0])),
     )
     return in_open_loop, of_limit_cycle
 
@@ -246,8 +247,8 @@ def peak(known: Evidence) -> Record:
     read, size = largest_other_line(block)
     # A Floquet exponent is known up to multiples of the drive's frequency, and shows at all of them.
     turns, decay = block.exponents.imag / TURN, -block.exponents.real
-    away = (float(PEAK) - turns + DRIVE_FREQUENCY / 2) % DRIVE_FREQUENCY - DRIVE_FREQUENCY / 2
-    best = min(np.flatnonzero(np.abs(decay) < 100), key=lambda each: abs(away[each]))
+    shown = turns + DRIVE_FREQUENCY * np.round((float(PEAK) - turns) / DRIVE_FREQUENCY)
+    best = min(np.flatnonzero(np.abs(decay) < 100), key=lambda each: abs(shown[each] - float(PEAK)))
     yield from peak_parts(known)
     yield text(
         """
@@ -263,7 +264,7 @@ def peak(known: Evidence) -> Record:
         """,
         read=read,
         size=1e6 * size,
-        frequency=float(PEAK) - away[best],
+        frequency=shown[best],
         decay=decay[best],
         cycle=known.orbits.inertia.stable.frequency,
     )

@@ -18,7 +18,6 @@ from report.numbers.independent.backlash_loci import lies_between_the_limits
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS, friction_exactly, inertia_by_newton
 from report.parts import assertion, close, digits, expression, repeated
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
@@ -194,17 +193,14 @@ def contours_bounded(_: Evidence) -> Record:
         "they lie in the region that the two limits enclose",
         "contours of $N$, computed",
     )
-    evidence = filled(
-        """
-        $N$ as a map of $b/A$ and $\\gamma$ has a Jacobian without zeros, and takes the edge of its domain to
-        the two contours and a piece of the imaginary axis
-        """
-    )
     yield assertion(
         r"for every $\gamma$",
         statement,
         proven(general_backlash.describing_function(), limits_step(), slopes.step(), contours.step()),
-        evidence,
+        r"""
+        $N$ as a map of $b/A$ and $\gamma$ has a Jacobian without zeros, and takes the edge of its domain to
+        the two contours and a piece of the imaginary axis
+        """,
         method="proof in the derivation of the describing functions",
         second=Confirmation(r"200 points of each of nine contours, $\gamma$ from 0.01 to 100", computed),
     )

@@ -29,7 +29,6 @@ from report.record import Record, claim, text
 from report.text import filled
 from trimmer import real_axis_crossings
 
-SOURCE = "derivations/friction.py"
 SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
@@ -53,7 +52,7 @@ def limit_of_response(known: Evidence) -> Record:
     )
 
 
-@claim("eq-5.13", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("eq-5.13", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
     for_friction, wave = sympy.simplify(-1 / FRICTION), friction_waveform()

@@ -14,14 +14,7 @@ from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import (
-    FORCE,
-    GAP,
-    OMEGA,
-    EquivalentNumbers,
-    Point,
-    printed_function,
-)
+from report.numbers.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, printed_function
 from report.numbers.independent.listing_a6 import (
     frequency_of_strong_friction,
     listing_by_newton,
@@ -32,8 +25,8 @@ from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, expression, made_here, so
 from report.record import Record, claim, text
 from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE
-from trimmer import LimitCycle, frequency_response
+from report.thesis import DRIVE_AMPLITUDE, TURN
+from trimmer import frequency_response
 
 OPERATOR, BODIES = "derivations/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
@@ -162,16 +155,15 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def loop_closes(known: Evidence, solution: LimitCycle | Point, element: complex) -> Confirmation:
-    """Confirm a solution by the loop, with the element's value there."""
-    response = complex(frequency_response(known.numbers.displacement_only, solution.omega))
+def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmation:
+    """Confirm a solution by the loop, with its angular frequency (rad/s) and the element's value there."""
+    response = complex(frequency_response(known.numbers.displacement_only, turning))
     return close("$NG$ at that amplitude and frequency", element * response, -1)
 
 
-def solution_part(known: Evidence, label: str, solution: LimitCycle | Point, element: complex) -> Part:
+def solution_part(known: Evidence, label: str, turning: float, element: complex) -> Part:
     """Return the part on the printed frequency as another form of the element gives it."""
-    second = loop_closes(known, solution, element)
-    return digits(label, PRINTED, solution.frequency, "Hz", second=second)
+    return digits(label, PRINTED, turning / TURN, "Hz", second=loop_closes(known, turning, element))
 
 
 @claim("txt-5.2.5-prediction", source="report/numbers/equivalent_nonlinearity.py", impact=Impact.DOWNSTREAM)
@@ -182,11 +174,11 @@ def prediction(known: Evidence) -> Record:
     yield intersections_part(numbers)
     yield frequency_part(numbers)
     exact, free = listing_function(listing.amplitude, OMEGA), listing_function(own.amplitude, own.omega)
-    yield solution_part(known, "frequency by Listing A.6 with exact coefficients", listing, exact)
+    yield solution_part(known, "frequency by Listing A.6 with exact coefficients", listing.omega, exact)
     label = "the same, with the loop's frequency in the friction term instead of the drive's"
-    yield solution_part(known, label, own, free)
+    yield solution_part(known, label, own.omega, free)
     by_equation = printed_function(as_printed.amplitude, FORCE)
-    yield solution_part(known, "frequency by equation 5.14 as printed", as_printed, by_equation)
+    yield solution_part(known, "frequency by equation 5.14 as printed", as_printed.omega, by_equation)
     yield text(
         r"""
         With the right friction term there is no limit cycle at [[ force ]] N: friction between cutter and
@@ -240,7 +232,7 @@ def amplitude(known: Evidence) -> Record:
         growth > 10 and abs(shift) < 0.01,
         by_listing,
         method=BY_LISTING,
-        second=loop_closes(known, listing, listing_function(listing.amplitude, OMEGA)),
+        second=loop_closes(known, listing.omega, listing_function(listing.amplitude, OMEGA)),
     )
     in_place = filled(
         """
