@@ -1,25 +1,20 @@
-"""The open loop of section 5.2.1 behind backlash: parts and second ways that several places share."""
+"""The driven open loop behind backlash: parts and second ways for section 5.2, its figures and chapter 7."""
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from report.claim import Confirmation, Part, Slip, Verdict
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.second_ways import second_way
+from report.claim import Confirmation, Part
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.numbers.reference_loop import GAP
-from trimmer import frequency_response
-from trimmer.elements.friction_backlash import FrictionBacklash
+from report.parts import assertion, close, made_here, so
+from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
+from trimmer import FrictionBacklash, frequency_response
 
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
-PRINTED_SIZE = 0.001
-"""Printed size of the output, m."""
+PRINTED_SIZE = 1.0
+"""Printed size of the output, mm."""
 ABOUT = 0.1
 """Share by which an approximate size may be off."""
 REPEATS = 1e-6
@@ -28,81 +23,72 @@ NEAR = 2.0
 """Distance from the limit cycle's frequency at which a line may still be said to be at it, Hz."""
 
 
-def open_loop(evidence: Evidence) -> AmplitudeRun:
+def open_loop(known: Evidence) -> AmplitudeRun:
     """Return the settled open loop of the section."""
-    runs = evidence.motion.drive_amplitudes
-    return next(run for run in runs if run.amplitude == DRIVE_AMPLITUDE)
+    return next(run for run in known.motion.drive_amplitudes if run.amplitude == DRIVE_AMPLITUDE)
 
 
-def harmonic_in_open_loop(evidence: Evidence, order: int) -> Confirmation:
+def harmonic_in_open_loop(known: Evidence, order: int) -> Confirmation:
     """Confirm a harmonic of the settled open loop without simulation."""
-    element = FrictionBacklash(GAP).describing_function(DRIVE_AMPLITUDE, harmonic=order)
-    omega = 2 * math.pi * order * DRIVE_FREQUENCY
-    response = complex(frequency_response(evidence.numbers.displacement_only, omega))
-    return Confirmation(
-        f"harmonic {order} by describing function and frequency response",
-        CloseNumbers(
-            DRIVE_AMPLITUDE * abs(complex(element) * response),
-            float(open_loop(evidence).harmonics[order]),
-            1e-4,
-        ),
-    )
+    element = complex(FrictionBacklash(LARGE_GAP).describing_function(DRIVE_AMPLITUDE, harmonic=order))
+    response = complex(frequency_response(known.numbers.displacement_only, order * DRIVE_OMEGA))
+    by_balance, simulated = DRIVE_AMPLITUDE * abs(element * response), open_loop(known).harmonics[order]
+    means = f"harmonic {order} by describing function and frequency response"
+    return close(means, by_balance, float(simulated), 1e-4)
 
 
-def open_loop_repeats(evidence: Evidence) -> Confirmation:
+def open_loop_repeats(known: Evidence) -> Confirmation:
     """Confirm by simulation that the open loop ends with the period of its drive."""
-    runs = evidence.motion.drive_amplitudes
+    runs = known.motion.drive_amplitudes
     periods = [(run.output[:SAMPLES], run.output[SAMPLES:]) for run in runs]
-    return second_way(
+    return so(
         f"exact simulation with {len(runs)} drives, of which the last two periods are alike",
         all(abs(second - first).max() <= REPEATS * abs(second).max() for first, second in periods),
     )
 
 
-def size_part(evidence: Evidence, label: str) -> Part:
+def size_part(known: Evidence, label: str) -> Part:
     """Return the part on the size of the output, which the open loop exceeds and the closed one has."""
-    opened, closed = open_loop(evidence), evidence.motion.closed.reference.from_rest
-    largest = float(np.abs(opened.output).max())
-    return Part(
+    opened = 1e3 * float(np.abs(open_loop(known).output).max())
+    closed = 1e3 * known.motion.closed.reference.from_rest.largest
+    by_opened, by_closed = (abs(size - PRINTED_SIZE) < ABOUT * PRINTED_SIZE for size in (opened, closed))
+    return assertion(
         label,
-        Assertion(
-            statement="the output of the open loop goes from about -0.001 to 0.001 m",
-            derived=_about(largest),
-            evidence=(
-                f"it goes to ±{1e3 * largest:.3f} mm; the loop with the drive as reference goes to "
-                f"±{1e3 * closed.largest:.3f} mm"
-            ),
-            method="exact simulation, 1.5 mm at 100 Hz, gap 40 µm: open loop settled, closed loop from rest",
-        ),
-        harmonic_in_open_loop(evidence, 1),
-        Slip(LOOP_CLOSED, _about(closed.largest), Verdict.ERRATUM),
+        "the output of the open loop goes from about -0.001 to 0.001 m",
+        by_opened,
+        f"it goes to ±{opened:.3f} mm; the loop with the drive as reference goes to ±{closed:.3f} mm",
+        method="exact simulation, 1.5 mm at 100 Hz, gap 40 µm: open loop settled, closed loop from rest",
+        second=harmonic_in_open_loop(known, 1),
+        slip=made_here(LOOP_CLOSED, by_closed),
     )
 
 
-def _about(largest: float) -> bool:
-    return abs(largest - PRINTED_SIZE) < ABOUT * PRINTED_SIZE
-
-
-def line_part(evidence: Evidence, label: str) -> Part:
+def line_part(known: Evidence, label: str) -> Part:
     """Return the part on the line at the limit cycle's frequency, which only the closed loop has."""
-    opened, closed = open_loop(evidence), evidence.motion.closed.reference.from_rest
-    cycle = evidence.motion.closed.orbits.friction.stable
-    nearest = DRIVE_FREQUENCY * round(cycle.frequency / DRIVE_FREQUENCY)
-    order = round(nearest / DRIVE_FREQUENCY)
-    decay = max(mode.eigenvalue.real for mode in evidence.numbers.modes)
-    return Part(
+    opened, closed = open_loop(known), known.motion.closed.reference.from_rest
+    cycle = known.orbits.friction.stable
+    order = round(cycle.frequency / DRIVE_FREQUENCY)
+    nearest = DRIVE_FREQUENCY * order
+    decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
+    evidence = filled(
+        r"""
+        backlash repeats with the drive, and behind it every free motion decays as $e^{[[ decay | f0 ]]\,t}$
+        or faster: what stays are multiples of 100 Hz, the nearest at [[ nearest | f0 ]] Hz with
+        [[ size | f1 ]] µm. With the drive as reference there is one at [[ frequency | f2 ]] Hz with
+        [[ line | f0 ]] µm
+        """,
+        decay=decay,
+        nearest=nearest,
+        size=1e6 * opened.harmonics[order],
+        frequency=closed.frequency,
+        line=1e6 * closed.line,
+    )
+    return assertion(
         label,
-        Assertion(
-            statement="the open loop has a line at the frequency of the limit cycle",
-            derived=decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
-            evidence=(
-                "backlash repeats with the drive, and behind it every free motion decays as "
-                f"$e^{{{decay:.0f}\\,t}}$ or faster: what stays are multiples of 100 Hz, the nearest at "
-                f"{nearest:.0f} Hz with {1e6 * opened.harmonics[order]:.1f} µm. With the drive as reference "
-                f"there is one at {closed.frequency:.2f} Hz with {1e6 * closed.line:.0f} µm"
-            ),
-            method="periodic input of a stable linear system; exact simulation",
-        ),
-        harmonic_in_open_loop(evidence, order),
-        Slip(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR, Verdict.ERRATUM),
+        "the open loop has a line at the frequency of the limit cycle",
+        decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
+        evidence,
+        method="periodic input of a stable linear system; exact simulation",
+        second=harmonic_in_open_loop(known, order),
+        slip=made_here(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR),
     )

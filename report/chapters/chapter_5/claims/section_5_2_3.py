@@ -1,187 +1,213 @@
-"""Claims of section 5.2.3 on predictions for viscous-controlled backlash (equations 5.10 and 5.11)."""
+"""Claims of section 5.2.3 on viscous-controlled backlash: the element (5.9) and predictions (5.10, 5.11)."""
 
 from __future__ import annotations
 
-import math
-
 import sympy
 
-from report.claim import Claim, Confirmation, Impact, Part, Slip, Verdict
+from derivations.backlash import GAMMA, limits, separation_angle
+from derivations.element_steps import contours, general_backlash, slopes
+from derivations.element_steps.limits import step as limits_step
+from derivations.identity import UnprovenError
+from derivations.proven_step import ProvenStep
+from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import total
 from report.comparisons.second_ways import by_division_back, by_floquet, by_waveform
 from report.evidence import Evidence
+from report.numbers.independent.backlash_loci import lies_between_the_limits
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS, friction_exactly, inertia_by_newton
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from report.parts import assertion, close, digits, expression, repeated
+from report.record import Record, claim, text
+from report.thesis import ROUNDED, TURN
+from trimmer import ViscousBacklash
 
-SOURCE = "trimmer/elements/viscous_backlash.py"
-TURN = 2 * math.pi
-ROUNDED = "the coefficients of Listing A.9, rounded to four digits, are used"
+SOLVER = "trimmer/balance/solve.py"
+NEWTON = "Newton's method in 30 digits"
+ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
+GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
+def band_parts(known: Evidence) -> tuple[Part, Part]:
+    """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
+    low, high = known.cycles.friction.stable, known.cycles.inertia.stable
+    by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
+    by_inertia = close(NEWTON, inertia_by_newton(known.numbers, high)[1], high.omega)
+    slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
     return (
-        _band(evidence),
-        _harmonic_balance(),
-        _inner(evidence),
-        _only_between(evidence),
-        _identify(evidence),
+        digits("lower end", "733", low.frequency, "Hz", second=by_friction, slip=slip),
+        digits("upper end", "815", high.frequency, "Hz", second=by_inertia),
     )
 
 
-def _band(evidence: Evidence) -> Claim:
-    cycles = evidence.cycles
-    low, high = cycles.friction.stable, cycles.inertia.stable
-    both = (cycles.friction_both_channels.stable.frequency, cycles.inertia_both_channels.stable.frequency)
-    _, omega = inertia_by_newton(evidence.numbers, high)
-    _, low_omega = friction_exactly(evidence.numbers, low)
-    return Claim(
-        id="eq-5.10",
-        parts=(
-            Part(
-                "lower end",
-                PrintedDigits("733", low.frequency, "Hz"),
-                Confirmation("Newton's method in 30 digits", CloseNumbers(low_omega / TURN, low.frequency)),
-                Slip(ROUNDED, cycles.friction_listing.stable.frequency, Verdict.EXPLAINED),
-            ),
-            Part(
-                "upper end",
-                PrintedDigits("815", high.frequency, "Hz"),
-                Confirmation("Newton's method in 30 digits", CloseNumbers(omega / TURN, high.frequency)),
-            ),
-        ),
-        explanation=(
-            f"The ends are the two limits of the load: {low.frequency:.1f} Hz without inertia and "
-            f"{high.frequency:.1f} Hz without friction. The upper one repeats the wrong prediction of "
-            "section 5.2.2."
-        ),
-        consequence=(
-            f"The band is {high.frequency - low.frequency:.0f} Hz wide instead of 82 Hz. With the pin's "
-            f"velocity as second input it runs from {both[0]:.1f} to {both[1]:.1f} Hz."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source="trimmer/balance/solve.py",
+@claim("eq-5.10", source=SOLVER, impact=Impact.DOWNSTREAM)
+def band(known: Evidence) -> Record:
+    low, high = known.cycles.friction.stable, known.cycles.inertia.stable
+    yield from band_parts(known)
+    yield text(
+        """
+        The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
+        [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong prediction of section
+        5.2.2.
+
+        The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
+        from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
+        """,
+        low=low,
+        high=high,
+        width=high.frequency - low.frequency,
+        low_both=known.cycles.friction_both_channels.stable,
+        high_both=known.cycles.inertia_both_channels.stable,
     )
 
 
-def _harmonic_balance() -> Claim:
+@claim("eq-5.11", source="report/chapters/chapter_5/claims/section_5_2_3.py")
+def harmonic_balance(_: Evidence) -> Record:
     element, linear = sympy.symbols("N G")
-    return Claim(
-        id="eq-5.11",
-        parts=(Part("", SameExpression(total(element * linear, 1), sympy.expand(1 - linear * (-element)))),),
-        explanation=(
-            "For a measured frequency these are two real equations for $b/A$ and $M\\omega/D$, as many as "
-            "unknowns. The driving frequency, which the text asks for, does not appear: the frequency in "
-            "$\\gamma$ is that of the limit cycle."
-        ),
-        source="report/chapters/chapter_5/claims/section_5_2_3.py",
+    yield expression("", total(element * linear, 1), sympy.expand(1 - linear * (-element)))
+    yield text(
+        r"""
+        For a measured frequency these are two real equations for $b/A$ and $M\omega/D$, as many as unknowns.
+        The driving frequency, which the text asks for, does not appear: the frequency in $\gamma$ is that of
+        the limit cycle.
+        """
     )
 
 
-def _inner(evidence: Evidence) -> Claim:
-    unstable = [cycle for cycles in evidence.cycles.viscous for cycle in cycles if cycle.omega < 4000]
-    orbits = evidence.motion.closed.orbits
-    return Claim(
-        id="txt-5.2.3-unstable-inner",
-        parts=(
-            Part(
-                "",
-                Assertion(
-                    statement="all limit cycles on the inner part of the locus are unstable",
-                    derived=bool(unstable) and not any(cycle.stable for cycle in unstable),
-                    evidence=(
-                        f"{len(unstable)} of them over {len(TIME_CONSTANTS)} values of $M/D$, none stable by "
-                        "Loeb's criterion"
-                    ),
-                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
-                ),
-                by_floquet([orbits.friction.unstable, orbits.inertia.unstable], stable=False),
-            ),
-        ),
-        explanation=(
-            "True by Loeb's criterion. The text lets them merge with the stable ones; they do not: a motion "
-            "that starts near one either decays or grows to the stable one. For $M/D$ near 0.1 ms there is "
-            "no inner one at all."
-        ),
-        source="trimmer/balance/stability.py",
+@claim("txt-5.2.3-unstable-inner", source="trimmer/balance/stability.py")
+def inner(known: Evidence) -> Record:
+    unstable = [cycle for cycles in known.cycles.viscous for cycle in cycles if cycle.omega < 4000]
+    loads, orbits = len(TIME_CONSTANTS), (known.orbits.friction.unstable, known.orbits.inertia.unstable)
+    yield assertion(
+        "",
+        "all limit cycles on the inner part of the locus are unstable",
+        bool(unstable) and not any(cycle.stable for cycle in unstable),
+        f"{len(unstable)} of them over {loads} values of $M/D$, none stable by Loeb's criterion",
+        method=ALL_LOADS,
+        second=by_floquet(orbits, stable=False),
+    )
+    yield text(
+        """
+        True by Loeb's criterion. The text lets them merge with the stable ones; they do not: a motion that
+        starts near one either decays or grows to the stable one. For $M/D$ near 0.1 ms there is no inner one
+        at all.
+        """
     )
 
 
-def _only_between(evidence: Evidence) -> Claim:
-    cycles = evidence.cycles
-    low, high = cycles.friction.stable.frequency, cycles.inertia.stable.frequency
+@claim("txt-5.2.3-band", source=SOLVER)
+def only_between(known: Evidence) -> Record:
+    cycles, system = known.cycles, known.numbers.displacement_only
+    low, high = cycles.friction.stable, cycles.inertia.stable
     stable = [cycle for each in cycles.viscous for cycle in each if cycle.stable]
     loads = [ViscousBacklash(1.0, time_constant) for time_constant in TIME_CONSTANTS]
-    frequencies = [cycle.frequency for cycle in stable]
-    return Claim(
-        id="txt-5.2.3-band",
-        parts=(
-            Part(
-                "",
-                Assertion(
-                    statement="stable limit cycles lie between the frequencies of the two limits",
-                    derived=low - 1e-3 <= min(frequencies)
-                    and max(frequencies) <= high + 1e-3
-                    and len(stable) == len(TIME_CONSTANTS),
-                    evidence=(
-                        f"one for each $M/D$, with a frequency that rises from {min(frequencies):.2f} to "
-                        f"{max(frequencies):.2f} Hz"
-                    ),
-                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
-                ),
-                by_waveform(evidence.numbers.displacement_only, list(zip(loads, stable, strict=True))),
-            ),
-        ),
-        explanation=(
-            "For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies "
-            "between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by "
-            f"them: it reaches {cycles.largest_viscous.amplitude:.2f} gaps, where the limits have "
-            f"{cycles.friction.stable.amplitude:.2f} and {cycles.inertia.stable.amplitude:.2f}."
-        ),
-        source="trimmer/balance/solve.py",
+    least, most = (pick(cycle.frequency for cycle in stable) for pick in (min, max))
+    between = low.frequency - 1e-3 <= least and most <= high.frequency + 1e-3
+    yield assertion(
+        "",
+        "stable limit cycles lie between the frequencies of the two limits",
+        between and len(stable) == len(TIME_CONSTANTS),
+        f"one for each $M/D$, with a frequency that rises from {least:.2f} to {most:.2f} Hz",
+        method=ALL_LOADS,
+        second=by_waveform(system, list(zip(loads, stable, strict=True))),
+    )
+    yield text(
+        """
+        For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies
+        between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by them: it
+        reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and [[ inertia | f2 ]].
+        """,
+        largest=cycles.largest_viscous.amplitude,
+        friction=low.amplitude,
+        inertia=high.amplitude,
     )
 
 
-def _identify(evidence: Evidence) -> Claim:
-    highest = max(cycle.frequency for each in evidence.cycles.viscous for cycle in each if cycle.stable)
-    return Claim(
-        id="txt-5.2.3-identify-760",
-        parts=(
-            Part(
-                "conversion",
-                PrintedDigits("4775", 760 * TURN, "rad/s"),
-                by_division_back(760 * TURN, 760),
-            ),
-            Part(
-                "a ratio M/D for 760 Hz",
-                Assertion(
-                    statement="a measured 760 Hz gives a ratio $M/D$",
-                    derived=highest >= 760,
-                    evidence=(
-                        "no $M/D$ has a stable limit cycle above "
-                        f"{evidence.cycles.inertia.stable.frequency:.2f} Hz"
-                    ),
-                    method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
-                ),
-                Confirmation(
-                    "Newton's method in 30 digits, for the limit without friction",
-                    CloseNumbers(
-                        inertia_by_newton(evidence.numbers, evidence.cycles.inertia.stable)[1],
-                        evidence.cycles.inertia.stable.omega,
-                    ),
-                ),
-            ),
-        ),
-        explanation=(
-            "The conversion is right. The example lies outside of what the model can give, for any load; in "
-            "the printed band of equation 5.10 it looks possible."
-        ),
-        consequence=(
-            "The proposed experiment keeps its sense, with a band less than a quarter as wide to resolve."
-        ),
-        impact=Impact.LOCAL,
-        source="trimmer/balance/solve.py",
+@claim("txt-5.2.3-identify-760", source=SOLVER, impact=Impact.LOCAL)
+def identify(known: Evidence) -> Record:
+    limit = known.cycles.inertia.stable
+    highest = max(cycle.frequency for each in known.cycles.viscous for cycle in each if cycle.stable)
+    by_newton = inertia_by_newton(known.numbers, limit)[1]
+    yield digits("conversion", "4775", 760 * TURN, "rad/s", second=by_division_back(760 * TURN, 760))
+    yield assertion(
+        "a ratio M/D for 760 Hz",
+        "a measured 760 Hz gives a ratio $M/D$",
+        highest >= 760,
+        f"no $M/D$ has a stable limit cycle above {limit.frequency:.2f} Hz",
+        method=ALL_LOADS,
+        second=close(f"{NEWTON}, for the limit without friction", by_newton, limit.omega),
+    )
+    yield text(
+        """
+        The conversion is right. The example lies outside of what the model can give, for any load; in the
+        printed band of equation 5.10 it looks possible.
+
+        The proposed experiment keeps its sense, with a band less than a quarter as wide to resolve.
+        """
+    )
+
+
+@claim("eq-5.9", source="derivations/backlash.py")
+def separation(_: Evidence) -> Record:
+    mass, damping, omega = sympy.symbols("M D omega", positive=True)
+    derived = separation_angle().subs(GAMMA, mass * omega / damping)
+    yield expression("", sympy.atan(damping / (mass * omega)), derived, left=sympy.Symbol("phi_s"))
+    yield text(
+        r"""
+        Equation 2.44 with $\gamma = M\omega/D$ put in. A higher frequency gives an earlier separation, as the
+        text says.
+        """
+    )
+
+
+@claim("txt-5.2.3-limits", source="derivations/backlash.py")
+def limits_of_the_load(_: Evidence) -> Record:
+    delay, ratio = sympy.Symbol("tau", positive=True), r"\frac{b}{A}"
+    friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
+    yield expression(r"$\gamma \to 0$, contact", 1 - sympy.cos(delay), friction.ratio, ratio)
+    yield expression(r"$\gamma \to \infty$, contact", delay - sympy.sin(delay), inertia.ratio, ratio)
+    yield text(
+        r"""
+        Separation, flight and contact of the general element tend to those of friction-controlled backlash
+        for $\gamma \to 0$ and of inertia-controlled for $\gamma \to \infty$; $\tau$ is the phase of flight.
+        The figure shows it, the limits prove it.
+        """
+    )
+
+
+def proven(*steps: ProvenStep) -> bool:
+    """Return whether every equation of the steps is proven."""
+    try:
+        for step in steps:
+            step.tell()
+    except UnprovenError:
+        return False
+    return True
+
+
+@claim("txt-5.2.3-contours-bounded", source="derivations/element_steps/contours.py")
+def contours_bounded(_: Evidence) -> Record:
+    statement = "every viscous contour lies between those of friction and inertia"
+    computed = Assertion(
+        statement,
+        all(lies_between_the_limits(gamma) for gamma in GAMMAS),
+        "they lie in the region that the two limits enclose",
+        "contours of $N$, computed",
+    )
+    yield assertion(
+        r"for every $\gamma$",
+        statement,
+        proven(general_backlash.describing_function(), limits_step(), slopes.step(), contours.step()),
+        r"""
+        $N$ as a map of $b/A$ and $\gamma$ has a Jacobian without zeros, and takes the edge of its domain to
+        the two contours and a piece of the imaginary axis
+        """,
+        method="proof in the derivation of the describing functions",
+        second=Confirmation(r"200 points of each of nine contours, $\gamma$ from 0.01 to 100", computed),
+    )
+    yield text(
+        r"""
+        It is so for every $\gamma$, with the right contact equation. The contours that the thesis drew, for
+        $1 < \gamma < 3/2$, come from complex contact angles and could not show it. Besides, each point
+        between the two limits belongs to one $b/A$ and one $\gamma$ only.
+        """
     )

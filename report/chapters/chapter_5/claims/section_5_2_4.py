@@ -1,140 +1,257 @@
-"""Claims of section 5.2.4 on Coulomb friction alone (equations 5.12 and 5.13)."""
+"""Claims of section 5.2.4 on Coulomb friction alone: predictions (5.12, 5.13), simulations, the unit."""
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
 import sympy
 
+from derivations.dimensions import FORCE as DIMENSION_OF_FORCE
+from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.friction import FORCE, friction_waveform, relay_waveform
-from derivations.symbols import A, s
+from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from derivations.waveform import THETA, describing_function
-from report.claim import Claim, Impact, Part, Slip, Verdict
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.expression import SameExpression
+from report.claim import Confirmation, Impact, Part
+from report.comparisons.printed import power_of
 from report.comparisons.quadrature import coefficient, confirm
-from report.comparisons.second_ways import by_grid, second_way
+from report.comparisons.second_ways import by_grid, by_harmonics
 from report.evidence import Evidence
-from report.numbers.linear_numbers import LinearNumbers
-from trimmer import frequency_response, real_axis_crossings
+from report.numbers.independent.relay_and_friction import (
+    difference_of_scaled,
+    fraction_of,
+    highest_phase,
+    on_the_imaginary_axis,
+)
+from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
+from report.numbers.time_stepping import FINE_STEP
+from report.parts import assertion, close, digits, expression, made_here, so
+from report.record import Record, claim, text
+from report.text import filled
+from trimmer import real_axis_crossings
 
-SOURCE = "derivations/friction.py"
+SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
+FIGURE_FORCE = 0.015
+"""Relay of figure 5.19."""
+STEADY = 1.0
+"""Rate below which a frequency may be said to stay, 1/s."""
+PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.22 and 5.23")
 
 
-def claims(evidence: Evidence) -> tuple[Claim, ...]:
-    """Return the claims in thesis order."""
-    return (_limit_of_response(evidence), _inverse(), _no_crossing(evidence))
+@claim("eq-5.12", source="derivations/transfer_function.py")
+def limit_of_response(known: Evidence) -> Record:
+    above, below = fraction_of(known.numbers)
+    yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
+    yield text(
+        """
+        The transfer function has two poles more than zeros, so it tends to zero, and along the negative real
+        axis from below. It does not spiral: its phase tends to -180 degrees.
+        """
+    )
 
 
-def _friction_by_quadrature() -> complex:
-    wave = friction_waveform()
+@claim("eq-5.13", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
+def inverse(_: Evidence) -> Record:
+    printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
+    for_friction, wave = sympy.simplify(-1 / FRICTION), friction_waveform()
     sine, cosine = (coefficient(wave, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
-    return (sine + 1j * cosine) / float(VALUES[A])
-
-
-def _limit_of_response(evidence: Evidence) -> Claim:
-    above, below = (
-        sympy.Poly([sympy.Rational(c.numerator, c.denominator) for c in coefficients], s).as_expr()
-        for coefficients in (evidence.numbers.numerator, evidence.numbers.denominator)
+    yield expression("for a relay on the loop's signal", printed, -1 / RELAY, left)
+    yield expression(
+        "for friction, in a loop whose signal is a displacement",
+        printed,
+        for_friction,
+        left,
+        second=confirm(for_friction, -float(VALUES[A]) / (sine + 1j * cosine), VALUES),
+        slip=made_here("the phase between velocity and displacement is dropped", -1 / RELAY),
     )
-    return Claim(
-        id="eq-5.12",
-        parts=(
-            Part(
-                "", SameExpression(sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
-            ),
-        ),
-        explanation=(
-            "The transfer function has two poles more than zeros, so it tends to zero, and along the "
-            "negative real axis from below. It does not spiral: its phase tends to -180 degrees."
-        ),
-        source="derivations/transfer_function.py",
+    yield text(
+        r"""
+        The algebra is right for equation 2.52. In this loop the signal is a displacement, and for friction
+        $-1/N = j\,\pi A/(4F_c)$. A larger $F_c$ does not shorten the curve: amplitudes run to infinity, and
+        it is the same half axis for every force.
+
+        The picture of the section, and the high-frequency limit cycle expected from it, concern a relay that
+        no part of the trimmer is.
+        """
     )
 
 
-def _inverse() -> Claim:
-    printed = -A * sympy.pi / (4 * FORCE)
-    return Claim(
-        id="eq-5.13",
-        parts=(
-            Part(
-                "for a relay on the loop's signal", SameExpression(printed, -1 / RELAY, left=r"-\frac{1}{N}")
-            ),
-            Part(
-                "for friction, in a loop whose signal is a displacement",
-                SameExpression(printed, sympy.simplify(-1 / FRICTION), left=r"-\frac{1}{N}"),
-                confirm(sympy.simplify(-1 / FRICTION), -1 / _friction_by_quadrature(), VALUES),
-                Slip("the phase between velocity and displacement is dropped", -1 / RELAY, Verdict.ERRATUM),
-            ),
-        ),
-        explanation=(
-            "The algebra is right for equation 2.52. In this loop the signal is a displacement, and for "
-            "friction $-1/N = j\\,\\pi A/(4F_c)$. A larger $F_c$ does not shorten the curve: amplitudes run "
-            "to infinity, and it is the same half axis for every force."
-        ),
-        consequence=(
-            "The picture of the section, and the high-frequency limit cycle expected from it, concern a "
-            "relay that no part of the trimmer is."
-        ),
-        impact=Impact.DOWNSTREAM,
-        source=SOURCE,
-    )
-
-
-def _no_crossing(evidence: Evidence) -> Claim:
-    system = evidence.numbers.displacement_only
+@claim("txt-5.2.4-no-crossing", source="trimmer/crossings.py")
+def no_crossing(known: Evidence) -> Record:
+    system = known.numbers.displacement_only
     crossings = real_axis_crossings(system)
     negative = sum(crossing.value < 0 for crossing in crossings)
-    on_the_axis = on_the_imaginary_axis(evidence.numbers)
-    highest = float(np.angle(frequency_response(system, np.geomspace(1.0, 1e6, 20000))).max())
-    return Claim(
-        id="txt-5.2.4-no-crossing",
-        parts=(
-            Part(
-                "crossings of the negative real axis",
-                PrintedDigits("0", negative),
-                by_grid(system, negative),
-            ),
-            Part(
-                "what follows for friction",
-                Assertion(
-                    statement="harmonic balance predicts no limit cycle from Coulomb friction",
-                    derived=max(on_the_axis) < 0,
-                    evidence=(
-                        "with the right operator $G$ would have to cross the positive imaginary axis; where "
-                        "it is imaginary, at "
-                        f"{len(on_the_axis)} frequencies, it lies on the negative one"
-                    ),
-                    method="all roots of the real part, from exact coefficients",
-                ),
-                second_way(
-                    f"the phase on a grid, which rises to {math.degrees(highest):.1f} degrees",
-                    highest < math.pi / 2,
-                ),
-            ),
-        ),
-        explanation=(
-            f"$G$ meets the real axis at {len(crossings)} frequencies, always on its positive side. The "
-            "reason given looks at the wrong axis, but the conclusion stands: friction between parts at rest "
-            "otherwise only takes energy, so it cannot keep anything moving."
-        ),
-        source="trimmer/crossings.py",
+    on_the_axis = on_the_imaginary_axis(known.numbers)
+    highest = highest_phase(system)
+    second = by_grid(system, negative)
+    yield digits("crossings of the negative real axis", "0", negative, second=second)
+    evidence = filled(
+        """
+        with the right operator $G$ would have to cross the positive imaginary axis; where it is imaginary, at
+        [[ frequencies ]] frequencies, it lies on the negative one
+        """,
+        frequencies=len(on_the_axis),
+    )
+    means = f"the phase on a grid, which rises to {math.degrees(highest):.1f} degrees"
+    yield assertion(
+        "what follows for friction",
+        "harmonic balance predicts no limit cycle from Coulomb friction",
+        max(on_the_axis) < 0,
+        evidence,
+        method="all roots of the real part, from exact coefficients",
+        second=so(means, highest < math.pi / 2),
+    )
+    yield text(
+        """
+        $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The reason given
+        looks at the wrong axis, but the conclusion stands: friction between parts at rest otherwise only
+        takes energy, so it cannot keep anything moving.
+        """,
+        crossings=len(crossings),
     )
 
 
-def on_the_imaginary_axis(numbers: LinearNumbers) -> list[float]:
-    """Return Im G, up to a positive factor, at every frequency above zero where Re G(jω) is zero."""
-    frequency = sympy.Symbol("omega", real=True)
-    above, below = (
-        sympy.Poly([sympy.Rational(c.numerator, c.denominator) for c in coefficients], s).as_expr()
-        for coefficients in (numbers.numerator, numbers.denominator)
+def relay_part(numbers: RelayNumbers, label: str) -> Part:
+    """Return the part on the oscillation of the loop with an ideal relay."""
+    growth = [run.growth for run in numbers.runs]
+    evidence = filled(
+        r"""
+        the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
+        [[ strongest | g ]] s per unit of the relay the frequency grows as $e^{[[ growth | f2 ]]\,t}$ and the
+        swings fall as $e^{[[ fall | f1 ]]\,t}$
+        """,
+        weakest=numbers.runs[0].impulse,
+        strongest=numbers.runs[-1].impulse,
+        growth=growth[0],
+        fall=-2 * growth[0],
     )
-    product = sympy.expand((above * below.subs(s, -s)).subs(s, sympy.I * frequency))
-    real_part = sympy.Poly(sympy.re(product), frequency)
-    imaginary_part = sympy.Poly(sympy.im(product), frequency)
-    return [float(imaginary_part.eval(root)) for root in real_part.nroots(n=30) if root.is_real and root > 0]
+    means = "a third of the damping that G has at high frequency"
+    return assertion(
+        label,
+        "an oscillation of one high frequency remains",
+        min(growth) < STEADY,
+        evidence,
+        method="exact simulation of the loop with an ideal relay",
+        second=close(means, numbers.damping / 3, growth[0], 1e-3),
+    )
+
+
+def friction_part(numbers: RelayNumbers, label: str) -> Part:
+    """Return the part on the loop with friction and viscous friction of the output's velocity."""
+    last = max(run.last_turn for run in numbers.friction)
+    evidence = filled(
+        """
+        it turns for the last time within [[ last | f0 ]] µs, and then sticks or creeps one way for the rest
+        of [[ duration | f0 ]] ms
+        """,
+        last=1e6 * last,
+        duration=1e3 * DURATION,
+    )
+    means = f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event"
+    return assertion(
+        label,
+        "an oscillation remains",
+        last > DURATION / 2,
+        evidence,
+        method="exact simulation with true stick, impulses over six decades",
+        second=close(means, max(numbers.last_turn_in_steps), last, 0.02),
+    )
+
+
+def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation) -> Part:
+    """Return the part on periodic motions with all harmonics."""
+    evidence = filled(
+        """
+        from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave returns with zeros at its jumps at
+        [[ frequencies ]] Hz only, and there in phase with itself, so the relay would work against it
+        """,
+        low=0.5 / HALF_PERIODS[-1],
+        high=0.5 / HALF_PERIODS[0],
+        frequencies=" and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies),
+    )
+    method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
+    derived = not all(candidates.in_phase)
+    return assertion(label, statement, derived, evidence, method=method, second=second)
+
+
+@claim("txt-5.2.4-high-frequency", source=SIMULATED, impact=Impact.DOWNSTREAM)
+def high_frequency(known: Evidence) -> Record:
+    numbers = known.motion.closed.relay
+    frequency, amplitude = numbers.sampled
+    yield relay_part(numbers, "ideal relay on the output, after an impulse")
+    yield candidates_part(
+        numbers.alone,
+        "explanation by higher harmonics near the origin",
+        "with harmonics there is a periodic motion that the describing function misses",
+        by_harmonics(known.numbers.displacement_only, numbers.alone.frequencies),
+    )
+    yield friction_part(numbers, "friction, which acts on velocity")
+    yield text(
+        """
+        What is seen is the end of a motion, not a limit cycle: near the origin $G$ is a double integrator
+        with a little damping, on which a relay oscillates ever faster and smaller. A simulation cannot follow
+        that; one that looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz with
+        [[ amplitude | f2 ]] times the relay's size, by its own delay. Harmonics do not help the explanation:
+        Tsypkin's condition contains them all. With friction in place of the relay the loop sticks.
+
+        That Coulomb friction may be neglected because its limit cycles are small has no ground: there are
+        none, and in the trimmer friction decides whether backlash has one (chapter 7).
+        """,
+        step=1e6 * STEP,
+        frequency=frequency,
+        amplitude=amplitude,
+    )
+
+
+@claim("txt-5.2.4-linear-in-fc", source=SIMULATED)
+def linear_in_force(known: Evidence) -> Record:
+    factor, signal = sympy.Symbol("k", positive=True), sympy.Symbol("y", real=True)
+    scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
+    difference = difference_of_scaled(known.numbers.parameters, FIGURE_FORCE)
+    of_scaled, of_signal = (factor * FORCE * sympy.sign(each) for each in (factor * signal, signal))
+    yield expression("$N(kA, kF_c) = N(A, F_c)$", scaled, FRICTION, left=sympy.Symbol("N"))
+    yield assertion(
+        "exact loop with a relay of 0.015 and of 0.15",
+        "ten times the force, and the impulse, gives ten times the motion",
+        difference < 1e-9,
+        f"over 20 ms the motions differ by {power_of(difference)} of the largest displacement",
+        method="exact simulation of both",
+        second=so("the relay's law, which is of first degree in signal and level", of_scaled == of_signal),
+    )
+    yield text(
+        """
+        The describing function depends on $F_c/A$ alone, so any solution scales with the force; so does the
+        exact loop, in which the switching force is the only scale. This holds for whatever is observed,
+        physical or numerical, and so does not show that there is a limit cycle.
+        """
+    )
+
+
+@claim("txt-5.2.4-force-unit", source="derivations/dimensions.py", impact=Impact.DOWNSTREAM)
+def force_unit(_: Evidence) -> Record:
+    displacement, acceleration = sympy.symbols("u a")
+    units = {**DIMENSIONS, displacement: LENGTH, acceleration: DIMENSION_OF_FORCE / DIMENSIONS[m2]}
+    beside, inertia = (dimension_of(term, units) for term in (k2 * displacement, m2 * acceleration))
+    places = ", ".join(f"[-] in {place}" for place in PLACES_WITHOUT_UNIT)
+    means = rf"$m_2\ddot q_2$ in the same equation, in {inertia}"
+    yield assertion(
+        "",
+        "$F_c$ is a number without unit, as behind 0.015, 1.5 and 0.6",
+        beside == NUMBER,
+        f"in equation 3.2 it stands beside $k_2u$, in {beside}; {places}, [N] in the bound of 1.0",
+        method="dimension check of equation 3.2",
+        second=so(means, inertia == DIMENSION_OF_FORCE),
+    )
+    yield text(
+        """
+        A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
+        sections 5.2.4 and 5.2.5 write [-]. Neither is what a loop with $G$ as its linear part holds: the
+        relay's output enters it as a displacement of the pin, so 0.015 is 15 mm of pin travel, ten times the
+        eccentricity.
+
+        The advice that friction below 1.0 N may be neglected compares newtons with an amplitude that was
+        found for metres at the pin.
+        """
+    )
