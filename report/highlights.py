@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from report.chapters.chapter_5.claims.section_5_1_2_low_pass import (
-    HARMONICS,
-    LIMIT_CYCLE_OMEGA,
-    highest_unfiltered,
-)
+from report.chapters.chapter_5.claims.section_5_1_2 import HARMONICS, LIMIT_CYCLE_OMEGA
 from report.document import Highlight
 from report.evidence import Evidence
+from report.numbers.independent.linear_trimmer import highest_unfiltered
 from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, EXPERIMENT_GAP, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import Body, asymptotic_roll_off, filtering_ratio

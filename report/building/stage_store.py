@@ -58,16 +58,28 @@ class StageStore:
 
 
 class _Pickler(pickle.Pickler):
-    """Pickles python-control's state-space models too, which hold a function that cannot be pickled."""
+    """Pickles two things that Python does not keep as they are.
+
+    A state-space model of python-control holds a function that cannot be pickled. A sum or product of SymPy whose
+    terms stand in the order of telling would be put in SymPy's own order when it is read again.
+    """
 
     def reducer_override(self, value: Any) -> Any:
-        import control  # Whatever is kept was computed with it, so it is loaded already.
+        import control  # Whatever is kept was computed with these two, so they are loaded already.
+        import sympy
 
+        if isinstance(value, sympy.Add | sympy.Mul):
+            return _in_order, (type(value), value.args)
         if not isinstance(value, control.StateSpace):
             return NotImplemented
         matrices = (value.A, value.B, value.C, value.D)
         labels = (value.name, value.state_labels, value.input_labels, value.output_labels)
         return _state_space, (*matrices, value.dt, *labels)
+
+
+def _in_order(kind: Any, terms: tuple[Any, ...]) -> Any:
+    """Build a sum or product again, with its terms in the order in which they stood."""
+    return kind(*terms, evaluate=False)
 
 
 def _state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, name: str, *labels: list[str]) -> Any:

@@ -12,13 +12,13 @@ from derivations.backlash import CONTACT, GAMMA, inertia_contact_ratio, inertia_
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
 from derivations.symbols import DIMENSIONS, A, omega
 from derivations.waveform import THETA
-from report.chapters.appendix_a.claims.friction_block import friction_block, friction_parts
-from report.chapters.appendix_a.claims.time_domain import DRIVE_GAP, PRINTED_OFFSET, inertia_block
+from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
 from report.claim import Impact
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.independent import load_in_play
+from report.numbers.independent.listed_blocks import DRIVE_GAP, PRINTED_OFFSET, friction_block, inertia_block
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
@@ -26,7 +26,10 @@ from trimmer import FrictionBacklash, InertiaBacklash
 
 Reals = NDArray[np.float64]
 
-SOURCE, BLOCKS = "derivations/backlash.py", "report/chapters/appendix_a/claims/time_domain.py"
+SOURCE, BLOCKS = (
+    "derivations/backlash.py",
+    "report/chapters/appendix_a/claims/listings_a_7_and_a_8_over_time.py",
+)
 b = sympy.Symbol("b", positive=True)
 SAMPLES = 2003
 """Samples of a period in the figures, none of which is an instant at which Listing A.8 applies no line."""

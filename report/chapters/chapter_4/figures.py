@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.chapters.appendix_a.claims.time_domain import DRIVE_AMPLITUDE, DRIVE_GAP, DRIVE_OMEGA
-from report.chapters.chapter_4.claims.figures_4 import (
+from report.chapters.chapter_4.claims import (
     GAPS,
     built_in_block,
     exact_inertia,
@@ -16,6 +15,8 @@ from report.chapters.chapter_4.claims.figures_4 import (
     phases,
 )
 from report.drawing.style import LINES, new_figure, style
+from report.numbers.independent.listed_blocks import DRIVE_GAP
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

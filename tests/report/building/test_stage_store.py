@@ -6,6 +6,7 @@ from pathlib import Path
 
 import control
 import numpy as np
+import sympy
 
 from report.building.stage_store import StageStore
 
@@ -43,3 +44,12 @@ def test_a_state_space_model_reads_back_equal(tmp_path: Path) -> None:
     assert np.array_equal(read.C, model.C)
     assert (read.name, read.state_labels, read.output_labels) == ("m", ["q", "v"], ["y"])
     assert complex(read(2j)) == complex(model(2j))
+
+
+def test_terms_read_back_in_their_order(tmp_path: Path) -> None:
+    a, b = sympy.symbols("a b")
+    told = sympy.Add(sympy.Mul(b, a, evaluate=False), -a, evaluate=False)
+    StageStore(tmp_path).keep("stage", "a", [told])
+    (read,) = StageStore(tmp_path).load("stage", "a")
+    assert sympy.latex(read, order="none") == sympy.latex(told, order="none")
+    assert [term.args for term in read.args] == [term.args for term in told.args]

@@ -12,8 +12,10 @@ from types import ModuleType
 import pytest
 
 from report.chapters.appendix_d import claims as appendix_d
-from report.chapters.chapter_2.claims import section_2_2_1_lagrangian, section_2_2_2
-from report.chapters.chapter_5.claims import section_5_1_3, section_5_2_1, section_5_2_2
+from report.chapters.chapter_2.claims import section_2_2_1 as section_2_2_1_lagrangian
+from report.chapters.chapter_2.claims import section_2_2_2
+from report.chapters.chapter_5.claims import section_5_1_3, section_5_2_2
+from report.chapters.chapter_5.claims import section_5_2_1_predictions as section_5_2_1
 from report.claim import ContradictionError, judge
 from report.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from report.chapters.chapter_3.claims import section_3_1_output, section_3_3_frequency
-from report.chapters.chapter_3.claims.driven_harmonics import confirm_friction, confirm_play
+from report.chapters.chapter_3.claims import section_3_1 as section_3_1_output
+from report.chapters.chapter_3.claims import section_3_3 as section_3_3_frequency
+from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
 from report.chapters.chapter_7.claims import play as chapter_7_play
 from report.chapters.chapter_7.claims import resonance as chapter_7_resonance
 from report.claim import ContradictionError, Verdict, judge

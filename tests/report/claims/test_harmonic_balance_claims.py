@@ -4,7 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from report.chapters.chapter_5.claims import figures_5_2_5, figures_5_2_heavy_load, section_5_2, section_5_2_5
+from report.chapters.chapter_5.claims import figures_5_5_to_5_18_loci as figures_5_2_heavy_load
+from report.chapters.chapter_5.claims import figures_5_21_to_5_24_equivalent as figures_5_2_5
+from report.chapters.chapter_5.claims import section_5_2_5
+from report.chapters.chapter_5.claims import section_5_2_assumptions as section_5_2
 from report.chapters.chapter_7.claims import friction as chapter_7_friction
 from report.claim import ContradictionError, Verdict, judge
 from report.numbers.equivalent_nonlinearity import listing_element

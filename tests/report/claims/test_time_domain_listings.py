@@ -8,15 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from report.chapters.appendix_a.claims.friction_block import friction_block
-from report.chapters.appendix_a.claims.time_domain import (
-    DRIVE_AMPLITUDE,
+from report.numbers.independent.listed_blocks import (
     DRIVE_GAP,
-    DRIVE_OMEGA,
     PERIOD,
     contact_time,
+    friction_block,
     inertia_block,
 )
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 

@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from report.chapters.appendix_a.claims.time_domain import inertia_block
 from report.numbers.impulse_response import events_by_integration
+from report.numbers.independent.listed_blocks import inertia_block
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
 from report.numbers.orbit_by_durations import orbit_by_durations
 from report.numbers.record import Record, largest_peaks, line_amplitudes

@@ -15,7 +15,7 @@ from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from derivations.waveform import THETA, Segment
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
-from report.chapters.chapter_5.claims.section_5_1_2_low_pass import LIMIT_CYCLE_OMEGA
+from report.chapters.chapter_5.claims.section_5_1_2 import LIMIT_CYCLE_OMEGA
 from report.claim import Confirmation, Impact, Mathematics
 from report.comparisons import quadrature
 from report.comparisons.expression import SameMatrix

@@ -24,9 +24,10 @@ from report.claim import Confirmation, Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import Values, coefficient, confirm
+from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
 from report.numbers.independent.load_flight import contact_after_flight, contact_by_equation, zero_of_force
+from report.numbers.independent.waveforms import Values
 from report.parts import close, expression, made_here, part, so
 from report.record import Record, claim, text
 from report.text import filled

@@ -8,11 +8,11 @@ import control
 import numpy as np
 import sympy
 
-from report.chapters.appendix_a.claims.elements import friction_listing
 from report.claim import Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
+from report.numbers.independent.listed_describing_functions import friction_listing
 from report.numbers.independent.loop_poles import decays, feedback_poles
 from report.numbers.independent.symbolic_roots import first_root
 from report.numbers.textbook_loops import (

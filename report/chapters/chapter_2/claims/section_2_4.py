@@ -10,7 +10,7 @@ from derivations.friction import FORCE as COULOMB
 from derivations.friction import relay_waveform
 from derivations.symbols import DIMENSIONS, A, omega
 from derivations.waveform import THETA, describing_function, simplified_describing_function
-from report.chapters.chapter_2.claims.section_2_3_4_friction_integrals import printed_sine_terms
+from report.chapters.chapter_2.claims.section_2_3_4_friction import printed_sine_terms
 from report.claim import Impact, Part
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm

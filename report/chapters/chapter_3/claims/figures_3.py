@@ -7,7 +7,7 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
-from report.chapters.chapter_6.claims.chapters_6_and_7 import GAPS_QUOTED
+from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
 from report.claim import Impact, Part, Uncheckable
 from report.comparisons.printed import power_of
 from report.evidence import Evidence

@@ -8,7 +8,7 @@ import numpy as np
 import sympy
 
 from derivations.symbols import velocities
-from report.chapters.chapter_2.claims.figures_1_and_2_2 import MOVING_PARTS
+from report.chapters.chapter_1.claims import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
 from report.claim import Confirmation, Impact

@@ -12,7 +12,10 @@ from derivations.backlash import friction_waveform
 from derivations.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from derivations.waveform import simplified_describing_function
-from report.chapters.appendix_a.claims.elements import REACHED, friction_expression
+from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import (
+    REACHED,
+    friction_expression,
+)
 from report.chapters.chapter_5.claims.section_5_2_5 import (
     BY_LISTING,
     LINE_18,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import control
 
-from report.chapters.appendix_a.claims.elements import friction_listing
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
@@ -16,6 +15,7 @@ from report.numbers.independent.backlash_loci import (
     distance_from_curve,
     intersections_by_library,
 )
+from report.numbers.independent.listed_describing_functions import friction_listing
 from report.numbers.limit_cycle_numbers import friction_by_newton, inertia_by_newton
 from report.numbers.viscous_listing import intersections, listing_contour
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable

@@ -11,12 +11,12 @@ from derivations.backlash import GAP as TOTAL_GAP
 from derivations.friction import FORCE, relay_waveform
 from derivations.symbols import A
 from derivations.waveform import THETA, Waveform
-from report.chapters.appendix_a.claims.time_domain import inertia_block
 from report.claim import Impact
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
+from report.numbers.independent.listed_blocks import inertia_block
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.chapters.chapter_5.claims.section_5_2_1 import LARGE_GAP, SMALL_GAP
-from report.chapters.chapter_5.claims.section_5_2_5_simulated import PEAKS
+from report.chapters.chapter_5.claims.section_5_2_5 import PEAKS
 from report.drawing.style import BLACK, LINES, LineStyle, new_figure, style
 from report.evidence import Evidence
 from report.numbers.impulse_response import GAPS, SHOWN
 from report.numbers.record import Record, line_amplitudes
 from report.numbers.released_bodies import RECORD
+from report.thesis import LARGE_GAP, SMALL_GAP
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Final
 import control
 import numpy as np
 
-from report.chapters.appendix_a.claims.elements import friction_listing
 from report.chapters.chapter_5.figures.closed_loop_motion import larger_gap_over_time
 from report.drawing.plane import curve, element_curve, frame, inverse, locus, mark
 from report.drawing.style import BLACK, LINES, new_figure, style
 from report.evidence import Evidence
+from report.numbers.independent.listed_describing_functions import friction_listing
 from report.numbers.viscous_listing import listing_contour
 from trimmer import frequency_response
 from trimmer.balance.solve import limit_cycles

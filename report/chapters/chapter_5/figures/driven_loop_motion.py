@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from report.chapters.chapter_5.claims.driven_open_loop import open_loop
-from report.chapters.chapter_5.claims.section_5_2_1 import SMALL_GAP
-from report.chapters.chapter_5.claims.section_5_2_2_simulated import largest_other_line
+from report.chapters.chapter_5.claims.section_5_2_2 import largest_other_line
 from report.drawing.style import BLACK, LINES, new_figure, style
 from report.evidence import Evidence
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
 from report.numbers.record import line_amplitudes
 from report.numbers.reference_loop import GAP, RECORD, SAMPLE_RATE, SETTLING
 from report.numbers.timed_block import RECORD as SHORT
+from report.thesis import SMALL_GAP
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window

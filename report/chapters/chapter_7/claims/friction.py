@@ -11,7 +11,7 @@ from report.chapters.chapter_3.claims.driven_steady_motion import (
     has_the_drives_period,
     period_in_words,
 )
-from report.chapters.chapter_3.claims.section_3_3_closed_loop import BIN, PEAK, PREDICTED
+from report.chapters.chapter_3.claims.section_3_3 import BIN, PEAK, PREDICTED
 from report.claim import Impact
 from report.evidence import Evidence
 from report.parts import assertion, so

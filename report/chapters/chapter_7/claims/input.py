@@ -16,14 +16,14 @@ from derivations.backlash import (
 from derivations.friction import FORCE
 from derivations.symbols import A, omega
 from derivations.waveform import describing_function
-from report.chapters.appendix_a.claims.elements import friction_expression
+from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import friction_expression
 from report.chapters.chapter_5.claims.driven_open_loop import (
     REPEATS,
     line_part,
     open_loop,
     open_loop_repeats,
 )
-from report.chapters.chapter_5.claims.figures_5_2_5 import LISTING
+from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES

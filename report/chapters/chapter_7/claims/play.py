@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.chapters.chapter_5.claims.section_5_2_4 import on_the_imaginary_axis
 from report.claim import Impact
 from report.comparisons.second_ways import by_floquet
 from report.evidence import Evidence
 from report.numbers.independent.closed_linear_loop import slowest_growth
 from report.numbers.independent.loci import phase_range
+from report.numbers.independent.relay_and_friction import on_the_imaginary_axis
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
 from report.text import filled
