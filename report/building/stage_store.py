@@ -60,8 +60,8 @@ class StageStore:
 class _Pickler(pickle.Pickler):
     """Pickles two things that Python does not keep as they are.
 
-    A state-space model of python-control holds a function that cannot be pickled. A sum or product of SymPy whose
-    terms stand in the order of telling would be put in SymPy's own order when it is read again.
+    A state-space model of python-control holds a function that cannot be pickled. A sum or product of SymPy
+    that stands in an order of its own would be put in SymPy's when it is read again.
     """
 
     def reducer_override(self, value: Any) -> Any:

@@ -22,12 +22,10 @@ V1, V2, *_ = velocities
 def lagrangian(known: Evidence) -> Record:
     printed = total(trimmer_printed.kinetic_energy(), -trimmer_printed.potential_energy())
     yield expression("", printed, known.derivation.lagrangian, left=sympy.Symbol("L"))
-    yield text(
-        """
+    yield text("""
         The energies are those of equations 2.4 and 2.5, and their difference is right. The potential energy
         is called $V$ here and $U$ in section 2.2.1.
-        """
-    )
+    """)
 
 
 @claim("eq-D.2", source=SOURCE)
@@ -50,14 +48,12 @@ def slope_of_lagrangian(known: Evidence) -> Record:
         second=Confirmation("the spring forces on the motor at rest", SameExpression(spring_force, derived)),
         slip=made_here("the slope of U is written for the slope of L = T - U", -derived),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Every sign is reversed: printed is $\partial U/\partial q_1$, which is $-\partial L/\partial q_1$. Put
         into equation 2.6 as it stands, it would turn both springs of the motor into pushing ones.
 
         None downstream: equation D.5, which should follow from this line, has the right signs.
-        """
-    )
+    """)
 
 
 @claim("eq-D.4", source=SOURCE)
@@ -82,12 +78,10 @@ def equation_of_motion(known: Evidence) -> Record:
     derived = known.derivation.accelerations[0]
     by_newton = Confirmation("Newton's second law", SameExpression(known.derivation.newton[0], derived))
     yield expression("", trimmer_printed.accelerations()[0], derived, left=accelerations[0], second=by_newton)
-    yield text(
-        """
+    yield text("""
         The result is right and the same as in equation 2.9. It does not follow from equation D.3 as printed,
         whose signs are reversed.
-        """
-    )
+    """)
 
 
 @claim("eq-D.6", source="derivations/laplace.py")

@@ -63,11 +63,9 @@ def components(known: Evidence) -> Record:
         method="derivatives of the potential energy",
         second=Confirmation("the forces on the cutter", at_the_pin),
     )
-    yield text(
-        """
+    yield text("""
         The connections that the text names are those of the equations. The bridge's stiffness $k_2$ lies
         between the pin and the one body that bridge and cutter make; the coil spring, which presses the
         cutter on the guard, ties the cutter to the guard housing along the motion. The drawing itself was not
         at hand; it is drawn again from the text.
-        """
-    )
+    """)

@@ -86,13 +86,11 @@ def two_blocks(_: Evidence) -> Record:
         method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
         second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[SAMPLES:])), 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         The blocks agree from the start on, not only when settled; Simulink's own block is taken to be what
         its description says, which python-control's is too. Why they agree for any input is shown at Listing
         A.7.
-        """
-    )
+    """)
 
 
 @claim("fig-4.2", source=BLOCKS)
@@ -109,13 +107,11 @@ def block_with_inertia(_: Evidence) -> Record:
         method="the listing, repeated line by line, against the derived waveform",
         second=close(constant, lacking, distance, 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         To the width of a line the figure is right. The deviation is the jump from the rounded constant in
         line 12 of Listing A.8. The block would show the same waveform for any other input, because its flight
         is a function of time alone.
-        """
-    )
+    """)
 
 
 @claim("fig-4.3", source=SOURCE)
@@ -137,13 +133,11 @@ def gaps(_: Evidence) -> Record:
     caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
     missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
     yield uncheckable("the other curves", caption, missing)
-    yield text(
-        """
+    yield text("""
         What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of 0.4
         mm only; for other gaps the figure is right if they were replaced each time, as they are in the figure
         drawn here.
-        """
-    )
+    """)
 
 
 @claim("txt-4.2.1-block-equivalence", source=SOURCE)
@@ -164,15 +158,13 @@ def equivalent_blocks(_: Evidence) -> Record:
         method="the listing, run over two periods, against the derived waveform",
         second=small(means, library[MORE_SAMPLES] - output[MORE_SAMPLES], 1e-12),
     )
-    yield text(
-        """
+    yield text("""
         The built-in block keeps its output while the input moves inside of the dead band and follows it at
         half of the band outside; the block itself was not at hand, python-control's was. Listing A.7 does the
         same for any input, so the two agree from equal starts, not on the sine of figure 4.1 alone. The text
         says that the listing has equation 2.36; it has the right waveform, and the equation has two signs
         wrong.
-        """
-    )
+    """)
 
 
 @claim("txt-4.2.2-zero-gap", source=SOURCE)
@@ -225,14 +217,12 @@ def roles(_: Evidence) -> Record:
     yield expression(flies_on, sympy.Integer(1), free.subs(LOAD_DAMPING, 0), ratio)
     stops = "$M = 0$ is friction-controlled: the load stops at once"
     yield expression(stops, sympy.Integer(0), sympy.limit(free, LOAD_MASS, 0, "+"), ratio)
-    yield text(
-        """
+    yield text("""
         $M$ is the inertia and $D$ the friction; the sentence has them exchanged. The next sentence, on what
         is left for $D = 0$ and for $M = 0$, is right and contradicts it.
 
         Read by the first sentence, an identified ratio $M/D$ would be taken for its inverse.
-        """
-    )
+    """)
 
 
 @claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)

@@ -4,18 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from report.chapters.chapter_3.claims import section_3_1 as section_3_1_output
-from report.chapters.chapter_3.claims import section_3_3 as section_3_3_frequency
+from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
-from report.chapters.chapter_7.claims import play as chapter_7_play
-from report.chapters.chapter_7.claims import resonance as chapter_7_resonance
 from report.claim import ContradictionError, Verdict, judge
 from report.numbers.driven_motion import GAP
-
-
-def found(claims, claim_id):
-    (claim,) = (claim for claim in claims if claim.id == claim_id)
-    return claim
 
 
 def verdicts(claim, inventory):
@@ -29,45 +21,48 @@ def with_orbits(evidence, **changes):
 
 
 def test_the_turned_output_has_no_limit_cycle_because_the_gain_is_too_large_where_it_leads(evidence):
-    low, high = section_3_1_output.loop_gains_where_phases_match(evidence)
+    low, high = section_3_1.loop_gains_where_phases_match(evidence)
     assert 1 < low < high
 
 
-def test_with_the_output_of_the_state_space_the_loop_would_have_its_limit_cycles(evidence, inventory):
+def test_with_the_output_of_the_state_space_the_loop_would_have_its_limit_cycles(
+    evidence, inventory, records_by_id
+):
     """A turned plant makes the output of section 3.1 the right one; then the second way contradicts."""
     numbers = replace(evidence.numbers, displacement_only=-evidence.numbers.displacement_only)
-    (claim,) = section_3_1_output.claims(replace(evidence, numbers=numbers))
+    claim = records_by_id["txt-3.1-output-sign"].claim(replace(evidence, numbers=numbers))
     with pytest.raises(ContradictionError, match=r"figure 2\.5"):
         judge(claim, inventory[claim.id])
 
 
-def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, inventory):
+def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, inventory, records_by_id):
     stable = evidence.motion.closed.orbits.friction.stable.amplitude
     changed = with_orbits(evidence, left_by=(stable, stable))
-    claim = found(chapter_7_play.claims(changed), "txt-7-play-stability")
+    claim = records_by_id["txt-7-play-stability"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.ERRATUM, Verdict.REPRODUCED]
 
 
-def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory):
+def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory, records_by_id):
     cycles = evidence.cycles
     twice = replace(cycles.friction, unstable=cycles.friction.stable)
     changed = replace(evidence, cycles=replace(cycles, friction=twice))
-    claim = found(chapter_7_play.claims(changed), "txt-7-only-stable")
+    claim = records_by_id["txt-7-only-stable"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED]
 
 
-def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory):
+def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory, records_by_id):
     cycles = evidence.cycles
     away = replace(cycles.friction, unstable=cycles.friction.stable)
-    (claim,) = chapter_7_resonance.claims(replace(evidence, cycles=replace(cycles, friction=away)))
+    changed = replace(evidence, cycles=replace(cycles, friction=away))
+    claim = records_by_id["txt-7-resonance"].claim(changed)
     assert verdicts(claim, inventory)[0] is Verdict.REPRODUCED
 
 
-def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory):
+def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, records_by_id):
     released = evidence.motion.released
     same = tuple(replace(run, frequency=released.by_force[1].frequency) for run in released.by_force)
     changed = replace(evidence, motion=replace(evidence.motion, released=replace(released, by_force=same)))
-    claim = found(section_3_3_frequency.claims(changed), "txt-3.3-friction-frequency")
+    claim = records_by_id["txt-3.3-friction-frequency"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.REPRODUCED]
 
 

@@ -60,15 +60,13 @@ def fields(_: Evidence) -> Record:
         method=BOTH_SIDES,
         second=so("Listing A.3, with the same last line", not undefined_names(LISTING_A_3)),
     )
-    yield text(
-        """
+    yield text("""
         A point stands for an underscore: N.re asks for a field of what line 5 has made a matrix, and N_re is
         not defined. The listing is judged as it stands in the copy at hand; reading the page by machine may
         have done it. Listing A.3 has the underscores and runs.
 
         Listing A.2 stops with an error; Listing A.3 is the one to use.
-        """
-    )
+    """)
 
 
 @claim("txt-A.6-imaginary-unit", source=SOURCE, impact=Impact.NOTATION)
@@ -83,14 +81,12 @@ def imaginary_unit(_: Evidence) -> Record:
         method=BOTH_SIDES,
         second=so("the same line with 1i, the imaginary unit", not undefined_names(corrected)),
     )
-    yield text(
-        """
+    yield text("""
         The letter l stands for the digit 1 of the imaginary unit 1i, which Listing A.3 has right. The listing
         is judged as it stands in the copy at hand; reading the page by machine may have done it.
 
         As it stands the listing stops with an error at its last line.
-        """
-    )
+    """)
 
 
 @claim("txt-A.7-captions", source=SOURCE, impact=Impact.NOTATION)
@@ -143,8 +139,7 @@ def captions(_: Evidence) -> Record:
         f"line 8 calls `{CALL.split()[-2].split('(')[0]}`, the function of Listing A.3",
         method="read in line 8 of Listing A.9",
     )
-    yield text(
-        """
+    yield text("""
         Three captions, a heading and a text name another function than the one that stands there. Listing A.6
         is the equivalent nonlinearity; A.7 and A.8 are blocks over time and no describing functions; the text
         of A.4 describes A.7; under the heading of A.10 stands friction-controlled backlash, which section
@@ -152,5 +147,4 @@ def captions(_: Evidence) -> Record:
 
         Whoever takes a listing by its caption solves with friction instead of a heavy load, or puts a
         displacement where a gain belongs.
-        """
-    )
+    """)

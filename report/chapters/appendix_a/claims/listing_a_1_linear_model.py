@@ -80,13 +80,11 @@ def integral(
         second = quadrature.confirm(derived, numeric, VALUES)
         left = latex(sympy.Integral(integrand, limits))
         yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
-        yield text(
-            """
+        yield text("""
             The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It
             belongs to equation B.1, where the describing function of backlash is derived, not below the
             transfer function.
-            """
-        )
+        """)
 
     return record
 
@@ -168,12 +166,10 @@ def two_columns(known: Evidence) -> Record:
         method="derived input matrix and dissipation function",
         second=small("the numeric model without $c_2$", largest),
     )
-    yield text(
-        """
+    yield text("""
         One damper alone brings the pin's velocity in, $c_2$ between pin and bridge; the other three do not.
         The two columns belong to displacement and velocity of the pin, which are one motion, not to relative
         motions of the trimmer, as the text calls them.
 
         To drop the second column, as line 58 of Listing A.1 does, leaves out $c_2$ at the pin.
-        """
-    )
+    """)

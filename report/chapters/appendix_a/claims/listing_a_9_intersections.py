@@ -168,13 +168,11 @@ def other_functions(known: Evidence) -> Record:
         method="all solutions of harmonic balance, with and without a fixed frequency in $N$",
         second=by_waveform(system, [(element, found)]),
     )
-    yield text(
-        """
+    yield text("""
         Line 8 passes the amplitude alone. For Listings A.4 and A.10 that argument would have to be $b/A$, and
         those of A.5 and A.6 take a frequency too, which the line fixes beforehand while the search varies it
         in $G$. The two agree by chance only, unless $N$ is free of frequency.
 
         Contours for a fixed frequency (sections 5.2.3 and 5.2.5) may be drawn, but an intersection on them
         counts only at that frequency.
-        """
-    )
+    """)

@@ -142,16 +142,14 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
             method=REPEATED,
             second=close(by_half, inertia_formula(angle / 2, 1.0), two),
         )
-        yield text(
-            """
+        yield text("""
             Line 3 scales the unknown by $w$, so its root is the contact angle divided by $w$, which the
             formula then takes for the angle itself. For $w = 1$ everything is right; the describing function
             has no frequency, and the argument should not be there.
 
             Whether figure 5.13 suffers depends on the $w$ it was called with, which is not given. The
             prediction near 5120 rad/s in section 5.2.2 tells.
-            """
-        )
+        """)
 
     return record
 
@@ -176,15 +174,13 @@ def viscous_controlled(_: Evidence) -> Record:
     )
     yield in_phase_part("lines 11 to 14, np", general)
     yield quadrature_part("lines 16 to 19, nq", general)
-    yield text(
-        r"""
+    yield text(r"""
         Lines 11 to 19 are right, brackets included. Line 6 repeats the sign of equation 2.46, so the angle
         that is put into them is wrong; for $\gamma > 1$ it is complex.
 
         The contours of figure 5.16, drawn for $1 < \gamma < 3/2$, and what section 5.2.3 concludes from them,
         rest on this line.
-        """
-    )
+    """)
 
 
 @claim("lst-A.6", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
@@ -200,16 +196,14 @@ def equivalent(_: Evidence) -> Record:
     second = Confirmation("the Fourier coefficients of friction under a displacement", by_displacement)
     yield formula_part()
     yield expression("friction term, line 18", printed, derived, second=second, slip=made_here(slip, printed))
-    yield text(
-        r"""
+    yield text(r"""
         The backlash part is that of Listing A.3. The friction part divides by $j\omega$ what has to be
         multiplied by it, and uses the amplitude of the displacement for that of the velocity. The right term
         is $j\,4F_c/(\pi A)$: other sign, no frequency, and in N/m.
 
         All contours of section 5.2.5 contain it. The caption calls the listing viscous-controlled, which it
         is not.
-        """
-    )
+    """)
 
 
 listing_a_10 = inertia_controlled("lst-A.10")

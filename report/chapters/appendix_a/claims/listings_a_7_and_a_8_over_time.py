@@ -94,16 +94,14 @@ def friction_controlled(_: Evidence) -> Record:
         f"{opened} lines open a block (1, 2 and 5), {closed} close one (9 to 12)",
         method="read in the printed lines, and counted",
     )
-    yield text(
-        """
+    yield text("""
         The three branches are those of a load without inertia between walls a total $D$ apart, for any input.
         Line 12 has one `end` too many, so the function cannot be read as printed. The caption calls it a
         describing function, which it is not; its arguments are described in A.4.
 
         None once line 12 is deleted. What runs has the right waveform, unlike equation 2.36, whose first and
         third piece have the wrong sign.
-        """
-    )
+    """)
 
 
 def at_phase(piece: sympy.Expr, phase: float) -> float:
@@ -243,16 +241,14 @@ def equation(_: Evidence) -> Record:
         second = close("the listing, repeated, inside of the piece", output, exact, ROUNDED_CONSTANT)
         slip = made_here("equation 2.42 lacks the offset b/2", piece - b / 2)
         yield expression(label, printed, piece, left="y", second=second, slip=slip)
-    yield text(
-        """
+    yield text("""
         The text says that the code gives equation 2.42. Three of its pieces do; line 12 contains the offset
         $b/2$ that the equation has lost, so on the way back the code lies half a gap above it. The code is
         right, up to the digits of its constant.
 
         Whoever writes the block anew from the equation gets an output that jumps by half a gap, 0.2 mm here,
         twice a period.
-        """
-    )
+    """)
 
 
 @claim("txt-A.9-frequency", source=ELEMENT, impact=Impact.LOCAL)

@@ -52,11 +52,9 @@ def in_parallel(_: Evidence) -> Record:
     by_velocity = 4 * FORCE / (sympy.pi * A / sympy.Abs(integrator)) / integrator
     label = "the branch $N_f/G_g$ for $G_g = 1/s$, with $N_f$ at the velocity's amplitude"
     yield expression(label, by_velocity, describing_function(friction_waveform(), A))
-    yield text(
-        """
+    yield text("""
         The two diagrams are one loop, and nonlinearities with a common input add, as integrals do. Friction
         gets that input through $1/G_g$, a differentiator where $G_g$ is the integrator of the text, and its
         $N_f$ needs the amplitude $A/|G_g|$. As an example the figure is right; the trimmer is not of this
         form, since its friction acts between cutter and guard.
-        """
-    )
+    """)

@@ -65,14 +65,12 @@ def free_body_diagram(known: Evidence) -> Record:
         forces = Confirmation("the forces on each body", SameMatrix(by_newton(known, variables), derived))
         yield matrix(label, sympy.ImmutableMatrix(printed), derived, second=forces)
     yield matrix("springs with a fixed end", sympy.ImmutableMatrix([k1, 0, k3, 0]), moved_together)
-    yield text(
-        """
+    yield text("""
         Read with the names in the text (motor, driving bridge, housing, guard, coil spring), the diagram's
         four masses, five springs and four dampers give the printed matrices, by energies as by forces. Moved
         together, the masses load the two springs with a fixed end alone. The drawing itself was not at hand;
         it is drawn again from the text.
-        """
-    )
+    """)
 
 
 @claim("fig-2.2", source=SYMBOLS)
@@ -86,25 +84,21 @@ def eccentric_pin(_: Evidence) -> Record:
     second = Confirmation("its acceleration towards the axis", by_acceleration)
     yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
-    yield text(
-        """
+    yield text("""
         A point at distance $A$ from the axis, turned $f$ times a second, is displaced as printed along the
         motion, and $A$ is the amplitude as the caption says. Since the bridge's edges are flat and stand
         across the motion, the pin's own radius drops out and the bridge gets the same sine. The displacement
         is relative to the motor, as in the energies.
-        """
-    )
+    """)
 
 
 @claim("eq-2.1", source=SYMBOLS)
 def pin_motion(_: Evidence) -> Record:
     yield expression("", PIN_MOTION, sympy.im(TURNING_POINT), sympy.Symbol("x_i"))
-    yield text(
-        """
+    yield text("""
         A pin at distance $A$ from the axis of a shaft that turns $f$ times a second, seen along one
         direction, moves as printed. Its unit is the metre, as it must be.
-        """
-    )
+    """)
 
 
 @claim("eq-2.2", source=MOTION)
@@ -112,12 +106,10 @@ def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
     derived = kinetic + bodies_and_pin.sign_of_potential_energy(known.derivation) * potential
     yield expression("", total(kinetic, -potential), derived, sympy.Symbol("L"))
-    yield text(
-        r"""
+    yield text(r"""
         With $L = T + \sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law only for
         $\sigma = -1$, so the printed difference is the right one.
-        """
-    )
+    """)
 
 
 @claim("eq-2.3", source=ENERGIES)
@@ -128,13 +120,11 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
     printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
     yield expression("the sum for $n = 4$", printed, bodies_and_pin.work_from_rest(), sympy.Symbol("T"))
-    yield text(
-        """
+    yield text("""
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
         are absolute; the sentence before the equation calls them relative, which is true of springs and not
         of masses.
-        """
-    )
+    """)
 
 
 @claim("eq-2.4", source=ENERGIES)
@@ -153,12 +143,10 @@ def potential_energy(known: Evidence) -> Record:
     slopes = sympy.ImmutableMatrix([-derived.diff(q) for q in coordinates])
     second = Confirmation("the spring forces on each body at rest", SameMatrix(forces, slopes))
     yield expression("", trimmer_printed.potential_energy(), derived, sympy.Symbol("U"), second=second)
-    yield text(
-        """
+    yield text("""
         The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. With that,
         the five springs give the printed sum.
-        """
-    )
+    """)
 
 
 @claim("eq-2.6", source=MOTION)
@@ -171,13 +159,11 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     forces = r"\frac{\partial L}{\partial q_i} + \frac{\partial R}{\partial \dot q_i} = Q_i"
     printed, derived = sympy.ImmutableMatrix(balances), sympy.ImmutableMatrix(newton)
     yield matrix("the four bodies, $Q_i = 0$", printed, derived, **as_printed(f"{inertia} - {forces}"))
-    yield text(
-        """
+    yield text("""
         For each of the four bodies the printed left side equals mass times acceleration less the forces of
         Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that $Q_i$
         carries the input, but here it carries nothing.
-        """
-    )
+    """)
 
 
 @claim("eq-2.7", source=ENERGIES)
@@ -185,12 +171,10 @@ def rayleigh_function(known: Evidence) -> Record:
     derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
     second = Confirmation("the power balance", SameExpression(lost / 2, derived))
     yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
-    yield text(
-        """
+    yield text("""
         The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
         in every motion.
-        """
-    )
+    """)
 
 
 def velocity_part() -> Part:
@@ -263,12 +247,10 @@ def equations_of_motion(known: Evidence) -> Record:
     for index, (line, derived, newton, left) in enumerate(lines, start=1):
         second = Confirmation("Newton's second law for each body", SameExpression(newton, derived))
         yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second)
-    yield text(
-        """
+    yield text("""
         All four lines follow from the energies, and again from the forces alone. Signs and indices of every
         term are right.
-        """
-    )
+    """)
 
 
 def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
@@ -291,13 +273,11 @@ def general_form(known: Evidence) -> Record:
     relative = coordinates[1] - coordinates[3]
     yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), **printed)
     yield expression("$C q + D u$ with the row of cutter and guard", output, relative, **printed)
-    yield text(
-        """
+    yield text("""
         With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
         Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four
         displacements.
-        """
-    )
+    """)
 
 
 @claim("eq-2.11", source=STATE_SPACE)
@@ -336,22 +316,18 @@ def state_matrix(known: Evidence) -> Record:
 def input_matrix(known: Evidence) -> Record:
     derived, printed = known.derivation.space.b, trimmer_printed.input_matrix()
     yield matrix("", printed, derived, sympy.Symbol("B"), second=by_slopes(known, INPUT, derived))
-    yield text(
-        """
+    yield text("""
         Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers elsewhere
         would not ask for a velocity input.
-        """
-    )
+    """)
 
 
 @claim("eq-2.14", source=STATE_SPACE)
 def output_matrix(_: Evidence) -> Record:
     printed = trimmer_printed.output_matrix()
     yield matrix("cutter relative to guard, $q_2 - q_4$", printed, OUTPUT, sympy.Symbol("C"))
-    yield text(
-        """
+    yield text("""
         The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 writes
         the output with the opposite sign, $x_4 - x_2$. Without feedback magnitudes and frequencies are the
         same; in the closed loop the sign matters (see that section).
-        """
-    )
+    """)

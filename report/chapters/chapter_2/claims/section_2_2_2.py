@@ -42,13 +42,11 @@ def magnitude(known: Evidence) -> Record:
         second=close(IN_MANY_DIGITS, exact, gain),
         **as_printed(r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|"),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The trimmer, simulated until its transients are gone, answers a sine with a sine whose amplitude is
         $|G(j\omega)|$ times the input's. The ratio of amplitudes is positive, so the bars on the left are not
         needed.
-        """
-    )
+    """)
 
 
 @claim("eq-2.16", source=IN_TIME)
@@ -60,12 +58,10 @@ def phase(known: Evidence) -> Record:
         second=close(IN_MANY_DIGITS, exact, angle),
         **as_printed(r"\angle G(j\omega) = \phi(j\omega) = \phi"),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The same simulation shows the phase of $G(j\omega)$ between input and output. The symbol $\phi$ stands
         for a function of $\omega$ and for its value at once; nothing depends on it.
-        """
-    )
+    """)
 
 
 def transfer_formula(known: Evidence) -> sympy.Expr:
@@ -79,13 +75,11 @@ def transfer_formula(known: Evidence) -> sympy.Expr:
 def output_in_laplace_domain(known: Evidence) -> Record:
     printed = transfer_formula(known) * known.general.input_transform
     yield expression("", printed, known.transformed.output, **as_printed("Y(s) = G(s)U(s)"))
-    yield text(
-        """
+    yield text("""
         For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two inputs
         and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. Since $V =
         sU$, they become $Y = (G_1 + s G_2) U$.
-        """
-    )
+    """)
 
 
 def transform_integral(capital: str, small: str) -> Record:
@@ -136,12 +130,10 @@ def state_space_in_laplace_domain(known: Evidence) -> Record:
     yield expression(r"transform of $\dot q$ from rest", rate, transform_of_rate)
     yield matrix("state equation", right_side, s * solved.state, **state_form)
     yield expression("output equation", output, solved.output, **output_form)
-    yield text(
-        r"""
+    yield text(r"""
         The transform of $\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at rest,
         which is what a transfer function assumes. Checked on a general system of two states.
-        """
-    )
+    """)
 
 
 def transformed_state_space(known: Evidence, claim_id: str) -> Claim:
@@ -164,13 +156,11 @@ def transfer_function(known: Evidence) -> Record:
         second=close("Cramer's rule on the equations of motion", formula, by_rule),
         **as_printed(r"G(s) = \frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D"),
     )
-    yield text(
-        """
+    yield text("""
         The matrix formula gives what solving the transformed equations one by one gives. With the two columns
         of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The text sends the
         reader to appendix D for the rest of the derivation; it is in appendix A.1.
-        """
-    )
+    """)
 
 
 @claim("fig-2.3", source=SOURCE)
@@ -178,9 +168,7 @@ def block_diagram(known: Evidence) -> Record:
     block, signal = sympy.symbols("G U")
     named = {block: transfer_formula(known), signal: known.general.input_transform}
     yield expression("", (block * signal).subs(named), known.transformed.output, **as_printed(r"Y = G\,U"))
-    yield text(
-        """
+    yield text("""
         The diagram stands for equation 2.17: one block that multiplies the input's transform by $G(s)$. It is
         redrawn from the text, which is all that was at hand.
-        """
-    )
+    """)

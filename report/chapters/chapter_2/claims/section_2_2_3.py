@@ -27,12 +27,10 @@ def eigenvalue_problem(known: Evidence) -> Record:
     dynamics = sympy.Poly([sympy.Rational(c) for c in known.numbers.denominator], eigenvalue).as_expr()
     form = as_printed(r"\det(A - \lambda I) = 0")
     yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, **form)
-    yield text(
-        r"""
+    yield text(r"""
         For the trimmer the printed determinant equals $\det(M\lambda^2 + C\lambda + K)/\det M$, the condition
         for a motion $q\,e^{\lambda t}$ without input, in exact arithmetic.
-        """
-    )
+    """)
 
 
 @claim("txt-2.2.3-corollary", source=SOURCE, impact=Impact.LOCAL)
@@ -58,28 +56,24 @@ def corollary(_: Evidence) -> Record:
         method="counterexample with its matrix exponential in closed form",
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The condition has to be strict. With eigenvalues on the imaginary axis the solution may grow, as the
         double integrator does, and $\gamma \ge 0$ would allow no decay at all.
 
         None for the trimmer: all its eigenvalues have negative real parts, so the strict form applies and it
         is stable.
-        """
-    )
+    """)
 
 
 @claim("eq-2.23", source=SOURCE)
 def argument_principle(_: Evidence) -> Record:
     printed = stability.NUMBER_OF_ZEROS - stability.NUMBER_OF_POLES
     yield expression("", printed, stability.encirclements_of_origin(), sympy.Symbol("N"))
-    yield text(
-        """
+    yield text("""
         The residues of the logarithmic derivative add up to zeros less poles. With the contour upwards along
         the imaginary axis, as in the text, $N$ counts clockwise turns. The sentence that calls encirclements
         points, poles or zeros is muddled; the equation is right.
-        """
-    )
+    """)
 
 
 @claim("eq-2.24", source=SOURCE)
@@ -88,12 +82,10 @@ def closed_loop_fraction(_: Evidence) -> Record:
     in_feedback = stability.closed_loop(feedback=nonlinear, forward=linear)
     printed = linear / (1 + linear * nonlinear)
     yield expression("$N$ in the feedback path", printed, in_feedback, sympy.Symbol("M"))
-    yield text(
-        """
+    yield text("""
         Solving the loop gives the printed fraction when $N$ sits in the feedback path. In figure 2.5 it sits
         before $G$; then the numerator is $GN$. The poles, and so the condition $1 + GN = 0$, are the same.
-        """
-    )
+    """)
 
 
 closed_loop_diagram = claim("fig-2.4", source=SOURCE)(closed_loop_fraction.items)

@@ -55,25 +55,21 @@ def closed_loop(_: Evidence) -> Record:
         blocks.det(),
         second=close(means, 1 + constant * complex(plant(point)), through_poles),
     )
-    yield text(
-        """
+    yield text("""
         With $r = 0$ the signals of the loop are the solutions of three homogeneous equations, and differ from
         zero only if their determinant $1 + NG$ is zero. The amplitude is that at the input of $N$. The
         drawing was not at hand; it is drawn again from the text.
-        """
-    )
+    """)
 
 
 @claim("eq-2.25", source=SOURCE)
 def harmonic_balance(_: Evidence) -> Record:
     loop = sympy.expand((SIGNAL - LINEAR * (-NONLINEAR * SIGNAL)) / SIGNAL)
     yield expression("", total(NONLINEAR * LINEAR, 1), loop)
-    yield text(
-        """
+    yield text("""
         Round the loop with negative feedback a sinusoid $Y$ comes back as $-NGY$. It sustains itself with a
         nonzero amplitude exactly if $1 + NG = 0$.
-        """
-    )
+    """)
 
 
 @claim("eq-2.26", source="trimmer/low_pass.py")
@@ -90,13 +86,11 @@ def filtering_hypothesis(known: Evidence) -> Record:
         second=close("exact coefficients, 40 digits", exact, third),
         printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
     )
-    yield text(
-        """
+    yield text("""
         As a condition this is the usual one. It is stricter than needed: a nonlinearity that is odd makes no
         even harmonics, and what counts is the ratio times the nonlinearity's own harmonic. Whether it is met
         depends on the frequency; see section 5.1.2.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.2-van-der-pol", source=SOURCE, impact=Impact.LOCAL)
@@ -183,16 +177,14 @@ def amplitude_only(_: Evidence) -> Record:
         method="the describing function of viscous-controlled backlash at two frequencies",
         second=Confirmation("the derived phase of separation", independent),
     )
-    yield text(
-        r"""
+    yield text(r"""
         True of friction-controlled and inertia-controlled backlash and of a relay. Viscous-controlled
         backlash, the general case, depends on $\gamma = M\omega/D$ too, as section 2.3.4 itself says, and so
         does friction as section 5.2.5 writes it.
 
         For a load with inertia and friction one curve does not serve all frequencies; equation 2.55 is to be
         used and not 2.56.
-        """
-    )
+    """)
 
 
 @claim("fig-2.6", source=SOURCE)
@@ -207,13 +199,11 @@ def describing_function_block(_: Evidence) -> Record:
         output,
         second=close("the first line in the spectrum of a backlash's output", sampled, formula, 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         The block turns the phasor of its input by $N$ and gives the first harmonic of the element's output,
         of the same frequency. The sentence after equation 2.27 speaks once of a shift in frequency; amplitude
         and phase are meant.
-        """
-    )
+    """)
 
 
 @claim("eq-2.27", source=SOURCE, impact=Impact.NOTATION)
@@ -227,14 +217,12 @@ def sinusoid(_: Evidence) -> Record:
         second=Confirmation("Euler's formula", SameExpression(sympy.im(exponential), sine)),
         slip=made_here("the imaginary part is not taken", exponential),
     )
-    yield text(
-        r"""
+    yield text(r"""
         A real sine is not a complex exponential: it is its imaginary part, $A\sin\omega t =
         \mathrm{Im}\,Ae^{j\omega t}$. What is meant is the phasor that stands for the sine.
 
         None: the ratio of phasors in equation 2.35 is right.
-        """
-    )
+    """)
 
 
 definition = claim("txt-2.3.3-df-definition", source=SOURCE, impact=Impact.NOTATION)(sinusoid.items)
@@ -249,11 +237,9 @@ def fourier_series(_: Evidence) -> Record:
     rebuilt = WAVE.cosine_coefficient(0) / 2 + sympy.Add(*harmonics)
     form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
     yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), printed_form=form, derived_form=form)
-    yield text(
-        """
+    yield text("""
         A signal of two harmonics is rebuilt from its coefficients by the printed series, with half of $a_0$.
-        """
-    )
+    """)
 
 
 @claim("eq-2.29", source=SOURCE)
@@ -291,13 +277,11 @@ def magnitude(_: Evidence) -> Record:
 @claim("eq-2.33", source=SOURCE)
 def phase(_: Evidence) -> Record:
     yield expression("for $b_1 > 0$", ANGLE, sympy.atan2(COSINE_PART, SINE_PART), r"\phi")
-    yield text(
-        """
+    yield text("""
         The angle of $b_1 + ja_1$ as long as $b_1 > 0$, as for every backlash. The arctangent of a ratio loses
         the quadrant: for $b_1 < 0$ it is off by half a turn, and Coulomb friction driven by a displacement
         has $b_1 = 0$.
-        """
-    )
+    """)
 
 
 @claim("eq-2.34", source=SOURCE, impact=Impact.NOTATION)
@@ -336,9 +320,7 @@ def describing_function(_: Evidence) -> Record:
     point = {A: 2, COSINE_PART: -0.7, SINE_PART: 1.3}
     second = close("numbers", complex(printed.subs(point)), complex(derived.subs(point)))
     yield expression("", printed, sympy.simplify(sympy.expand_complex(derived)), "N", second=second)
-    yield text(
-        """
+    yield text("""
         Output phasor over input phasor, for the convention that $a$ goes with the cosine and $b$ with the
         sine.
-        """
-    )
+    """)

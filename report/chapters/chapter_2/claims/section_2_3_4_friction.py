@@ -58,15 +58,13 @@ def motor_and_load(_: Evidence) -> Record:
         r"\dot y",
         second=Confirmation("the place where the pin turns round", turning),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The bound is right with $b$ as half of the clearance, as this part of the text uses it; where $b$ is
         the whole of it, as from inertia-controlled backlash on, it is $b/2$. That such a load stays where it
         is let go is the limit $M/D \to 0$ of the general one. Of the conditions that the text then gives for
         the other limit, $D = 0$ is meant: $M \ne 0$ alone is also the general case. The drawing was not at
         hand; it is drawn again from the text.
-        """
-    )
+    """)
 
 
 @claim("fig-2.8", source=SOURCE)
@@ -102,13 +100,11 @@ def characteristic(_: Evidence) -> Record:
     derived, found = (len({round(float(each), 2) for each in outputs}) for outputs in (by_element, by_steps))
     second = equal(TRACING, found, derived)
     yield digits("outputs for one input, on one closed path", "2", derived, second=second)
-    yield text(
-        """
+    yield text("""
         Each segment of the path follows from mechanics as the text describes it, with $b$ as half of the
         clearance. The two outputs for one input belong to one closed path; over all amplitudes every output
         between $x - b$ and $x + b$ is possible.
-        """
-    )
+    """)
 
 
 @claim("fig-2.9", source=SOURCE)
@@ -125,13 +121,11 @@ def input_characteristic_output(_: Evidence) -> Record:
         label = f"slope of the {name} side"
         yield expression(label, sympy.Integer(1), slope(segment), printed_form=form, derived_form=form)
     yield expression("gap to overcome", 2 * b, sympy.simplify(FALLING.value - RISING.value))
-    yield text(
-        """
+    yield text("""
         Tracing the input through the characteristic gives an output of four regions that begin where the text
         says; the redrawn figure joins the points that belong together. What the text then reads off for the
         two resting regions has its signs exchanged: see equation 2.36.
-        """
-    )
+    """)
 
 
 def slope(segment: Segment) -> sympy.Expr:
@@ -172,14 +166,12 @@ def first_segment(_: Evidence) -> Record:
     second = continuous(WAVEFORM, 0, VALUES)
     slip = made_here("the sign is that of the third piece", -RESTING.value)
     yield expression("", -(A - b), RESTING.value, assume=REACHED, second=second, slip=slip)
-    yield text(
-        """
+    yield text("""
         Figure 2.9's first piece follows the pin's peak, where the bridge is at its highest, $+(A - b)$. The
         text gives it a minus sign, and the third piece a plus sign.
 
         Equation 2.36 repeats it.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.4-contact-angle", source=SOURCE)
@@ -187,12 +179,10 @@ def contact_angle(_: Evidence) -> Record:
     sine = sympy.Symbol("s", real=True)
     derived = sympy.asin(first_root(A * sine + b - (A - b), sine))
     yield expression("", CONTACT, derived, r"\gamma", assume=REACHED)
-    yield text(
-        r"""
+    yield text(r"""
         The bridge, at rest at $A - b$, is met by the other side of the pin where $A\sin\omega t + b = A - b$;
         that is at $\pi - \gamma$ with the printed $\gamma$. Here $b$ is half of the total gap.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.4-friction-frequency-independent", source=SOURCE)
@@ -211,12 +201,10 @@ def frequency_independent(_: Evidence) -> Record:
         method="symbols of the derived coefficients",
         second=so(means, change < nearly_without_inertia * fast),
     )
-    yield text(
-        """
+    yield text("""
         Without inertia the bridge's position depends on the path of the pin and not on how fast it is run
         through.
-        """
-    )
+    """)
 
 
 def printed_sine_terms() -> tuple[sympy.Expr, ...]:
@@ -257,15 +245,13 @@ def integrals(
 @claim("eq-2.37", source=SOURCE, impact=Impact.LOCAL)
 def cosine_integrals(_: Evidence) -> Record:
     yield from integrals(COSINE, 2 * b * (b - A) / A, sympy.Integer(0), exchanged=True)
-    yield text(
-        """
+    yield text("""
         The first and the third integrand have the exchanged signs of equation 2.36. The values under the
         braces are those of the right integrands, so two lines do not give what is printed below them;
         appendix B.1 has the right signs.
 
         None: the coefficient in equation 2.38 uses the values.
-        """
-    )
+    """)
 
 
 @claim("eq-B.1", source=SOURCE)
@@ -280,12 +266,10 @@ def sine_integrals(_: Evidence) -> Record:
     yield from integrals(
         SINE, 2 * (A - b) * root, A / 4 * (-4 * root + 2 * sympy.asin(1 - 2 * b / A) + sympy.pi)
     )
-    yield text(
-        """
+    yield text("""
         All four integrands and values are right. The signs of the constant pieces are the right ones here,
         other than in equations 2.36 and 2.37.
-        """
-    )
+    """)
 
 
 def cosine_part(label: str) -> Part:
@@ -307,11 +291,9 @@ def sine_part(label: str) -> Part:
 @claim("eq-2.38", source=SOURCE)
 def cosine_coefficient(_: Evidence) -> Record:
     yield cosine_part("")
-    yield text(
-        """
+    yield text("""
         The coefficient of the right waveform, with $b$ half of the total gap. It is negative for $A > b$.
-        """
-    )
+    """)
 
 
 appendix_coefficient = claim("eq-B.2", source=SOURCE)(cosine_coefficient.items)
@@ -327,9 +309,7 @@ def sine_coefficient(_: Evidence) -> Record:
 def describing_function(_: Evidence) -> Record:
     yield cosine_part("$a_1$")
     yield sine_part("$b_1$")
-    yield text(
-        """
+    yield text("""
         Both coefficients are right when $b$ is half of the total gap, as here. The listings use the same
         letter for the total gap; whoever mixes the two is wrong by a factor of two in the amplitude.
-        """
-    )
+    """)

@@ -41,12 +41,10 @@ def characteristic(_: Evidence) -> Record:
     yield expression("phase of the second separation", sympy.pi, derived + sympy.pi, r"\omega t", second=back)
     apart = following.value - following_back.value
     yield expression("distance of the two sides of the characteristic", b, apart)
-    yield text(
-        r"""
+    yield text(r"""
         The load separates where the pin is fastest, at $\omega t = n\pi$, and meets the other side of the
         characteristic after its free flight, as drawn.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.4-separation-velocity", source=SOURCE, impact=Impact.NOTATION)
@@ -63,15 +61,13 @@ def separation_velocity(_: Evidence) -> Record:
     slip = made_here("the phase nπ is put in the place of the time", velocity.subs(t, sympy.pi))
     printed = A * omega * sympy.cos(omega * sympy.pi)
     yield expression(label, printed, derived, "u'", second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         The load flies at the pin's velocity at the separation, $u' = A\omega\cos(n\pi)$. The text takes that
         as $A\omega$ for every $n$; for odd $n$ the pin moves the other way. Its $\cos(\omega n\pi)$ puts a
         phase where a time belongs.
 
         None: the third piece of equation 2.42 has the factor $\cos(\omega T/2) = -1$.
-        """
-    )
+    """)
 
 
 @claim("eq-2.42", source=SOURCE, impact=Impact.LOCAL)
@@ -89,16 +85,14 @@ def waveform(_: Evidence) -> Record:
         second = continuous(WAVEFORM, index, values)
         label = rf"{line} piece, $\theta = \omega t$"
         yield expression(label, value, segment.value, "y", second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         The third piece begins where the bridge separates at $\omega t = \pi$, at $+b/2$; printed it begins at
         zero, so the output would jump by $b/2$ twice a period and no longer be odd. The limits of the pieces
         mix phases and times: $\phi$ is an angle, $t$ a time.
 
         None: Listing A.8 adds the constant $\pi A + b/2$, which contains the offset, and the describing
         function in equation 2.43 is that of the right waveform.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.4-inertia-contact-equation", source=SOURCE)
@@ -109,13 +103,11 @@ def contact_equation(_: Evidence) -> Record:
     means = "the limit of the general element for M/D to infinity"
     second = Confirmation(means, SameExpression(limit, meeting))
     yield expression("", CONTACT - sympy.sin(CONTACT) - b / A, meeting, second=second)
-    yield text(
-        r"""
+    yield text(r"""
         Flight and falling wall meet where the printed expression is zero. It is Kepler's equation for
         eccentricity one and has no solution in elementary functions, as the text says. It has exactly one
         root for $0 < b/A < \pi$, since its slope $1 - \cos\phi$ is positive.
-        """
-    )
+    """)
 
 
 @claim("eq-2.43", source=SOURCE)
@@ -133,12 +125,10 @@ def describing_function(_: Evidence) -> Record:
         "N",
         second=confirm(derived, numeric, values),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The describing function of the right waveform, with $b$ the total gap. It holds as long as the bridge
         is in contact for a part of each half period, that is for $b/A < \pi$.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.4-imaginary-signs", source=SOURCE, impact=Impact.LOCAL)
@@ -162,12 +152,10 @@ def imaginary_signs(_: Evidence) -> Record:
         method="sign of the derived coefficient over the whole domain",
         second=so("python-control's describing function of backlash at five amplitudes", negative),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Both imaginary parts are negative: a load that lags behind the pin delays the output, whatever moves
         it. The thesis's own $a_1 = (4b/\pi)(b/A - 1)$ is negative for every $A > b$.
 
         None on numbers; the listings have the right sign. Read as it stands, it would put $-1/N$ above the
         real axis.
-        """
-    )
+    """)

@@ -114,14 +114,12 @@ def separation_and_contact(_: Evidence) -> Record:
         printed_form=Words(rf"pin and load meet again at $\phi_c = {found:.6f}$"),
         derived_form=Words(f"the flight, integrated in steps, ends at {flown:.6f}"),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Pin and load move alike up to $\phi_s$ and meet again at $\phi_c$, as the text reads the figure. Equal
         velocities do not give $\phi_s$, since they hold during the whole contact: it is the phase at which
         the contact would have to pull, $\gamma y'' + y' = 0$. The printed equation for $\phi_c$ has a wrong
         sign: see equation 2.46.
-        """
-    )
+    """)
 
 
 @claim("eq-2.44", source=SOURCE)
@@ -130,13 +128,11 @@ def separation(_: Evidence) -> Record:
     force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
     second = Confirmation("the force of the wall at that phase", SameExpression(force, sympy.Integer(0)))
     yield expression("", sympy.atan(1 / GAMMA), angle, r"\phi_{s}", second=second)
-    yield text(
-        r"""
+    yield text(r"""
         While the bridge follows the pin the wall has to push with $D\dot y + M\ddot y$, which reaches zero at
         the printed phase. It is the phase of zero force; equal velocities, which the text gives as the
         reason, hold during the whole contact.
-        """
-    )
+    """)
 
 
 @claim("eq-2.45", source=SOURCE)
@@ -176,15 +172,13 @@ def contact_equation(_: Evidence) -> Record:
         printed_form=Mathematics(rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}"),
         derived_form=Mathematics(rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}"),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The sum $\sin\phi_s + \gamma\cos\phi_s$ of the flight is $\sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
         \gamma^2}$. For $\gamma > 1$ the printed root is imaginary, and no real contact angle exists.
 
         Listing A.5 has the same sign, and section 5.2.3 evaluates it for $1 < \gamma < 3/2$: every viscous
         contour drawn there rests on complex contact angles.
-        """
-    )
+    """)
 
 
 @claim("eq-2.47", source=SOURCE)
@@ -194,12 +188,10 @@ def complex_form(_: Evidence) -> Record:
     form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
     second = confirm(derived, numeric(), point())
     yield expression("", printed, derived, second=second, printed_form=form, derived_form=form)
-    yield text(
-        """
+    yield text("""
         $n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in
         equation 2.35.
-        """
-    )
+    """)
 
 
 def in_phase_part(label: str, derived: sympy.Expr) -> Part:
@@ -249,12 +241,10 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
 @claim("eq-B.3", source=SOURCE)
 def in_phase(_: Evidence) -> Record:
     yield in_phase_part("with $b/A$ from the contact equation", general_describing_function())
-    yield text(
-        """
+    yield text("""
         Put together with the right contact equation, the printed expression is the in-phase part of the
         derived describing function.
-        """
-    )
+    """)
 
 
 @claim("eq-B.4", source=SOURCE, impact=Impact.LOCAL)
@@ -272,12 +262,10 @@ def quadrature(_: Evidence) -> Record:
         printed_form=Mathematics(rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}"),
         derived_form=QUADRATURE,
     )
-    yield text(
-        r"""
+    yield text(r"""
         The bracket behind the common factor closes after the term in $\sin^2\phi_c$; it has to hold the last
         two terms as well. With the bracket around everything, as Listing A.5 has it, the expression is the
         derived one.
 
         None: Listing A.5, which computes the contours, has the bracket right.
-        """
-    )
+    """)

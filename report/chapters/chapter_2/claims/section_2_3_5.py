@@ -36,12 +36,10 @@ def law(_: Evidence) -> Record:
         printed_form=Mathematics(r"F(\dot x) = F_c \operatorname{sign}(\dot x)"),
         derived_form=Mathematics(r"F(\dot x)\,\dot x = F_c |\dot x| \ge 0"),
     )
-    yield text(
-        r"""
+    yield text(r"""
         A force of constant size against the motion takes the power $F_c|\dot x|$, so the printed law
         dissipates. It is the force that the body exerts; on the body acts its negative.
-        """
-    )
+    """)
 
 
 @claim("eq-2.49", source=SOURCE)
@@ -50,12 +48,10 @@ def pieces(_: Evidence) -> Record:
     for relation, value in ((">", 2), ("=", 0), ("<", -3)):
         label = rf"$\dot x {relation} 0$"
         yield expression(label, printed.subs(SPEED, value), FORCE * sympy.sign(value), "F")
-    yield text(
-        """
+    yield text("""
         The three cases are those of the sign function. At rest a real contact carries any force up to $F_c$,
         not zero; a describing function does not see the difference, a simulation does.
-        """
-    )
+    """)
 
 
 @claim("fig-2.12", source=SOURCE)
@@ -83,13 +79,11 @@ def friction_as_relay(_: Evidence) -> Record:
     )
     label = "the work that it takes in a period is $4F_cA$, as of a force against the motion"
     yield expression(label, 4 * FORCE * A, sympy.pi * A * FRICTION.cosine_coefficient())
-    yield text(
-        """
+    yield text("""
         The force has two levels and follows the sign of the velocity, as the caption says. Over the
         displacement the same force is not a relay's step but a rectangle with the area $4F_cA$; that is why
         it matters which of the two is called the input.
-        """
-    )
+    """)
 
 
 @claim("eq-2.50", source=SOURCE)
@@ -100,13 +94,11 @@ def cosine_coefficient(_: Evidence) -> Record:
     derived = RELAY.cosine_coefficient()
     second = confirm(derived, coefficient(RELAY, COSINE, VALUES), VALUES)
     yield expression("$a_1$, switched by its own input", sympy.Integer(0), derived, "a_{1}", second=second)
-    yield text(
-        r"""
+    yield text(r"""
         Right for a relay that its own sinusoidal input switches; for friction that input is the velocity.
         With the displacement as input the output is switched a quarter period earlier; then $b_1 = 0$ and
         $a_1 = 4F_c/\pi$, see the statement on the choice of input.
-        """
-    )
+    """)
 
 
 @claim("eq-2.51", source=SOURCE, impact=Impact.NOTATION)
@@ -127,14 +119,12 @@ def sine_coefficient(_: Evidence) -> Record:
     derived = RELAY.sine_coefficient()
     second = confirm(derived, numeric, VALUES)
     yield expression("third line, $b_1$", 4 * FORCE / sympy.pi, derived, "b_{1}", second=second)
-    yield text(
-        """
+    yield text("""
         The bracket of the second line, taken as printed, is zero; the lower limit has to be subtracted, which
         gives two. The third line is right.
 
         None: the result in the third line is right.
-        """
-    )
+    """)
 
 
 @claim("eq-2.52", source=SOURCE)
@@ -143,13 +133,11 @@ def describing_function(_: Evidence) -> Record:
     second = confirm(derived, coefficient(RELAY, SINE, VALUES) / float(VALUES[A]), VALUES)
     label = "switched by its own input of amplitude $A$"
     yield expression(label, 4 * FORCE / (A * sympy.pi), derived, "N", second=second)
-    yield text(
-        """
+    yield text("""
         The describing function of an ideal relay. For friction the input is the velocity, so $A$ is an
         amplitude of velocity here, and the unit is N s/m. Section 5.2.4 uses it with an amplitude of
         displacement.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.5-input-choice", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -164,16 +152,14 @@ def input_choice(_: Evidence) -> Record:
         second=confirm(by_displacement, numeric / float(VALUES[A]), VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", by_velocity),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Friction follows the velocity, which leads the displacement by a quarter period. For a displacement
         $A\sin\omega t$ it is $F_c\,\mathrm{sign}(\cos\omega t)$, and $N = j\,4F_c/(\pi A)$: the same size,
         turned by 90 degrees. No scaling removes a phase.
 
         Section 5.2.4 puts the real value into a loop whose signal is a displacement. That makes friction a
         switching spring, which stores energy, where it is a damper, which takes it.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.5-coulomb-locus", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -194,11 +180,9 @@ def locus(_: Evidence) -> Record:
         method=method,
         second=turned,
     )
-    yield text(
-        """
+    yield text("""
         True for a loop in the velocity. In a loop whose signal is the displacement, as the thesis's is, the
         locus is the positive imaginary axis, so the crossing to look for is another one.
 
         The conclusion of section 5.2.4 is drawn from the wrong axis; it is judged there.
-        """
-    )
+    """)

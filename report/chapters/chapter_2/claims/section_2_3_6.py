@@ -66,15 +66,13 @@ def imaginary_part(_: Evidence) -> Record:
         second=close("complex numbers", AT_POINT.imag, complex(derived.subs(POINT))),
         slip=made_here(slip, slipped),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The imaginary part of $NG$ is $\mathrm{Re}N\,\mathrm{Im}G + \mathrm{Im}N\,\mathrm{Re}G$. As printed
         the amplitude drops out: for $\mathrm{Im}N \ne 0$ it asks for $\mathrm{Re}G = -\mathrm{Im}G$, whatever
         the nonlinearity.
 
         None: Listing A.9, lines 23 to 26, has the right form.
-        """
-    )
+    """)
 
 
 @claim("txt-2.3.6-roles", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
@@ -105,16 +103,14 @@ def roles(known: Evidence) -> Record:
         method="the imaginary part at two amplitudes",
         second=close("the formula of Listing A.3", by_listing, left),
     )
-    yield text(
-        r"""
+    yield text(r"""
         For a real $N$ the imaginary equation is $\mathrm{Im}\,G = 0$ and gives the frequency, the real one
         the amplitude. Backlash has a complex $N$; then amplitude and frequency stand in both equations, which
         have to be solved together, as Listing A.9 does.
 
         Chapter 7 says again that the frequency comes from the transfer function alone; it comes from both, as
         the different frequencies of the kinds of backlash show.
-        """
-    )
+    """)
 
 
 def solved_for_plant() -> Part:
@@ -126,24 +122,20 @@ def solved_for_plant() -> Part:
 @claim("eq-2.55", source=SOURCE)
 def family_of_curves(_: Evidence) -> Record:
     yield solved_for_plant()
-    yield text(
-        """
+    yield text("""
         The condition of harmonic balance solved for $G$. For a describing function of two variables it is a
         family of curves, one for each frequency, and only the point of equal frequency on both curves counts.
-        """
-    )
+    """)
 
 
 @claim("eq-2.56", source=SOURCE)
 def one_curve(_: Evidence) -> Record:
     yield solved_for_plant()
-    yield text(
-        """
+    yield text("""
         The condition of harmonic balance solved for $G$. Without dependence on frequency one curve serves all
         frequencies. Coulomb friction is of this kind for either choice of its input. The text below it plots
         $N(A)$; $-1/N(A)$ is meant.
-        """
-    )
+    """)
 
 
 @claim("fig-2.13", source=LOOPS)
@@ -163,14 +155,12 @@ def graphical_balance(_: Evidence) -> Record:
             printed_form=Words(f"read from the curves: {read:.6f}"),
             derived_form=Words(f"solution of $1 + NG = 0$: {solved:.6f}"),
         )
-    yield text(
-        """
+    yield text("""
         The figure names no loop; taken is $1/(s(s+1)(s+2))$ with an ideal relay. Reading amplitude and
         frequency at the intersection gives what solving the two equations gives, and what the closed form
         gives. Where $-1/N$ passes a point twice, as of a relay with a dead zone, a point of intersection
         stands for two amplitudes.
-        """
-    )
+    """)
 
 
 @claim("fig-2.14", source=LOOPS)
@@ -238,14 +228,12 @@ def stability_rule(_: Evidence) -> Record:
         method="Loeb's criterion",
         second=close("a simulation that comes down to it", from_above, second.amplitude, SETTLED),
     )
-    yield text(
-        """
+    yield text("""
         The rule is right where $G$ has no pole in the right half plane, as the trimmer's: with rising
         amplitude $L_1$ goes to the encircled side and grows, $L_2$ goes to the other and shrinks back. That
         is Loeb's criterion, and a simulated loop does it. With poles of $G$ in the right half plane,
         encircled points can be the stable ones.
-        """
-    )
+    """)
 
 
 def side_of_the_crossing() -> Part:
@@ -299,13 +287,11 @@ def nyquist_premise(_: Evidence) -> Record:
         method="counterexamples, by their poles",
         second=equal(means, encirclements_of(linear, -1.0), in_right_half),
     )
-    yield text(
-        """
+    yield text("""
         The sentence has the two loops exchanged: the Nyquist criterion takes the poles of the open loop as
         known and tells the stability of the closed one. Read as it stands it says that a stable $G$ asks for
         a stable loop; then no operating point could grow, and there were no unstable limit cycle.
 
         None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable. Section 5.1.2 draws its
         conclusion from the locus in the same wrong direction.
-        """
-    )
+    """)

@@ -35,25 +35,21 @@ def loop() -> sympy.Expr:
 def harmonic_balance(_: Evidence) -> Record:
     printed = 1 + (BACKLASH + FRICTION / FILTER) * (PLANT * FILTER)
     yield expression("$N_{eq}G_{eq} + 1$", printed, loop())
-    yield text(
-        """
+    yield text("""
         The loop of figure 2.15 has both nonlinearities act on the plant's input. Collected over $G_{eq} = G_m
         G_g$ it is the printed condition.
-        """
-    )
+    """)
 
 
 @claim("eq-2.58", source=SOURCE)
 def equivalent(_: Evidence) -> Record:
     derived = sympy.simplify((loop() - 1) / (PLANT * FILTER))
     yield expression("", BACKLASH + FRICTION / FILTER, derived, "N_{eq}")
-    yield text(
-        """
+    yield text("""
         Right as block algebra. The arguments differ: $N_r$ belongs to the amplitude $A$ of the filtered
         signal, $N_f$ to the amplitude $A_v = A/|G_g|$ before the filter, while the equation writes $A$ for
         both.
-        """
-    )
+    """)
 
 
 def printed_backlash_part(label: str) -> Part:
@@ -77,14 +73,12 @@ def printed_backlash_part(label: str) -> Part:
 @claim("eq-2.59", source="derivations/backlash.py", impact=Impact.LOCAL)
 def backlash_part(_: Evidence) -> Record:
     yield printed_backlash_part("")
-    yield text(
-        r"""
+    yield text(r"""
         The real part is $b_1/A$ with $b_1$ of equation 2.40, whose factor $A/\pi$ is missing. As printed the
         real part has the unit 1/m, and tends to $\pi/A$ instead of one for large amplitudes.
 
         Equation 5.14 repeats it. Listing A.6, which draws the contours, has the factor.
-        """
-    )
+    """)
 
 
 @claim("eq-2.60", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -101,16 +95,14 @@ def friction_part(_: Evidence) -> Record:
         second=equal("its unit, N s/m", dimension_of(derived, UNITS), FORCE * TIME / LENGTH),
         slip=made_here("A is used in place of the amplitude of the velocity", printed),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Friction sees the velocity, whose amplitude is $\omega A$ when $A$ is the amplitude after the
         integrator. So its describing function is $4F_c/(\pi\omega A)$. The printed one is right only if $A$
         means the amplitude of the velocity, but then it is not the $A$ of equation 2.59.
 
         Equation 5.14 divides by $\omega$ afterwards, where $1/G_g = j\omega$ would multiply: see the
         statement on the Coulomb term in section 5.2.5.
-        """
-    )
+    """)
 
 
 @claim("txt-2.4-amplitude-relation", source=SOURCE)
@@ -119,13 +111,11 @@ def amplitude_relation(_: Evidence) -> Record:
     integrated = sympy.Abs(velocity * sympy.exp(sympy.I * THETA) * integrator)
     printed = velocity * sympy.Abs(integrator)
     yield expression("for the integrator $G_g = 1/s$", printed, integrated, sympy.Symbol("A"))
-    yield text(
-        """
+    yield text("""
         A linear filter multiplies an amplitude by the magnitude of its response. The text calls $G_g$ a
         digital low-pass filter that raises the order of the model; for the trimmer it is the integrator from
         velocity to displacement, and nothing is added to the plant.
-        """
-    )
+    """)
 
 
 @claim("txt-2.4-units", source="derivations/dimensions.py", impact=Impact.DOWNSTREAM)

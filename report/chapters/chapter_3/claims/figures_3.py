@@ -90,12 +90,10 @@ def spectrum_without_play(known: Evidence) -> Record:
         second=driven.confirm_friction(known),
     )
     yield measured("measured spectra")
-    yield text(
-        """
+    yield text("""
         The model with friction alone has these three as its largest peaks too, for each of the forces of
         section 3.3. The measured spectra cannot be checked; their peaks are those of table 3.1.
-        """
-    )
+    """)
 
 
 @claim("fig-3.4", source=OPEN_LOOP)
@@ -119,12 +117,10 @@ def spectrum_with_play(known: Evidence) -> Record:
         second=driven.confirm_play(known, GAP),
     )
     yield measured("measured spectra")
-    yield text(
-        """
+    yield text("""
         Play of 0.2 mm raises the odd harmonics in the model. It adds no even ones, which table 3.2 lists as
         measured, see section 3.3.
-        """
-    )
+    """)
 
 
 @claim("fig-3.5", source="report/chapters/chapter_3/claims/measured_peaks.py")
@@ -139,12 +135,10 @@ def enlarged_spectrum(_: Evidence) -> Record:
         method="read in table 3.2",
     )
     yield measured("measured spectra")
-    yield text(
-        """
+    yield text("""
         The range fits the table. The sixth to ninth harmonic would lie in it as well, but are not tabulated;
         what was measured of them cannot be checked.
-        """
-    )
+    """)
 
 
 @claim("fig-3.6", source=OPEN_LOOP)
@@ -159,13 +153,11 @@ def smallest_gap(known: Evidence) -> Record:
         second=driven.confirm_odd(known),
     )
     yield simulated()
-    yield text(
-        """
+    yield text("""
         Drawn with Listing A.1 the open loop shows what the text describes: the third and fifth harmonic
         beside the fundamental, and no other frequency. The heights depend on the trimmer, whose parameters
         are not given.
-        """
-    )
+    """)
 
 
 def following_the_drive(known: Evidence) -> Part:
@@ -200,8 +192,7 @@ def largest_gap(known: Evidence) -> Record:
         second=driven.confirm_play(known, LARGER_GAP),
     )
     yield simulated()
-    yield text(
-        """
+    yield text("""
         A play of 20 mm lets a pin of 1.5 mm, the eccentricity of section 5.2.1, swing freely: nothing can
         move. Either the gap is misprinted or the pin moved by more than a centimetre. At 2 mm the model has
         two additional oscillations as described, which are the third and fifth harmonic; if $b$ were half of
@@ -209,8 +200,7 @@ def largest_gap(known: Evidence) -> Record:
 
         It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a limit
         cycle: harmonics of the drive look the same.
-        """
-    )
+    """)
 
 
 @claim("fig-3.8", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)

@@ -38,13 +38,11 @@ def distance_of_bins(_: Evidence) -> Record:
     stated = float(derived.subs({rate: int(SAMPLE_RATE), samples: STATED_FRAMES}))
     second = close("NumPy's bins for 2000 samples at 20 kHz", bins(STATED_FRAMES, RATE)[1], stated)
     yield expression("", rate / samples, derived, left=r"\Delta f", second=second)
-    yield text(
-        """
+    yield text("""
         The lowest sine that repeats with the record turns once in $N$ samples, and the bins are its
         multiples. It is the distance of bins; the frequency of a single peak can be found better than that,
         two peaks less than a bin or two apart cannot be told apart.
-        """
-    )
+    """)
 
 
 @claim("txt-3.1-resolution", source=SOURCE)
@@ -128,8 +126,7 @@ def sign_of_the_output(known: Evidence) -> Record:
         method="all solutions of harmonic balance for either sign",
         second=so(gain, not low <= 1 <= high),
     )
-    yield text(
-        """
+    yield text("""
         Section 3.1 says that the output map is $x_4 - x_2$; equation 2.14 and Listing A.1 have $x_2 - x_4$. A
         measured spectrum does not see the sign. A closed loop does: backlash only lags, so with the sign
         turned $G$ would have to lead, which it does by little and with too large a gain.
@@ -137,8 +134,7 @@ def sign_of_the_output(known: Evidence) -> Record:
         A loop that is built with the output of section 3.1 has no limit cycle at all. Nothing in a trimmer
         leads from the output back to the pin, so neither sign is that of the device: the predicted limit
         cycles rest on this choice.
-        """
-    )
+    """)
 
 
 def loop_gains_where_phases_match(evidence: Evidence) -> tuple[float, float]:

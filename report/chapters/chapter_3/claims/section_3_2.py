@@ -174,16 +174,14 @@ def place_of_the_play(known: Evidence) -> Record:
         method="rank of the mass matrix against the parts that the text names",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), bodies),
     )
-    yield text(
-        """
+    yield text("""
         The text says that backlash was added between the driving bridge and the cutter. Section 1.1 calls
         these two rigidly connected, section 3.1 announces play between pin and bridge, and every model of the
         thesis has it there. It is taken for a slip of the pen.
 
         If the gap of 200 µm was where this sentence has it, no model of the thesis describes the second
         experiment: the bridge would need a mass of its own.
-        """
-    )
+    """)
 
 
 @claim("txt-3.2-predicted-488", source=driven.SOURCE)
@@ -219,13 +217,11 @@ def no_limit_cycle(known: Evidence) -> Record:
         method=driven.METHOD,
         second=second,
     )
-    yield text(
-        """
+    yield text("""
         The observation is what the model demands, with or without play, for every gap and friction: a driven
         trimmer has none. So it does not say whether friction, or play, could keep up a limit cycle in a loop.
         The proof is for play that displaces the bridge; a bridge that rattles in its play with a mass of its
         own is outside of the thesis's model.
 
         The experiment cannot test the describing function; a loop with feedback would have to be built.
-        """
-    )
+    """)

@@ -263,13 +263,11 @@ def subharmonic(_: Evidence) -> Record:
         "a subharmonic has a fraction of the drive's frequency, and this has five times it",
         method="read in the text, against the two frequencies printed there",
     )
-    yield text(
-        """
+    yield text("""
         It is a harmonic, the fifth. Chapter 7 uses the same word.
 
         None: only the word is wrong.
-        """
-    )
+    """)
 
 
 @claim("txt-3.3-peak-350", source=RELEASED, impact=Impact.DOWNSTREAM)

@@ -112,28 +112,24 @@ def intersections_part(known: Evidence, gap: str, printed: str) -> Part:
 def tiny_gaps(known: Evidence) -> Record:
     for gap, printed in (("1e-8", "0"), ("2e-8", "0"), ("3e-8", "1")):
         yield intersections_part(known, gap, printed)
-    yield text(
-        r"""
+    yield text(r"""
         All three gaps have two intersections, at the same two points of the locus: the whole curve is the
         same, only the amplitudes along it change. What the figure shows depends on where the plotted
         amplitudes begin; with the start of Listing A.9 none of the three would show any.
 
         The threshold of $2\times10^{-8}$ m in section 5.2.1 and chapter 6 is read from this figure.
-        """
-    )
+    """)
 
 
 @claim("fig-5.8", source=SOURCE, impact=Impact.DOWNSTREAM)
 def one_intersection(known: Evidence) -> Record:
     yield intersections_part(known, "4e-6", "1")
-    yield text(
-        """
+    yield text("""
         There are two, as for every gap. The second lies at 0.527 times the gap, below the amplitude at which
         the plotted locus begins, so the figure shows the first one only.
 
         It makes the second limit cycle of figure 5.10 look like an effect of the larger gap.
-        """
-    )
+    """)
 
 
 @claim("fig-5.10", source=SOURCE)
@@ -163,14 +159,12 @@ def larger_gap(known: Evidence) -> Record:
         method="Floquet multipliers of the exact orbit",
         second=close(means, known.orbits.left_by[1], stable.amplitude, 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         Both intersections are there, the outer one stable. They lie at the same two points of the locus as
         for every other gap; figure 5.8, for a tenth of this gap, shows one only because its curve begins at a
         fixed distance above $b/2$. The oscillation of part b goes on in the exact loop too. Amplitudes and
         frequencies are judged with table 5.1 and with the text on this gap.
-        """
-    )
+    """)
 
 
 @claim("fig-5.13", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -236,8 +230,7 @@ def higher_harmonics(known: Evidence) -> Record:
         harmonics
         """,
     )
-    yield text(
-        """
+    yield text("""
         What the element's harmonics do in the loop can be computed and is small: the filtering hypothesis
         holds at this limit cycle. Nor would they open a band: with more harmonics there are as many more
         equations as unknowns, so that each limit cycle moves, and stays one point. A limit cycle is isolated
@@ -245,8 +238,7 @@ def higher_harmonics(known: Evidence) -> Record:
 
         Equation 5.8 and the explanation of the 23 % in section 5.2.2 are without ground. Section 6.2 refers
         to this figure for what higher harmonics may do.
-        """
-    )
+    """)
 
 
 @claim("fig-5.16", source="report/numbers/viscous_listing.py", impact=Impact.DOWNSTREAM)
@@ -321,9 +313,7 @@ def coulomb(known: Evidence) -> Record:
     negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
     second = by_grid(system, negative)
     yield digits("intersections with the negative real axis", "0", negative, second=second)
-    yield text(
-        """
+    yield text("""
         The locus and the negative real axis do not meet, as the text reads from the figure. For friction in
         this loop the curve to draw is the positive imaginary axis, which the locus does not meet either.
-        """
-    )
+    """)

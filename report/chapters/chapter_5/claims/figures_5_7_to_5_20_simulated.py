@@ -55,16 +55,14 @@ def three_gaps(known: Evidence) -> Record:
         method="exact simulation of the three gaps with one impulse",
         second=close("the exact orbit, by shooting", exact, sizes[0], 1e-4),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The three panels can only be one curve at three scales; if one of them dies out after the same impulse
         as the others, it is that of the largest gap. A panel without oscillation, one with a little and one
         with a clear one, in this order, do not follow from the model. Three amplitudes of 1 : 2 : 3 on one
         scale may look like it.
 
         The threshold of $2\times10^{-8}$ m has no support in simulation.
-        """
-    )
+    """)
 
 
 def others_by_balance(known: Evidence) -> Confirmation:
@@ -139,15 +137,13 @@ def driven_spectrum(known: Evidence) -> Record:
         second=others_by_balance(known),
     )
     yield line_part(known, "b: the second line of the driven loop")
-    yield text(
-        """
+    yield text("""
         Part a is right. Part b is called open loop, but its second line, at the limit cycle's frequency,
         needs the output to be fed back. The gaps of the two parts differ by a factor of ten, which changes
         nothing in frequency.
 
         The two configurations are not equivalent, as the text concludes from this figure.
-        """
-    )
+    """)
 
 
 @claim("fig-5.14", source="report/numbers/timed_block.py", impact=Impact.DOWNSTREAM)
@@ -188,15 +184,13 @@ def relay(known: Evidence) -> Record:
         method="periodic input of a stable linear system",
         second=so(means, difference < REPEATS),
     )
-    yield text(
-        """
+    yield text("""
         The caption says open loop, the text feedback; neither has a limit cycle. Behind a relay in open loop
         stand odd multiples of the drive. In the loop the relay oscillates ever faster with ever smaller
         swings, so a simulation ends with what its step or tolerance leaves.
 
         See the high frequency in section 5.2.4.
-        """
-    )
+    """)
 
 
 @claim("fig-5.20", source=RELAY, impact=Impact.DOWNSTREAM)
@@ -210,12 +204,10 @@ def relay_and_viscous(known: Evidence) -> Record:
         by_harmonics(known.numbers.displacement_only, viscous.frequencies, VISCOUS),
     )
     yield friction_part(numbers, "the block on the output's velocity, as friction")
-    yield text(
-        """
+    yield text("""
         Which signal enters the block is not said. On the output it is a relay with a small gain, and there is
         no periodic motion; on its velocity it is friction, and the loop sticks or creeps to rest without
         oscillation. A lasting high frequency is again the simulation's own.
 
         The second simulation does not confirm the first.
-        """
-    )
+    """)

@@ -145,26 +145,22 @@ def nyquist(known: Evidence) -> Record:
         method="counterexample",
         second=so(means, control.nyquist_response(unstable).count == 0 and impulse_response_grows(unstable)),
     )
-    yield text(
-        """
+    yield text("""
         The count is right, the conclusion is not: with no encirclement and no unstable pole of the open loop
         (its eigenvalues show that), it is the closed loop with unit gain that is stable.
 
         None: the trimmer is stable in open loop by equation 5.2. The right conclusion matters later, since
         unit gain is the limit of a small gap: the trimmer without play is stable in the thesis's loop.
-        """
-    )
+    """)
 
 
 @claim("fig-5.3", source="trimmer/nyquist.py")
 def nyquist_locus(known: Evidence) -> Record:
     yield no_encirclement_part(known.numbers)
-    yield text(
-        """
+    yield text("""
         The redrawn locus stays clear of $-1$, as the text reads from it. It meets the real axis on the
         positive side only, so every positive gain would leave the loop stable.
-        """
-    )
+    """)
 
 
 def exact_ratio(numbers: LinearNumbers, omega: float, harmonic: int) -> float:

@@ -61,12 +61,10 @@ def printed_eigenvalues(known: Evidence) -> Record:
         second = close(EXACT_ROOTS, other, value)
         yield digits(rf"$\mathrm{{Re}}\,\lambda_{{{index}}}$", real, value.real, "1/s", second=second)
         yield digits(rf"$\mathrm{{Im}}\,\lambda_{{{index}}}$", imaginary, value.imag, "rad/s", second=second)
-    yield text(
-        """
+    yield text("""
         All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for each
         mode; they are poles, never zeros, of the transfer function, which the text leaves open.
-        """
-    )
+    """)
 
 
 def peak_part(index: str, printed: str, omega: float, second: Confirmation) -> Part:

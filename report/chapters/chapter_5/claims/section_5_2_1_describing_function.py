@@ -67,16 +67,14 @@ def proportionality(_: Evidence) -> Record:
         method="the derived describing function at two amplitudes, and its limit",
         second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
     )
-    yield text(
-        """
+    yield text("""
         $N$ is a function of $b/A$ and not a multiple of it. It tends to one, not to zero, when $b/A$ does.
         The proportion printed is that of a relay. Nor does what the text draws from it follow: $-A/b$ comes
         closer to zero as $b$ grows, where $-1/N$ at a given amplitude moves away from it.
 
         The text concludes from it that a larger gap moves the curve until it meets $G$ a second time. The
         curve as a whole does not depend on the gap at all; only the amplitudes along it do.
-        """
-    )
+    """)
 
 
 @claim("eq-5.6", source="report/chapters/chapter_5/claims/section_5_2_1_describing_function.py")
@@ -85,12 +83,10 @@ def external_input(_: Evidence) -> Record:
     printed = amplitude * sympy.sin(200 * sympy.pi * time)
     derived = sympy.im(amplitude * sympy.exp(2 * sympy.pi * 100 * sympy.I * time))
     yield expression("", printed, derived, left=sympy.Symbol("r"))
-    yield text(
-        """
+    yield text("""
         Equation 2.1 with an eccentricity of 1.5 mm and 100 turns a second. The motor of the experiment turned
         faster, see the places where its frequency is quoted.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.1-locus-directions", source=SOURCE)
@@ -123,11 +119,9 @@ def locus_directions(_: Evidence) -> Record:
         method="the describing function near the edge of the dead band",
         second=close(means, nearer_by_library, nearer, 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         Both directions are right. They are one and the same motion along one curve, whose parameter is $b/A$.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.1-second-implementation", source=SOURCE, impact=Impact.LOCAL)
@@ -159,12 +153,10 @@ def library(_: Evidence) -> Record:
         method="names in the installed python-control",
         second=close("that of saturation, called for twice its bound", saturated, by_hand),
     )
-    yield text(
-        """
+    yield text("""
         The two implementations agree, with the total gap as parameter in both. The library has had saturation
         and a relay with hysteresis from the start as well, the latter with zero hysteresis being the thesis's
         Coulomb friction.
 
         A check of the friction listing against the library would have been possible.
-        """
-    )
+    """)

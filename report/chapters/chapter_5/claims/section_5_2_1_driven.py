@@ -67,8 +67,7 @@ def peak(known: Evidence) -> Record:
         method="exact simulation",
         second=harmonic_in_open_loop(known, 1),
     )
-    yield text(
-        """
+    yield text("""
         Without feedback there is no limit cycle: a stable linear system behind play ends with the drive's
         period, whatever its start, and play adds odd harmonics only. Two lines, at 100 Hz and near 733 Hz,
         are what the same two blocks give when the output is subtracted from the drive. With both channels of
@@ -76,8 +75,7 @@ def peak(known: Evidence) -> Record:
 
         That a limit cycle may be evaluated in the open loop as well does not follow; chapter 7 and the
         reading of the experiment's peaks use it.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.1-drive-amplitude", source=SOURCE, impact=Impact.DOWNSTREAM)

@@ -240,13 +240,11 @@ def proportionality(known: Evidence) -> Record:
         method=SCALING,
         second=at_the_tiny_gap(known, cycle),
     )
-    yield text(
-        r"""
+    yield text(r"""
         $N$ depends on $b/A$ alone, so a solution $(A, \omega)$ for the gap $b$ gives the solution $(kA,
         \omega)$ for $kb$. The same holds for every kind of backlash. Contrast the statement that there is a
         smallest gap, which this excludes.
-        """
-    )
+    """)
 
 
 proportional = claim("txt-5.2.1-proportional", source=SOURCE)(proportionality)

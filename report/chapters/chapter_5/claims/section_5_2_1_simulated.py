@@ -155,12 +155,10 @@ def sampling(_: Evidence) -> Record:
     quotient = 10002300 / 1000231
     second = close("one over the time of 0.1 s", 1 / 0.1, quotient, 1e-5)
     yield digits("frequency resolution", "10", quotient, "Hz", second=second)
-    yield text(
-        """
+    yield text("""
         The quotient is right and equals one over the sampled time, so ten million samples a second add
         nothing to the resolution. Figure 5.9b does not have it: see the statement on the width of its peak.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.1-peak-width", source="report/numbers/record.py", impact=Impact.LOCAL)
@@ -220,15 +218,13 @@ def touching(known: Evidence) -> Record:
         method="exact simulation, struck hard enough",
         second=close("the exact orbit, by shooting", exact, simulated, 1e-4),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The section predicts none for $2\times10^{-8}$ m, sees a small oscillation in the simulation, and
         concludes that the two agree. They do, but only because the prediction is another one: the curves of
         this gap are those of every gap and cross twice.
 
         The agreement that is found speaks for the method and against the threshold.
-        """
-    )
+    """)
 
 
 def one_impulse_part(known: Evidence) -> Part:

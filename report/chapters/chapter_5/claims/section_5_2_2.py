@@ -39,12 +39,10 @@ BIN = 10.0
 def harmonic_balance(_: Evidence) -> Record:
     element, linear = sympy.symbols("N G")
     yield expression("", total(element * linear, 1), sympy.expand(1 - linear * (-element)))
-    yield text(
-        r"""
+    yield text(r"""
         Equation 2.25 with the ratio $\beta = b/A$ as variable, on which alone the describing function
         depends.
-        """
-    )
+    """)
 
 
 def converted(label: str, printed: str, omega: float) -> Part:
@@ -94,8 +92,7 @@ def beta_range(_: Evidence) -> Record:
     largest = float(InertiaBacklash(1.0).domain(1.0))
     second = close("the contact equation at half a turn", math.pi - math.sin(math.pi), largest)
     yield digits(r"largest $\beta = b/A$, $b$ the total gap", "2", largest, second=second)
-    yield text(
-        r"""
+    yield text(r"""
         The bound 2 is where the pin no longer reaches a bridge that stays put. A bridge with inertia keeps
         flying: it meets the other side within half a period as long as $\phi - \sin\phi = \beta$ has a root
         below $\pi$, that is for $\beta < \pi$. Footnote 8 has the two conventions for the gap exchanged: half
@@ -103,8 +100,7 @@ def beta_range(_: Evidence) -> Record:
 
         The range from 2 to $\pi$ is left out, and with it a second, unstable limit cycle at $\beta = 2.4$
         that the section does not mention.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.2-prediction", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)
@@ -144,12 +140,10 @@ def stable(known: Evidence) -> Record:
         method="Loeb's criterion, from analytic derivatives of both curves",
         second=by_floquet([known.orbits.inertia.stable], stable=True),
     )
-    yield text(
-        r"""
+    yield text(r"""
         A growing amplitude is a falling $\beta$, which moves $-1/N$ towards $-1$ and out of the locus, as the
         text says.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.2-error", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)

@@ -64,13 +64,11 @@ def band(known: Evidence) -> Record:
 def harmonic_balance(_: Evidence) -> Record:
     element, linear = sympy.symbols("N G")
     yield expression("", total(element * linear, 1), sympy.expand(1 - linear * (-element)))
-    yield text(
-        r"""
+    yield text(r"""
         For a measured frequency these are two real equations for $b/A$ and $M\omega/D$, as many as unknowns.
         The driving frequency, which the text asks for, does not appear: the frequency in $\gamma$ is that of
         the limit cycle.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.3-unstable-inner", source="trimmer/balance/stability.py")
@@ -85,13 +83,11 @@ def inner(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=by_floquet(orbits, stable=False),
     )
-    yield text(
-        """
+    yield text("""
         True by Loeb's criterion. The text lets them merge with the stable ones; they do not: a motion that
         starts near one either decays or grows to the stable one. For $M/D$ near 0.1 ms there is no inner one
         at all.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.3-band", source=SOLVER)
@@ -136,14 +132,12 @@ def identify(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=close(f"{NEWTON}, for the limit without friction", by_newton, limit.omega),
     )
-    yield text(
-        """
+    yield text("""
         The conversion is right. The example lies outside of what the model can give, for any load; in the
         printed band of equation 5.10 it looks possible.
 
         The proposed experiment keeps its sense, with a band less than a quarter as wide to resolve.
-        """
-    )
+    """)
 
 
 @claim("eq-5.9", source="derivations/backlash.py")
@@ -151,12 +145,10 @@ def separation(_: Evidence) -> Record:
     mass, damping, omega = sympy.symbols("M D omega", positive=True)
     derived = separation_angle().subs(GAMMA, mass * omega / damping)
     yield expression("", sympy.atan(damping / (mass * omega)), derived, left=sympy.Symbol("phi_s"))
-    yield text(
-        r"""
+    yield text(r"""
         Equation 2.44 with $\gamma = M\omega/D$ put in. A higher frequency gives an earlier separation, as the
         text says.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.3-limits", source="derivations/backlash.py")
@@ -165,13 +157,11 @@ def limits_of_the_load(_: Evidence) -> Record:
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
     yield expression(r"$\gamma \to 0$, contact", 1 - sympy.cos(delay), friction.ratio, ratio)
     yield expression(r"$\gamma \to \infty$, contact", delay - sympy.sin(delay), inertia.ratio, ratio)
-    yield text(
-        r"""
+    yield text(r"""
         Separation, flight and contact of the general element tend to those of friction-controlled backlash
         for $\gamma \to 0$ and of inertia-controlled for $\gamma \to \infty$; $\tau$ is the phase of flight.
         The figure shows it, the limits prove it.
-        """
-    )
+    """)
 
 
 def proven(*steps: ProvenStep) -> bool:
@@ -204,10 +194,8 @@ def contours_bounded(_: Evidence) -> Record:
         method="proof in the derivation of the describing functions",
         second=Confirmation(r"200 points of each of nine contours, $\gamma$ from 0.01 to 100", computed),
     )
-    yield text(
-        r"""
+    yield text(r"""
         It is so for every $\gamma$, with the right contact equation. The contours that the thesis drew, for
         $1 < \gamma < 3/2$, come from complex contact angles and could not show it. Besides, each point
         between the two limits belongs to one $b/A$ and one $\gamma$ only.
-        """
-    )
+    """)

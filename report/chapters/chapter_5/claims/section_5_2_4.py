@@ -44,12 +44,10 @@ PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.2
 def limit_of_response(known: Evidence) -> Record:
     above, below = fraction_of(known.numbers)
     yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
-    yield text(
-        """
+    yield text("""
         The transfer function has two poles more than zeros, so it tends to zero, and along the negative real
         axis from below. It does not spiral: its phase tends to -180 degrees.
-        """
-    )
+    """)
 
 
 @claim("eq-5.13", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
@@ -66,16 +64,14 @@ def inverse(_: Evidence) -> Record:
         second=confirm(for_friction, -float(VALUES[A]) / (sine + 1j * cosine), VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", -1 / RELAY),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The algebra is right for equation 2.52. In this loop the signal is a displacement, and for friction
         $-1/N = j\,\pi A/(4F_c)$. A larger $F_c$ does not shorten the curve: amplitudes run to infinity, and
         it is the same half axis for every force.
 
         The picture of the section, and the high-frequency limit cycle expected from it, concern a relay that
         no part of the trimmer is.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.4-no-crossing", source="trimmer/crossings.py")
@@ -220,13 +216,11 @@ def linear_in_force(known: Evidence) -> Record:
         method="exact simulation of both",
         second=so("the relay's law, which is of first degree in signal and level", of_scaled == of_signal),
     )
-    yield text(
-        """
+    yield text("""
         The describing function depends on $F_c/A$ alone, so any solution scales with the force; so does the
         exact loop, in which the switching force is the only scale. This holds for whatever is observed,
         physical or numerical, and so does not show that there is a limit cycle.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.4-force-unit", source="derivations/dimensions.py", impact=Impact.DOWNSTREAM)
@@ -244,8 +238,7 @@ def force_unit(_: Evidence) -> Record:
         method="dimension check of equation 3.2",
         second=so(means, inertia == DIMENSION_OF_FORCE),
     )
-    yield text(
-        """
+    yield text("""
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
         sections 5.2.4 and 5.2.5 write [-]. Neither is what a loop with $G$ as its linear part holds: the
         relay's output enters it as a displacement of the pin, so 0.015 is 15 mm of pin travel, ten times the
@@ -253,5 +246,4 @@ def force_unit(_: Evidence) -> Record:
 
         The advice that friction below 1.0 N may be neglected compares newtons with an amplitude that was
         found for metres at the pin.
-        """
-    )
+    """)

@@ -56,30 +56,26 @@ def coulomb_part() -> Part:
 def equivalent(_: Evidence) -> Record:
     yield printed_backlash_part("backlash term")
     yield coulomb_part()
-    yield text(
-        r"""
+    yield text(r"""
         The backlash part lacks the factor $A/\pi$, as in equation 2.59. The friction part has the wrong sign
         and divides by a frequency that drops out; and besides it is printed inside a bracket that is divided
         by $A$ once more.
 
         Figures 5.21 to 5.24 come from Listing A.6, which has the first part right and the second wrong.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-coulomb-term", source=OPERATOR, impact=Impact.DOWNSTREAM)
 def coulomb_term(_: Evidence) -> Record:
     yield coulomb_part()
-    yield text(
-        r"""
+    yield text(r"""
         With $G_g = 1/s$ the factor $1/G_g$ is $j\omega$, not $1/(j\omega)$, and friction sees the amplitude
         $\omega A$ of the velocity. Together $j\omega \cdot 4F_c/(\pi\omega A) = j\,4F_c/(\pi A)$: positive
         sign, no frequency, in N/m. Printed is $-j\,4F_c/(\omega A\pi)$, in N s/m.
 
         The sign makes friction feed the oscillation where it damps it, and the factor $1/\omega$ makes it
         weak where it is strong. No contour of section 5.2.5 stands.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-omega-limit", source=OPERATOR, impact=Impact.DOWNSTREAM)
@@ -93,26 +89,22 @@ def large_frequency(_: Evidence) -> Record:
         second=Confirmation(r"the term does not contain $\omega$", free),
         slip=made_here(r"the term is divided by $\omega$", printed),
     )
-    yield text(
-        """
+    yield text("""
         The printed term vanishes at high frequency because of its wrong factor. The right one does not depend
         on frequency: the share of friction is the same at every speed and falls with the amplitude.
 
         Figure 5.21a, and what chapter 7 says about low and high frequency, describe the factor and not
         friction.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-zero-fc", source=OPERATOR)
 def without_force(_: Evidence) -> Record:
     yield expression("Coulomb term for $F_c = 0$", sympy.Integer(0), FRICTION.subs(COULOMB, 0))
-    yield text(
-        """
+    yield text("""
         Without force the friction term is zero, right or wrong, and friction-controlled backlash is left. The
         shorter path is the range of amplitudes drawn.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-difference", source="report/chapters/chapter_5/claims/section_5_2_4.py")
@@ -120,12 +112,10 @@ def difference(_: Evidence) -> Record:
     percent = 100 * abs(737.514 - 733.33) / 733.33
     in_fractions = float(100 * (Fraction("737.514") / Fraction("733.33") - 1))
     yield digits("arithmetic", "0.5705", percent, "%", second=close("exact fractions", in_fractions, percent))
-    yield text(
-        """
+    yield text("""
         The quotient of the two printed frequencies is right. What it compares rests on the wrong friction
         term.
-        """
-    )
+    """)
 
 
 def intersections_part(numbers: EquivalentNumbers) -> Part:

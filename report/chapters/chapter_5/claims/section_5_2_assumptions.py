@@ -40,8 +40,7 @@ def assumptions(known: Evidence) -> Record:
     yield from _static_and_time_invariant()
     yield from _filtered(known)
     yield from _odd()
-    yield text(
-        """
+    yield text("""
         Each backlash by itself, and friction by itself, is one element; the two together are not, since they
         act at different places. Backlash has a memory, so $y = f(x)$ does not hold, but it is the same at all
         times, which is what the method needs; the block of Listing A.8 is not. Oddness holds, and filtering
@@ -49,8 +48,7 @@ def assumptions(known: Evidence) -> Record:
 
         Predictions for one kind of backlash rest on good ground. Those for the equivalent nonlinearity
         (section 5.2.5) do not, and the block of Listing A.8 can only be driven.
-        """
-    )
+    """)
 
 
 def _single(known: Evidence) -> Record:

@@ -55,43 +55,37 @@ def to_the_models(_: Evidence) -> Record:
         ),
         method="read in the headings of the sections and the places of their figures",
     )
-    yield text(
-        """
+    yield text("""
         Section 3.1 describes the camera and the trial; the models that are compared with it, in open and in
         closed loop, are those of section 3.3.
 
         None: the configuration is named in words.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.2-references", source=SOURCE, impact=Impact.NOTATION)
 def of_inertia(_: Evidence) -> Record:
     yield refers("figure", "fig-5.16", "fig-5.14", "the open loop of inertia-controlled backlash")
     yield refers("listing of appendix A.11", "lst-A.10", "lst-A.8", "the block that Simulink needs")
-    yield text(
-        """
+    yield text("""
         Two references miss their place. The time response and the spectrum are figure 5.14, as the next
         sentences have it; the block over time is Listing A.8 of appendix A.9, while A.11 holds the describing
         function. Section 4.2.2 names the two appendices rightly.
 
         A describing function put where the text says, in the place of a block over time, would give a gain
         for an output.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-references", source=SOURCE, impact=Impact.NOTATION)
 def of_zero_force(_: Evidence) -> Record:
     yield refers("figure", "fig-5.8", "fig-5.22", "the equivalent nonlinearity for $F_c = 0$")
-    yield text(
-        """
+    yield text("""
         The sentence introduces figure 5.22, which follows it and has the force in its caption. Figure 5.8 is
         the one of friction-controlled backlash that it is compared with.
 
         None: the two show the same intersection.
-        """
-    )
+    """)
 
 
 @claim("txt-5.2.5-quoted-prediction", source="report/numbers/limit_cycle_numbers.py", impact=Impact.LOCAL)

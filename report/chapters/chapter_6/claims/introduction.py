@@ -22,12 +22,10 @@ def every_case(known: Evidence) -> Record:
         second=by_grid(system, relay),
         slip=made_here("Coulomb friction is left out", with_play),
     )
-    yield text(
-        """
+    yield text("""
         Friction- and inertia-controlled backlash have two limit cycles each, viscous-controlled one or two,
         by its $M/D$. Coulomb friction alone, the fourth case of chapter 5, has none, as section 5.2.4 says
         itself. That two occur under strict conditions only is not so either: they do for every gap.
 
         Chapter 7 repeats it: all models showed a stable limit cycle.
-        """
-    )
+    """)

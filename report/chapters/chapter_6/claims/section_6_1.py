@@ -112,13 +112,11 @@ def hard_nonlinearities(_: Evidence) -> Record:
         method="Fourier integral of a smooth odd nonlinearity",
         second=close("quadrature", cubic_spring.sampled_gain(), at_one),
     )
-    yield text(
-        """
+    yield text("""
         All that the derivation in section 2.3.3 asks for is an output of the input's period; a corner or a
         jump does not enter. The harmonics of a smooth nonlinearity fall off faster with their number, so the
         method is no worse there.
 
         None for backlash. Smooth springs and friction that grows with speed may be treated in the same way,
         as a refined model of the trimmer would need.
-        """
-    )
+    """)

@@ -30,14 +30,12 @@ def filter_order(known: Evidence) -> Record:
     slope = -math.log10(float(gain(known.numbers, 10 * HIGH_OMEGA) / gain(known.numbers, HIGH_OMEGA)))
     second = close("the slope of the exact gain at $10^{8}$ rad/s", slope, order, 1e-6)
     yield digits("", "1", order, second=second)
-    yield text(
-        """
+    yield text("""
         The order is two, see section 5.1.2. So the transfer function is not on the edge of filtering because
         of its order; where the hypothesis fails, it fails because of the resonances.
 
         The caution that the chapter draws from order one has the wrong ground.
-        """
-    )
+    """)
 
 
 @claim("txt-6.2-higher-terms", source="trimmer/balance/leakage.py", impact=Impact.NOTATION)
@@ -113,10 +111,8 @@ def tangency(known: Evidence) -> Record:
         method="angle of $N$ and $-1/G$ at each solution of harmonic balance",
         second=close(differences, by_differences, stable.crossing_angle, 1e-5),
     )
-    yield text(
-        r"""
+    yield text(r"""
         No prediction for backlash is in doubt for this reason. Nor do the curves touch for the gap of
         $2\times10^{-8}$ m, as section 5.2.1 has it, since they are the same for every gap. What the
         predictions do depend on is the small distance of $G$ from $-1$ (section A.10).
-        """
-    )
+    """)

@@ -79,11 +79,9 @@ def gap_of_the_experiment(_: Evidence) -> Record:
         ", ".join(f"{power(gap)} m in {place}" for place, gap in GAPS_QUOTED.items()),
         method="read in the three places",
     )
-    yield text(
-        """
+    yield text("""
         Section 6.4 gives half of what section 3.2 and chapter 6 give. One may be the total gap and the other
         half of it, but neither place says so.
 
         Any amplitude predicted for the experiment is uncertain by a factor of two.
-        """
-    )
+    """)

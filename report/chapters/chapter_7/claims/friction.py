@@ -94,13 +94,11 @@ def where_it_was_shown(known: Evidence) -> Record:
         f"it is near {PEAK} Hz, and {PREDICTED} Hz was predicted for the same trimmer",
         method="read in the text: the two printed frequencies",
     )
-    yield text(
-        """
+    yield text("""
         The answer rests on the findings of the experiment in section 3.3. That section holds simulations; the
         experiment is in section 3.2, was driven by its motor and has no limit cycle with any friction, so it
         cannot show one being suppressed. The simulated peak reads as a natural mode that dies out.
 
         That friction is wanted stands, by the calculation at the statement itself and not by measurement. To
         be measured it takes a loop in which the output moves the pin.
-        """
-    )
+    """)

@@ -245,8 +245,7 @@ def subharmonics(known: Evidence) -> Record:
         method="Floquet multipliers of the exact orbit",
         second=close(elsewhere, known.orbits.left_by[1], orbit.amplitude, 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         The peaks that are meant lie at multiples of the drive: they are harmonics, not subharmonics. A
         subharmonic, at a fraction of the drive's frequency, would need a motion with several times its
         period, which a stable linear system behind play does not have. A limit cycle on top of the driven
@@ -254,5 +253,4 @@ def subharmonics(known: Evidence) -> Record:
 
         In a spectrum of the open loop no peak has to be sorted out as a limit cycle: what is no harmonic is a
         free vibration that has not died out.
-        """
-    )
+    """)

@@ -33,14 +33,12 @@ def damping(known: Evidence) -> Record:
         method="all local maxima of the gain for both dampings",
         second=close(EXACTLY, exact, highest),
     )
-    yield text(
-        """
+    yield text("""
         Damping lowers every resonance, as section 5.1.3 itself says. The answer to the first research
         question states the opposite.
 
         The answer has to read: damping lowers the resonances, and moves them by two percent at most.
-        """
-    )
+    """)
 
 
 @claim("txt-7-operating-frequency", source="trimmer/modal_analysis.py", impact=Impact.LOCAL)
@@ -55,14 +53,12 @@ def operating_frequency(known: Evidence) -> Record:
         method="eigenvalues",
         second=close("the undamped eigenvalue problem", undamped, lowest, 1e-3),
     )
-    yield text(
-        """
+    yield text("""
         It is the other way round: all resonances lie above the operating frequency, as section 5.1.3 says.
         That does not make them irrelevant, because the harmonics of the drive reach them.
 
         None on numbers; the answer to the first research question contradicts chapter 5.
-        """
-    )
+    """)
 
 
 @claim("txt-7-resonance", source="trimmer/extrema.py", impact=Impact.LOCAL)
@@ -109,8 +105,7 @@ def resonance(known: Evidence) -> Record:
         method="gain at three times each peak's frequency over the peak",
         second=close(EXACTLY, exact, shares[highest]),
     )
-    yield text(
-        """
+    yield text("""
         Taken to the letter, no two numbers are ever precisely equal; to the width of a peak, the unstable
         limit cycle lies at the highest one. That does no harm: a resonance magnifies the first harmonic, so
         the others are weaker beside it, and of all peaks this one filters best. Only at the two lowest, flat
@@ -119,8 +114,7 @@ def resonance(known: Evidence) -> Record:
 
         Harmonic balance is not endangered by the resonances near its two limit cycles. A drive of 110 Hz is:
         its fifth harmonic meets the highest peak.
-        """
-    )
+    """)
 
 
 def share_of_third(known: Evidence, omega: float) -> float:
