@@ -63,7 +63,7 @@ def locus() -> Drawing:
     with style():
         figure = new_figure(3.5)
         axes = figure.subplots()
-        plot_along(axes, (1 + 1j * omega) ** -3, Along("ω", "rad/s", omega), label="$G$", **LINES[0].keywords)
+        plot_along(axes, (1 + 1j * omega) ** -3, Along("ω", "rad/s", omega), label="$G$", **LINES[0])
         axes.set(xlabel="real part", ylabel="imaginary part", xlim=(-0.5, 1.2), ylim=(-1.0, 0.4))
     return figure
 
@@ -75,7 +75,7 @@ def spectrum() -> Drawing:
     with style():
         figure = new_figure(3.0)
         axes = figure.subplots()
-        axes.plot(frequency, magnitude, **LINES[0].keywords)
+        axes.plot(frequency, magnitude, **LINES[0])
         axes.set(
             xlabel="frequency [Hz]", ylabel="amplitude [mm]", xlim=(0, 1000), ylim=(1e-3, 10), yscale="log"
         )
