@@ -174,7 +174,7 @@ def open_loop_with_small_gap(known: Evidence) -> Figure:
         harmonics.vlines(places, 0, heights, colors=line["color"], linestyles=[line["linestyle"]])
         look = {"color": line["color"], "markersize": 5, "label": f"{run.force:.2f} N"}
         harmonics.plot(places, heights, marker, **look)
-    for order in orders:
+    for order in orders.tolist():
         _name_harmonic(harmonics, order, 1e6 * max(float(run.harmonics[order]) for run in runs))
     over_time.set(title="(a) from rest", ylim=(-1.8, 2.5))
     over_time.legend(loc="upper right", **IN_A_ROW)

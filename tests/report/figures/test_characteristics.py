@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from report.chapters.chapter_2.figures import characteristics
-from report.chapters.chapter_2.figures.characteristics import AMPLITUDES
+from report.chapters.chapter_2.figures import waveforms
+from report.chapters.chapter_2.figures.waveforms import AMPLITUDES
 
 
 def area(x, y):
@@ -14,7 +14,7 @@ def area(x, y):
 
 @pytest.fixture(scope="module")
 def backlash():
-    (axes,) = characteristics.backlash_characteristic().axes
+    (axes,) = waveforms.backlash_characteristic.draw(None).axes
     return axes
 
 
@@ -42,7 +42,7 @@ def test_named_points_are_corners_of_the_larger_loop(backlash):
 
 
 def test_friction_has_the_sign_of_the_velocity_and_takes_work():
-    by_velocity, by_displacement, by_time = characteristics.coulomb_friction().axes
+    by_velocity, by_displacement, by_time = waveforms.coulomb_friction.draw(None).axes
     lines = {each.get_label(): np.asarray(each.get_ydata()) for each in by_time.lines}
     velocity, force = lines[r"velocity$/(\omega A)$"], lines["force$/F_c$"]
     decided = np.abs(velocity) > 1e-9

@@ -24,17 +24,17 @@ def let_go(axes):
 
 @pytest.fixture(scope="module")
 def friction():
-    return waveforms.friction_controlled().axes
+    return waveforms.friction_controlled.draw(None).axes
 
 
 @pytest.fixture(scope="module")
 def inertia():
-    return waveforms.inertia_controlled().axes
+    return waveforms.inertia_controlled.draw(None).axes
 
 
 @pytest.fixture(scope="module")
 def viscous():
-    axes = waveforms.viscous_controlled().axes
+    axes = waveforms.viscous_controlled.draw(None).axes
     return list(zip(axes[: len(GAMMAS)], axes[len(GAMMAS) :], strict=True))
 
 

@@ -26,14 +26,14 @@ def figures() -> tuple[Figure, ...]:
             "Linear system",
             r"The block $G(s)$ maps $u(t)$ to $y(t)$.",
             "A block G of s; u of t enters from the left and y of t leaves to the right.",
-            linear_system(),
+            linear_system.draw(None),
         ),
         finished(
             "eq-2.37",
             "Feedback system",
             r"The loop has $M = \frac{G}{1 + G N}$ from $U$ to $Y$.",
             "A summing junction takes u and subtracts what N of s feeds back from the output of G of s.",
-            feedback_system(),
+            feedback_system.draw(None),
         ),
         finished(
             "fig-5.1",

@@ -167,7 +167,7 @@ def _joined(start: Axes, place: tuple[float, float], end: Axes, other: tuple[flo
 def inertia_controlled(_: Evidence) -> Figure:
     element = InertiaBacklash(GAP)
     pin, load = np.sin(PHASES), element.waveform(PHASES, 1.0)
-    _, meeting = flight(element)
+    meeting = flight(element)[1]
     phases = (0.0, meeting, np.pi, np.pi + meeting, 2 * np.pi)
     figure = new_figure(4.4)
     grid = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))

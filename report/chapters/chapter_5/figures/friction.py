@@ -188,8 +188,8 @@ def one_force(known: Evidence) -> Figure:
     for run, line in zip(numbers.runs, LINES, strict=False):
         sizes = line_amplitudes(run.output) / run.displacement
         frequencies = RECORD.bin_width * np.arange(sizes.size)
-        near = (frequencies > NEAR_MODES[0]) & (frequencies < NEAR_MODES[1])
-        spectrum.plot(frequencies[near], 1e3 * sizes[near], label=f"{run.displacement:g} m", **line)
+        shown = (frequencies > NEAR_MODES[0]) & (frequencies < NEAR_MODES[1])
+        spectrum.plot(frequencies[shown], 1e3 * sizes[shown], label=f"{run.displacement:g} m", **line)
     for frequency, printed in zip(numbers.modes, RELEASED_PEAKS, strict=False):
         spectrum.axvline(frequency, **DOTTED)
         text, look = f"{frequency:.2f} Hz\n(printed {printed})", {"va": "top", "fontsize": 8}

@@ -229,7 +229,7 @@ def _open_loop(known: Evidence) -> AmplitudeRun:
     return next(run for run in known.motion.drive_amplitudes if run.amplitude == DRIVE_AMPLITUDE)
 
 
-def _stems(axes: Axes, frequencies: Reals, sizes: Reals) -> None:
+def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
     shown = (sizes > FLOOR) & (frequencies > 0) & (frequencies < HIGHEST)
     axes.vlines(frequencies[shown], FLOOR, sizes[shown], color=LINES[0]["color"])
     axes.plot(frequencies[shown], sizes[shown], "o", color=LINES[0]["color"], markersize=4)
