@@ -6,16 +6,12 @@ import pytest
 from report.chapters.chapter_5.figures import loop_motion
 from report.numbers.impulse_response import GAPS
 from report.numbers.relay_loop import IMPULSES
+from tests.report.figures.lines import line
 
 
 @pytest.fixture(scope="module")
 def closed(evidence):
     return evidence.motion.closed
-
-
-def line(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata(), float), np.asarray(found.get_ydata(), float)
 
 
 def test_only_the_largest_gap_dies_out_after_the_weaker_impulse(drawn_axes):

@@ -8,16 +8,12 @@ import numpy as np
 import pytest
 
 from report.thesis import DRIVE_AMPLITUDE
+from tests.report.figures.lines import line
 
 
 @pytest.fixture(scope="module")
 def numbers(evidence):
     return evidence.numbers
-
-
-def line(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata(), float), np.asarray(found.get_ydata(), float)
 
 
 def test_time_response_shows_the_deviation_that_the_claim_names(numbers, drawn_axes):

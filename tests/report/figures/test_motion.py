@@ -6,11 +6,7 @@ import pytest
 from report.chapters.chapter_3 import figures
 from report.numbers.driven_motion import LARGEST_GAP
 from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
-
-
-def line(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata(), float), np.asarray(found.get_ydata(), float)
+from tests.report.figures.lines import line
 
 
 def test_spectra_have_odd_harmonics_only(drawn_axes):

@@ -5,11 +5,7 @@ import pytest
 
 from report.chapters.chapter_2.figures import textbook_loops
 from report.numbers.textbook_loops import backlash_loop, relay_loop
-
-
-def curve(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata()) + 1j * np.asarray(found.get_ydata())
+from tests.report.figures.lines import curve
 
 
 def distance(points, point):

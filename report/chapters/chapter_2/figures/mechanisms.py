@@ -12,7 +12,7 @@ import numpy as np
 
 from report.drawing import mechanical_symbols as draw
 from report.drawing.marks import beside, few_ticks, span
-from report.drawing.style import BLACK, LINES, panels, style
+from report.drawing.style import BLACK, DOTTED, LINES, panels, style
 from report.evidence import Evidence
 from report.record import figure
 
@@ -80,7 +80,7 @@ def eccentric_pin(_: Evidence) -> Figure:
     for edge in (x - radius, x + radius):
         shaft.plot([edge, edge], [-1.7, 1.7], color=LINES[1]["color"], linestyle="solid", linewidth=2.0)
     shaft.plot([0, x], [0, y], **draw.LINE)
-    shaft.plot([0, 0], [-0.1, 1.6], color=BLACK, linestyle=":", linewidth=0.9)
+    shaft.plot([0, 0], [-0.1, 1.6], **DOTTED)
     shaft.plot([0], [0], "+", color=BLACK, markersize=8)
     shaft.text(0.18, 0.5, "$A$", ha="center", va="center")
     arc = np.linspace(0, PIN_ANGLE, 20)

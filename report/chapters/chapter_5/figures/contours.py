@@ -14,11 +14,11 @@ from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, Look, panels, style
 from report.evidence import Evidence
 from report.numbers.backlash_listings import friction_listing
+from report.numbers.heavy_loads import cycles_of_constant_gamma
 from report.numbers.limit_cycle_numbers import Pair
 from report.numbers.viscous_listing import listing_contour
 from report.record import figure
 from trimmer import frequency_response
-from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -181,16 +181,15 @@ def higher_harmonics(known: Evidence) -> Figure:
 @style()
 def viscous_contours(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
-    elements = {gamma: ViscousBacklash(1.0, gamma).at(1.0) for gamma in GAMMAS}
     figure, grid = panels(6.4, 2, 2)
     _limits(grid[0], system, "right contact angle")
     _limits(grid[1], system, "Listing A.5, complex contact angle")
-    for (gamma, element), line in zip(elements.items(), LINES[2:], strict=False):
+    for gamma, line in zip(GAMMAS, LINES[2:], strict=False):
         for right, listing in grid.T:
-            plane.element_curve(right, element, f"$\\gamma$ = {gamma}", line)
+            plane.element_curve(right, ViscousBacklash(1.0, gamma).at(1.0), f"$\\gamma$ = {gamma}", line)
             plane.curve(listing, listing_contour(gamma), f"$\\gamma$ = {gamma}", line)
-    for element in elements.values():
-        for axes, cycle in zip(grid[0], limit_cycles(system, element), strict=True):
+    for gamma in GAMMAS:
+        for axes, cycle in zip(grid[0], cycles_of_constant_gamma(system, gamma), strict=True):
             plane.mark(axes, system, (cycle,), ("",), ((1, 1),))
     grid[1, 1].legend(*grid[0, 0].get_legend_handles_labels(), loc="lower center")
     return figure

@@ -12,10 +12,9 @@ from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, panels, style
 from report.evidence import Evidence
 from report.numbers.light_damping import lightly_damped, sum_of_displacements
+from report.numbers.start_from_rest import pin_and_output
 from report.record import figure
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
-from trimmer import bandwidth_crossings, frequency_response, gain_crossings, resonance_peaks, time_response
-from trimmer.linear import InputChannels, pin_model
+from trimmer import bandwidth_crossings, frequency_response, gain_crossings, resonance_peaks
 
 if TYPE_CHECKING:
     import control
@@ -24,8 +23,6 @@ if TYPE_CHECKING:
 
     Reals = NDArray[np.float64]
 
-SHOWN_TIME = 0.06
-SAMPLES = 6001
 OMEGA = np.geomspace(1e2, 1e5, 3000)
 """Frequencies of the Bode plots, rad/s; peaks are added to them."""
 
@@ -40,17 +37,15 @@ OMEGA = np.geomspace(1e2, 1e5, 3000)
 )
 @style()
 def linear_time_response(known: Evidence) -> Figure:
-    times = np.linspace(0, SHOWN_TIME, SAMPLES)
-    pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)
-    system = pin_model(known.numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
-    output = time_response(system, pin, times).output
+    times = np.linspace(0, 0.06, 6001)
+    pin, output = pin_and_output(known.numbers.parameters, times)
     figure, (upper, lower) = panels(3.6, 2, sharex=True, height_ratios=(2, 1))
     upper.plot(1e3 * times, 1e3 * pin, label="pin, $u$", **LINES[1])
     upper.plot(1e3 * times, 1e3 * output, label="output from rest, $q_2 - q_4$", **LINES[0])
     upper.set(ylabel="displacement [mm]", ylim=(-1.8, 2.6))
     upper.legend(loc="upper right", ncols=2)
     lower.plot(1e3 * times, 1e3 * (output - pin), **LINES[2])
-    lower.set(xlabel="time [ms]", ylabel="output − pin [mm]", xlim=(0, 1e3 * SHOWN_TIME))
+    lower.set(xlabel="time [ms]", ylabel="output − pin [mm]", xlim=(0, 60))
     return figure
 
 

@@ -18,7 +18,6 @@ from report.numbers.spectral_lines import largest_other_line
 from report.numbers.timed_block import RECORD as SHORT
 from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
-from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
@@ -132,14 +131,12 @@ def small_gap(known: Evidence) -> Figure:
 )
 @style()
 def larger_gap(known: Evidence) -> Figure:
-    system, element = known.numbers.displacement_only, FrictionBacklash(LARGE_GAP)
+    system, pair = known.numbers.displacement_only, known.cycles.friction
     figure, ((whole, near), (start, settled)) = panels(6.4, 2, 2, height_ratios=(5, 4))
-    for axes, cycle, offset in zip(
-        (whole, near), limit_cycles(system, element), ((24, 8), (-7, 10)), strict=True
-    ):
+    for axes, cycle, offset in ((whole, pair.unstable, (24, 8)), (near, pair.stable, (-7, 10))):
         plane.locus(axes, system)
-        plane.element_curve(axes, element, "$-1/N$, $b$ = 40 µm", LINES[1])
-        size = f"{1e6 * cycle.amplitude:.1f} µm, {cycle.frequency:.1f} Hz"
+        plane.element_curve(axes, FrictionBacklash(LARGE_GAP), "$-1/N$, $b$ = 40 µm", LINES[1])
+        size = f"{1e6 * LARGE_GAP * cycle.amplitude:.1f} µm, {cycle.frequency:.1f} Hz"
         text = f"{size}\n{'stable' if cycle.stable else 'unstable'}"
         plane.mark(axes, system, (cycle,), (text,), (offset,))
     plane.frame(whole, "a: both intersections", (-9, 3), (-20, 6))
