@@ -19,7 +19,6 @@ from report.building.source_closure import SourceTree
 from report.building.stage_store import StageStore
 from report.building.tasks import Task, done
 from report.chapters.all_claims import SECTIONS, claims_of, require_known_once
-from report.chapters.all_figures import DRAWINGS
 from report.claim import Entry, Finding, judge
 from report.corrected_results import corrected_results
 from report.document import Document
@@ -28,6 +27,7 @@ from report.folders import templates
 from report.highlights import highlights
 from report.inventory import read_inventory
 from report.octave.listings import corrected_programs
+from report.record import FigureRecord, modules, records
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
@@ -45,12 +45,13 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     inventory = read_inventory()
     tree = SourceTree.kept(store)
     evidence = _evidence(progress, store, tree)
-    results = done(_tasks(evidence, inventory, tree), store, progress)
+    figures = _figures(inventory)
+    results = done(_tasks(evidence, inventory, figures, tree), store, progress)
     judged = [results[_name(section)] for section in SECTIONS]
     parts = Parts(
         findings=_in_order([findings for findings, _ in judged], inventory),
         alterations=sum((alterations for _, alterations in judged), Alterations()),
-        figures=tuple(results[f"figure-{drawing.id}"] for drawing in DRAWINGS),
+        figures=tuple(results[f"figure-{figure.id}"] for figure in figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
         programs=results["programs"],
@@ -72,7 +73,17 @@ def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Eviden
     return evidence
 
 
-def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree) -> list[Task]:
+def _figures(inventory: Mapping[str, Entry]) -> list[FigureRecord]:
+    """Return the figures of all chapters in the order of the inventory."""
+    found = [figure for module in modules() for figure in records(module, FigureRecord)]
+    require_known_once((figure.id for figure in found), inventory)
+    order = list(inventory)
+    return sorted(found, key=lambda figure: order.index(figure.id))
+
+
+def _tasks(
+    evidence: Evidence, inventory: Mapping[str, Entry], figures: list[FigureRecord], tree: SourceTree
+) -> list[Task]:
     """List what is made from the evidence; long tasks first, so that the processes end together.
 
     Proofs, then the figures of motion and the last sections take longest.
@@ -106,12 +117,12 @@ def _tasks(evidence: Evidence, inventory: Mapping[str, Entry], tree: SourceTree)
         ),
         *(
             Task(
-                f"figure-{drawing.id}",
+                f"figure-{figure.id}",
                 "draw",
-                key([*drawing.modules, "report.drawing.drawing", "report.evidence"], drawing.words),
-                partial(drawing.finished, evidence),
+                key([figure.draw.__module__, "report.evidence", "report.record"]),
+                partial(figure.finished, evidence),
             )
-            for drawing in reversed(DRAWINGS)
+            for figure in reversed(figures)
         ),
         *(
             Task(

@@ -1,7 +1,4 @@
-"""Symbols for drawings of mechanisms: bodies, springs, dampers, fixed surroundings, lengths.
-
-The drawing plane is in inches; see ``report.chapters.chapter_2.figures.block_diagrams``.
-"""
+"""Symbols for drawings of mechanisms, on a canvas in inches: bodies, springs, dampers, surroundings."""
 
 from __future__ import annotations
 
@@ -9,14 +6,31 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.style import BLACK
+from report.drawing.marks import arrow
+from report.drawing.style import BLACK, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 LINE: Final[dict[str, Any]] = {"color": BLACK, "linestyle": "solid", "linewidth": 1.1}
+MOTOR: Final = "#d6e6f2"
+BRIDGE: Final = "#f7dfc8"
+HOUSING: Final = "#d9ead9"
+GUARD: Final = "#eadbe7"
+PIN: Final = "#bbbbbb"
 _COILS: Final = 6
 _HALF_WIDTH: Final = 0.09
+
+
+def canvas(width: float, height: float) -> tuple[Figure, Axes]:
+    """Return a figure whose one unit of data is one inch."""
+    figure = new_figure(height, width)
+    figure.set_layout_engine("none")
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_axis_off()
+    axes.set(xlim=(0.0, width), ylim=(0.0, height))
+    return figure, axes
 
 
 def body(axes: Axes, corner: tuple[float, float], size: tuple[float, float], text: str, fill: str) -> None:
@@ -39,16 +53,13 @@ def spring(axes: Axes, left: float, right: float, y: float, text: str) -> None:
 
 def damper(axes: Axes, left: float, right: float, y: float, text: str) -> None:
     """Draw a horizontal damper as a piston in a cup, with its name below and as the rods' label."""
-    middle, half = (left + right) / 2, 0.14 * (right - left)
-    axes.plot([left, middle - half], [y, y], label=text, **LINE)
-    axes.plot(
-        [middle + half, middle - half, middle - half, middle + half],
-        [y + _HALF_WIDTH, y + _HALF_WIDTH, y - _HALF_WIDTH, y - _HALF_WIDTH],
-        **LINE,
-    )
+    middle, half, top, bottom = (left + right) / 2, 0.14 * (right - left), y + _HALF_WIDTH, y - _HALF_WIDTH
+    start, end = middle - half, middle + half
+    axes.plot([left, start], [y, y], label=text, **LINE)
+    axes.plot([end, start, start, end], [top, top, bottom, bottom], **LINE)
     axes.plot([middle, middle], [y - 0.7 * _HALF_WIDTH, y + 0.7 * _HALF_WIDTH], **LINE)
     axes.plot([middle, right], [y, y], label=text, **LINE)
-    axes.text(middle, y - _HALF_WIDTH - 0.04, text, ha="center", va="top")
+    axes.text(middle, bottom - 0.04, text, ha="center", va="top")
 
 
 def wall(axes: Axes, x: float, bottom: float, top: float, behind: float) -> None:
@@ -58,18 +69,10 @@ def wall(axes: Axes, x: float, bottom: float, top: float, behind: float) -> None
         axes.plot([x, x + behind * 0.1], [y + 0.1, y], **(LINE | {"linewidth": 0.7}))
 
 
-def span(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
-    """Draw a length between two points, with its name above the middle."""
-    axes.annotate("", end, start, arrowprops={"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0})
-    axes.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2 + 0.05, text, ha="center", va="bottom")
-
-
 def displacement(axes: Axes, x: float, y: float, text: str) -> None:
     """Draw the arrow of a positive displacement from a short mark, with its name behind the head."""
     axes.plot([x, x], [y - 0.08, y + 0.08], **LINE)
-    axes.annotate(
-        "", (x + 0.4, y), (x, y), arrowprops={"arrowstyle": "-|>", "color": BLACK, "shrinkA": 0, "shrinkB": 0}
-    )
+    arrow(axes, (x, y), (x + 0.4, y), shrinkA=0, shrinkB=0, mutation_scale=10)
     axes.text(x + 0.44, y, text, ha="left", va="center")
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from report.drawing.marks import beside
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, LineStyle
+from report.drawing.style import BLACK, LINES, Look
 from trimmer import frequency_response
 
 if TYPE_CHECKING:
@@ -23,13 +24,23 @@ if TYPE_CHECKING:
 OMEGA: Final = 2 * math.pi * np.concatenate([np.linspace(60, 1200, 2500), np.geomspace(1200, 6000, 200)])
 SHARES: Final = np.concatenate([np.geomspace(1e-7, 0.5, 160), 1 - np.geomspace(0.5, 1e-5, 280)[1:]])
 """Shares of the largest gap/amplitude, close together at both ends of the domain."""
+READABLE: Final[dict[str, Any]] = {
+    "fontsize": 8,
+    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.8},
+}
+"""Keyword arguments of a text that stands on curves."""
 
 
-def locus(axes: Axes, system: control.lti.LTI, label: str = "$G$", line: LineStyle = LINES[0]) -> None:
+def critical_point(axes: Axes) -> None:
+    """Mark -1."""
+    axes.plot([-1], [0], "+", color=BLACK, markersize=9, markeredgewidth=1.6)
+
+
+def locus(axes: Axes, system: control.lti.LTI) -> None:
     """Draw G for rising frequency."""
     response = frequency_response(system, OMEGA)
-    plot_along(axes, response, Along("ω", "rad/s", OMEGA), label=label, **line.keywords)
-    axes.plot([-1], [0], "+", color=BLACK, markersize=9, markeredgewidth=1.6)
+    plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="$G$", **LINES[0])
+    critical_point(axes)
 
 
 def inverse(element: Element) -> NDArray[np.complex128]:
@@ -38,15 +49,15 @@ def inverse(element: Element) -> NDArray[np.complex128]:
     return np.asarray(-1 / element.describing_function(element.amplitude_scale / ratios))
 
 
-def element_curve(axes: Axes, element: Element, label: str, line: LineStyle) -> None:
+def element_curve(axes: Axes, element: Element, label: str, line: Look) -> None:
     """Draw -1/N of an element with a gap, over its domain; the page reads amplitudes in gaps off it."""
     ratios = SHARES * float(element.domain(1.0))
-    plot_along(axes, inverse(element), Along("A", "gaps", 1 / ratios), label=label, **line.keywords)
+    plot_along(axes, inverse(element), Along("A", "gaps", 1 / ratios), label=label, **line)
 
 
-def curve(axes: Axes, points: NDArray[np.complex128], label: str, line: LineStyle) -> None:
+def curve(axes: Axes, points: NDArray[np.complex128], label: str, line: Look) -> None:
     """Draw a curve in the plane of G."""
-    axes.plot(points.real, points.imag, label=label, **line.keywords)
+    axes.plot(points.real, points.imag, label=label, **line)
 
 
 def frame(
@@ -67,22 +78,6 @@ def mark(
 ) -> None:
     """Mark limit cycles on G, full where stable and open where not, each with its text beside it."""
     for cycle, text, offset in zip(cycles, texts, offsets, strict=True):
-        point = complex(frequency_response(system, cycle.omega))
-        axes.plot(
-            [point.real],
-            [point.imag],
-            "o",
-            color=BLACK,
-            markersize=5.5,
-            markerfacecolor=BLACK if cycle.stable else "white",
-        )
-        axes.annotate(
-            text,
-            (point.real, point.imag),
-            offset,
-            textcoords="offset points",
-            fontsize=8,
-            ha="left" if offset[0] > 0 else "right",
-            annotation_clip=True,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.8},
-        )
+        point, fill = complex(frequency_response(system, cycle.omega)), BLACK if cycle.stable else "white"
+        axes.plot([point.real], [point.imag], "o", color=BLACK, markersize=5.5, markerfacecolor=fill)
+        beside(axes, text, point, offset, ha="left" if offset[0] > 0 else "right", **READABLE)

@@ -4,45 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+Look = dict[str, Any]
+"""Keyword arguments for ``Axes.plot``."""
 BLACK: Final = "#000000"
-ORANGE: Final = "#e69f00"
-SKY_BLUE: Final = "#56b4e9"
-GREEN: Final = "#009e73"
-YELLOW: Final = "#f0e442"
-BLUE: Final = "#0072b2"
-VERMILION: Final = "#d55e00"
-PURPLE: Final = "#cc79a7"
-
-
-@dataclass(frozen=True)
-class LineStyle:
-    """Colour and dashes of a line, so that no line is told apart by its colour alone."""
-
-    colour: str
-    dashes: str | tuple[int, tuple[float, ...]]
-
-    @property
-    def keywords(self) -> dict[str, Any]:
-        """Keyword arguments for ``Axes.plot``."""
-        return {"color": self.colour, "linestyle": self.dashes}
-
-
-LINES: Final = (
-    LineStyle(BLUE, "solid"),
-    LineStyle(VERMILION, (0, (6, 2))),
-    LineStyle(GREEN, (0, (6, 2, 1.5, 2))),
-    LineStyle(PURPLE, (0, (1.5, 1.5))),
-    LineStyle(ORANGE, (0, (9, 2, 1.5, 2, 1.5, 2))),
-    LineStyle(BLACK, (0, (3, 1.5))),
+LINES: Final[tuple[Look, ...]] = (
+    {"color": "#0072b2", "linestyle": "solid"},  # blue
+    {"color": "#d55e00", "linestyle": (0, (6, 2))},  # vermilion
+    {"color": "#009e73", "linestyle": (0, (6, 2, 1.5, 2))},  # green
+    {"color": "#cc79a7", "linestyle": (0, (1.5, 1.5))},  # purple
+    {"color": "#e69f00", "linestyle": (0, (9, 2, 1.5, 2, 1.5, 2))},  # orange
+    {"color": BLACK, "linestyle": (0, (3, 1.5))},
 )
-"""Line styles in the order they are to be used (colours of Okabe and Ito, 2008)."""
-
+"""Lines in the order they are to be used, none told apart by its colour alone (Okabe and Ito, 2008)."""
+DOTTED: Final[Look] = {"color": BLACK, "linestyle": ":", "linewidth": 0.9}
+FAINT: Final[Look] = {"color": "#555555", "linestyle": ":", "linewidth": 1.0}
+"""Lines that only mark a place."""
 WIDTH: Final = 6.5
 """Width of a figure that fills the page, in inches."""
 
@@ -53,7 +34,7 @@ def style() -> Iterator[None]:
     import matplotlib
     from cycler import cycler
 
-    cycle = cycler(color=[line.colour for line in LINES]) + cycler(linestyle=[line.dashes for line in LINES])
+    cycle = cycler(**{key: [line[key] for line in LINES] for key in ("color", "linestyle")})
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(
@@ -89,3 +70,11 @@ def new_figure(height: float, width: float = WIDTH) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def panels(
+    height: float, rows: int = 1, columns: int = 1, width: float = WIDTH, **keywords: Any
+) -> tuple[Figure, Any]:
+    """Return a new figure and its axes; for the keywords see ``Figure.subplots``."""
+    figure = new_figure(height, width)
+    return figure, figure.subplots(rows, columns, **keywords)

@@ -41,8 +41,13 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
         _write_ticks_plainly(figure)
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
         axes = read_out(figure)
-    svg = _prefixed(_element(buffer.getvalue()), identifier)
-    return _described(_with_axes(svg, axes), identifier, title, alternative_text)
+    document = buffer.getvalue()
+    # The file's style would reach out of the figure; the page reads values off the axes given as data.
+    svg = _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
+    svg = _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
+    if axes:
+        svg = svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1)
+    return _described(svg, identifier, title, alternative_text)
 
 
 class _PlainTicks(ScalarFormatter):
@@ -58,21 +63,6 @@ def _write_ticks_plainly(figure: Figure) -> None:
         for axis in (axes.xaxis, axes.yaxis):
             if type(axis.get_major_formatter()) is ScalarFormatter:
                 axis.set_major_formatter(_PlainTicks())
-
-
-def _with_axes(svg: str, axes: str) -> str:
-    """Give the element its axes as data, for the page's read-out."""
-    return svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1) if axes else svg
-
-
-def _element(document: str) -> str:
-    """Cut the svg element out of an SVG file, without its metadata and its style, which would reach out."""
-    return _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
-
-
-def _prefixed(svg: str, identifier: str) -> str:
-    """Prefix every id, and each reference to one by ``href`` or ``url()``."""
-    return _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
 
 
 def _described(svg: str, identifier: str, title: str, alternative_text: str) -> str:

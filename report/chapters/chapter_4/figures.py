@@ -1,4 +1,4 @@
-"""The blocks of backlash under a sine (thesis, figures 4.1 to 4.3), drawn again."""
+"""The blocks of backlash under a sine (figures 4.1 to 4.3)."""
 
 from __future__ import annotations
 
@@ -6,16 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.chapters.chapter_4.claims import (
-    GAPS,
-    built_in_block,
-    exact_inertia,
-    listing_a8,
-    own_block,
-    phases,
-)
-from report.drawing.style import LINES, new_figure, style
-from report.numbers.independent.listed_blocks import DRIVE_GAP
+from report.drawing.style import BLACK, LINES, panels, style
+from report.evidence import Evidence
+from report.numbers import blocks_under_a_sine as blocks
+from report.numbers.backlash_listings import DRIVE_GAP
+from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
 
 if TYPE_CHECKING:
@@ -23,56 +18,71 @@ if TYPE_CHECKING:
 
 EVERY = 67
 """Samples between the markers of the second block."""
+TIMES = 1e3 * blocks.phases() / DRIVE_OMEGA
+"""ms."""
+INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
+"""mm."""
 
 
-def two_friction_blocks() -> Figure:
-    """Draw the outputs of the built-in and the own block, and their difference (thesis, figure 4.1)."""
-    times, built_in, own = 1e3 * phases() / DRIVE_OMEGA, built_in_block(), own_block()
-    with style():
-        figure = new_figure(3.8)
-        outputs, difference = figure.subplots(2, 1, sharex=True, height_ratios=(2.4, 1))
-        outputs.plot(times, 1e3 * DRIVE_AMPLITUDE * np.sin(phases()), label="input", **LINES[1].keywords)
-        outputs.plot(times, 1e3 * built_in, label="python-control's block", **LINES[0].keywords)
-        outputs.plot(
-            times[::EVERY],
-            1e3 * own[::EVERY],
-            "o",
-            color="black",
-            markersize=4,
-            fillstyle="none",
-            label="Listing A.7",
-        )
-        outputs.set(ylabel="displacement [mm]", ylim=(-1.7, 2.3))
-        outputs.legend(loc="upper right", ncols=3)
-        difference.plot(times, 1e9 * (own - built_in), **LINES[2].keywords)
-        difference.set(xlabel="time [ms]", ylabel="difference [nm]", xlim=(0, times[-1]), ylim=(-1, 1))
+@figure(
+    "fig-4.1",
+    "Two blocks of friction-controlled backlash",
+    caption="""Listing A.7 and python-control's backlash from rest, $b$ = 0.4 mm, pin 1.5 mm at 100 Hz
+    (thesis, figure 4.1, whose built-in block is Simulink's). Below: their difference, zero.""",
+    alternative_text="""A sine and a clipped, delayed copy of it over two periods; circles of the second block
+    lie on the first one's line. The difference is a line at zero.""",
+)
+@style()
+def two_friction_blocks(_: Evidence) -> Figure:
+    built_in, own = blocks.built_in_block(), blocks.own_block()
+    figure, (outputs, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
+    outputs.plot(TIMES, INPUT, label="input", **LINES[1])
+    outputs.plot(TIMES, 1e3 * built_in, label="python-control's block", **LINES[0])
+    look = {"color": BLACK, "markersize": 4, "fillstyle": "none", "label": "Listing A.7"}
+    outputs.plot(TIMES[::EVERY], 1e3 * own[::EVERY], "o", **look)
+    outputs.set(ylabel="displacement [mm]", ylim=(-1.7, 2.3))
+    outputs.legend(loc="upper right", ncols=3)
+    difference.plot(TIMES, 1e9 * (own - built_in), **LINES[2])
+    difference.set(xlabel="time [ms]", ylabel="difference [nm]", xlim=(0, TIMES[-1]), ylim=(-1, 1))
     return figure
 
 
-def inertia_block_over_time() -> Figure:
-    """Draw input and output of Listing A.8, and its distance from the exact waveform (thesis, figure 4.2)."""
-    times, output, exact = 1e3 * phases() / DRIVE_OMEGA, listing_a8(), exact_inertia(DRIVE_GAP)
-    with style():
-        figure = new_figure(3.8)
-        waves, difference = figure.subplots(2, 1, sharex=True, height_ratios=(2.4, 1))
-        waves.plot(times, 1e3 * DRIVE_AMPLITUDE * np.sin(phases()), label="input", **LINES[1].keywords)
-        waves.plot(times, 1e3 * output, label="output of Listing A.8", **LINES[0].keywords)
-        waves.set(ylabel="displacement [mm]", ylim=(-1.9, 2.5))
-        waves.legend(loc="upper right", ncols=2)
-        difference.plot(times, 1e6 * (output - exact), **LINES[2].keywords)
-        difference.set(xlabel="time [ms]", ylabel="off by [µm]", xlim=(0, times[-1]), ylim=(-15, 5))
+@figure(
+    "fig-4.2",
+    "Block of inertia-controlled backlash",
+    caption="""Input and output of Listing A.8, $b$ = 0.4 mm, and how far the output is from the exact
+    waveform (thesis, figure 4.2). The offset of -12.4 µm comes from a rounded constant.""",
+    alternative_text="""A sine and an output that leads into straight flights twice a period. Below, the
+    deviation is zero but for one flight in each period, where it is minus 12.4 micrometres.""",
+)
+@style()
+def inertia_block_over_time(_: Evidence) -> Figure:
+    output, exact = blocks.listing_a8(), blocks.exact_inertia(DRIVE_GAP)
+    figure, (waves, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
+    waves.plot(TIMES, INPUT, label="input", **LINES[1])
+    waves.plot(TIMES, 1e3 * output, label="output of Listing A.8", **LINES[0])
+    waves.set(ylabel="displacement [mm]", ylim=(-1.9, 2.5))
+    waves.legend(loc="upper right", ncols=2)
+    difference.plot(TIMES, 1e6 * (output - exact), **LINES[2])
+    difference.set(xlabel="time [ms]", ylabel="off by [µm]", xlim=(0, TIMES[-1]), ylim=(-15, 5))
     return figure
 
 
-def inertia_waveforms() -> Figure:
-    """Draw the exact waveform for several gaps (thesis, figure 4.3)."""
-    times = 1e3 * phases() / DRIVE_OMEGA
-    with style():
-        figure = new_figure(3.4)
-        axes = figure.subplots()
-        for gap, line in zip(GAPS, LINES, strict=False):
-            label = f"$b$ = {1e3 * gap:g} mm" if gap else "$b$ = 0, the input"
-            axes.plot(times, 1e3 * exact_inertia(gap), label=label, **line.keywords)
-        axes.set(xlabel="time [ms]", ylabel="displacement [mm]", xlim=(0, times[-1]), ylim=(-2.6, 4.0))
-        axes.legend(loc="upper right", ncols=3)
+@figure(
+    "fig-4.3",
+    "Inertia-controlled backlash for several gaps",
+    caption="""Exact output for a pin of 1.5 mm at 100 Hz and gaps of our choice (thesis, figure 4.3, which
+    names none). Without gap it is the input; the wider the gap, the longer the flight and the larger the
+    output.""",
+    alternative_text="""Five periodic curves; the one without gap is a sine, the others rise higher and later,
+    along straight lines.""",
+)
+@style()
+def inertia_waveforms(_: Evidence) -> Figure:
+    figure, axes = panels(3.4)
+    for gap, line in zip(blocks.GAPS, LINES, strict=False):
+        label = f"$b$ = {1e3 * gap:g} mm" if gap else "$b$ = 0, the input"
+        axes.plot(TIMES, 1e3 * blocks.exact_inertia(gap), label=label, **line)
+    axes.set(xlabel="time [ms]", ylabel="displacement [mm]", xlim=(0, TIMES[-1]), ylim=(-2.6, 4.0))
+    axes.legend(loc="upper right", ncols=3)
     return figure

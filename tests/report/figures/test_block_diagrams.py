@@ -45,15 +45,15 @@ def heads(axes):
     return [text.xy for text in axes.texts if getattr(text, "arrow_patch", None)]
 
 
-@pytest.mark.parametrize("draw", DIAGRAMS, ids=lambda draw: draw.__name__)
-def test_names_of_the_text_are_there(draw):
-    (axes,) = draw().axes
-    assert {text.get_text() for text in axes.texts} >= DIAGRAMS[draw]
+@pytest.mark.parametrize("figure", DIAGRAMS, ids=lambda figure: figure.id)
+def test_names_of_the_text_are_there(figure):
+    (axes,) = figure.draw(None).axes
+    assert {text.get_text() for text in axes.texts} >= DIAGRAMS[figure]
 
 
-@pytest.mark.parametrize("draw", DIAGRAMS, ids=lambda draw: draw.__name__)
-def test_arrows_end_at_something_or_leave(draw):
-    (axes,) = draw().axes
+@pytest.mark.parametrize("figure", DIAGRAMS, ids=lambda figure: figure.id)
+def test_arrows_end_at_something_or_leave(figure):
+    (axes,) = figure.draw(None).axes
     shapes = [patch for patch in axes.patches if isinstance(patch, (Circle, Rectangle))]
     width = axes.get_xlim()[1]
     for x, y in heads(axes):
@@ -61,13 +61,13 @@ def test_arrows_end_at_something_or_leave(draw):
 
 
 def test_each_block_of_the_parallel_configuration_has_one_input():
-    (axes,) = block_diagrams.parallel_nonlinearities().axes
+    (axes,) = block_diagrams.parallel_nonlinearities.draw(None).axes
     for block in (patch for patch in axes.patches if isinstance(patch, Rectangle)):
         assert sum(bool(on_edge(block, x, y)) for x, y in heads(axes)) == 1
 
 
 def test_both_feedbacks_are_subtracted():
-    (axes,) = block_diagrams.parallel_nonlinearities().axes
+    (axes,) = block_diagrams.parallel_nonlinearities.draw(None).axes
     junctions = [patch for patch in axes.patches if isinstance(patch, Circle)]
     entering = sum(any(bool(on_edge(each, x, y)) for each in junctions) for x, y in heads(axes))
     assert entering == 4

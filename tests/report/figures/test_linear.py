@@ -7,15 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from report.chapters.chapter_5.figures import linear
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE
-
-FIGURES = (
-    linear.linear_time_response,
-    linear.bode_plot,
-    linear.bode_plot_light_damping,
-    linear.nyquist_locus,
-)
+from report.thesis import DRIVE_AMPLITUDE
+from tests.report.figures.lines import line
 
 
 @pytest.fixture(scope="module")
@@ -23,21 +16,8 @@ def numbers(evidence):
     return evidence.numbers
 
 
-def line(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata(), float), np.asarray(found.get_ydata(), float)
-
-
-@pytest.mark.parametrize("draw", FIGURES, ids=lambda draw: draw.__name__)
-def test_every_quantity_is_labelled(draw, numbers):
-    axes = draw(numbers).axes
-    assert all(each.get_xlabel() for each in axes if each.xaxis.get_tick_params()["labelbottom"])
-    assert any(each.get_ylabel() for each in axes)
-    assert any(each.get_legend() for each in axes)
-
-
-def test_time_response_shows_the_deviation_that_the_claim_names(numbers):
-    upper, lower = linear.linear_time_response(numbers).axes
+def test_time_response_shows_the_deviation_that_the_claim_names(numbers, drawn_axes):
+    upper, lower = drawn_axes("fig-5.1")
     times, pin = line(upper, "pin, $u$")
     _, output = line(upper, "output from rest, $q_2 - q_4$")
     difference = np.asarray(lower.lines[0].get_ydata())
@@ -46,8 +26,8 @@ def test_time_response_shows_the_deviation_that_the_claim_names(numbers):
     assert np.abs(difference[times <= 10]).max() == pytest.approx(1e3 * numbers.start.deviation, rel=1e-3)
 
 
-def test_bode_plot_marks_unit_gain_and_three_decibels_below_the_static_gain(numbers):
-    upper, lower = linear.bode_plot(numbers).axes
+def test_bode_plot_marks_unit_gain_and_three_decibels_below_the_static_gain(numbers, drawn_axes):
+    upper, lower = drawn_axes("fig-5.2")
     unity, cutoff = (each for each in upper.lines if len(each.get_xdata()) == 1)
     omega, magnitude = line(upper, "displacement only (thesis)")
     assert np.interp(unity.get_xdata()[0], omega, magnitude) == pytest.approx(0, abs=0.01)
@@ -60,8 +40,8 @@ def test_bode_plot_marks_unit_gain_and_three_decibels_below_the_static_gain(numb
     assert np.asarray(lower.lines[0].get_ydata())[-1] == pytest.approx(-180, abs=1)
 
 
-def test_light_damping_has_its_peaks_at_the_dotted_lines(numbers):
-    (axes,) = linear.bode_plot_light_damping(numbers).axes
+def test_light_damping_has_its_peaks_at_the_dotted_lines(drawn_axes):
+    (axes,) = drawn_axes("fig-5.4")
     omega, magnitude = line(axes, "a thousandth of the damping")
     inner = magnitude[1:-1]
     peaks = omega[1:-1][(inner > magnitude[:-2]) & (inner > magnitude[2:])]
@@ -70,8 +50,10 @@ def test_light_damping_has_its_peaks_at_the_dotted_lines(numbers):
     assert all(np.abs(peaks / natural - 1).min() < 3e-4 for natural in dotted)
 
 
-def test_nyquist_locus_closes_with_its_mirror_image_and_stays_clear_of_the_critical_point(numbers):
-    whole, near = linear.nyquist_locus(numbers).axes
+def test_nyquist_locus_closes_with_its_mirror_image_and_stays_clear_of_the_critical_point(
+    numbers, drawn_axes
+):
+    whole, near = drawn_axes("fig-5.3")
     real, imaginary = line(whole, r"$\omega > 0$")
     mirrored, below = line(whole, r"$\omega < 0$")
     np.testing.assert_array_equal(mirrored, real)

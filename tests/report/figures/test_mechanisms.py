@@ -5,12 +5,13 @@ import pytest
 from matplotlib.patches import Circle, Rectangle
 
 from derivations.mechanism import Body, Ground, Pin, trimmer
+from report.chapters.chapter_1 import figures as chapter_1
 from report.chapters.chapter_2.figures import mechanisms
 
 
 @pytest.fixture(scope="module")
 def diagram():
-    (axes,) = mechanisms.free_body_diagram().axes
+    (axes,) = mechanisms.free_body_diagram.draw(None).axes
     return axes
 
 
@@ -75,7 +76,7 @@ def test_every_body_has_its_displacement(diagram):
 
 
 def test_pin_stands_at_the_place_that_the_sine_marks():
-    shaft, motion = mechanisms.eccentric_pin().axes
+    shaft, motion = mechanisms.eccentric_pin.draw(None).axes
     (pin,) = (patch for patch in shaft.patches if isinstance(patch, Circle))
     (marked,) = (line for line in motion.lines if line.get_marker() == "o")
     turns, displaced = marked.get_xdata()[0], marked.get_ydata()[0]
@@ -85,21 +86,21 @@ def test_pin_stands_at_the_place_that_the_sine_marks():
 
 
 def test_bridge_touches_the_pin_with_both_edges():
-    shaft, _ = mechanisms.eccentric_pin().axes
+    shaft, _ = mechanisms.eccentric_pin.draw(None).axes
     (pin,) = (patch for patch in shaft.patches if isinstance(patch, Circle))
     edges = sorted(line.get_xdata()[0] for line in shaft.lines if line.get_linewidth() == 2.0)
     assert edges == pytest.approx([pin.center[0] - pin.radius, pin.center[0] + pin.radius])
 
 
 def test_parts_named_by_the_text_are_all_drawn():
-    (axes,) = mechanisms.components().axes
+    (axes,) = chapter_1.components.draw(None).axes
     words = " ".join(text.get_text() for text in axes.texts).replace("\n", " ")
     for part in ("motor", "shell", "eccentric pin", "driving bridge", "cutter", "guard housing", "play"):
         assert part in words
 
 
 def test_play_is_the_same_on_both_sides_of_the_motor_s_pin():
-    (axes,) = mechanisms.motor_and_load().axes
+    (axes,) = mechanisms.motor_and_load.draw(None).axes
     spans = [text for text in axes.texts if getattr(text, "arrow_patch", None) and text.xyann[0] > 2]
     left, right = sorted(sorted((span.xyann[0], span.xy[0])) for span in spans if span.xy[1] == 1.0)
     assert left[1] - left[0] == pytest.approx(right[1] - right[0])

@@ -9,6 +9,7 @@ import pytest
 from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
 from report.drawing.style import LINES, new_figure, style
 from report.drawing.svg import to_svg
+from report.record import FigureRecord
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -70,12 +71,12 @@ def test_the_style_does_not_depend_on_what_was_set_outside() -> None:
 
 
 def test_lines_differ_by_more_than_their_colour() -> None:
-    assert len({line.dashes for line in LINES}) == len({line.colour for line in LINES}) == len(LINES)
+    assert len({line["linestyle"] for line in LINES}) == len({line["color"] for line in LINES}) == len(LINES)
 
 
-@pytest.mark.parametrize("draw", [linear_system, feedback_system])
-def test_block_diagrams_stay_inside_their_figure(draw: type) -> None:
-    figure = draw()
+@pytest.mark.parametrize("record", [linear_system, feedback_system], ids=lambda record: record.id)
+def test_block_diagrams_stay_inside_their_figure(record: FigureRecord) -> None:
+    figure = record.draw(None)
     renderer = figure.canvas.get_renderer() if hasattr(figure.canvas, "get_renderer") else None
     bounds = figure.get_tightbbox(renderer)
     width, height = figure.get_size_inches()
@@ -84,5 +85,5 @@ def test_block_diagrams_stay_inside_their_figure(draw: type) -> None:
 
 
 def test_the_feedback_system_has_both_blocks_and_both_signs() -> None:
-    texts = [text.get_text() for axes in feedback_system().axes for text in axes.texts]
+    texts = [text.get_text() for axes in feedback_system.draw(None).axes for text in axes.texts]
     assert {"$G(s)$", "$N(s)$", "$U(s)$", "$Y(s)$", "$+$", "$-$"} <= set(texts)

@@ -5,11 +5,7 @@ import pytest
 
 from report.chapters.chapter_2.figures import textbook_loops
 from report.numbers.textbook_loops import backlash_loop, relay_loop
-
-
-def curve(axes, label):
-    (found,) = (each for each in axes.lines if each.get_label() == label)
-    return np.asarray(found.get_xdata()) + 1j * np.asarray(found.get_ydata())
+from tests.report.figures.lines import curve
 
 
 def distance(points, point):
@@ -21,11 +17,11 @@ def distance(points, point):
 
 @pytest.fixture(scope="module")
 def two():
-    return textbook_loops.two_limit_cycles().axes
+    return textbook_loops.two_limit_cycles.draw(None).axes
 
 
 def test_the_relay_s_limit_cycle_lies_on_all_four_curves():
-    plane, equations = textbook_loops.one_limit_cycle().axes
+    plane, equations = textbook_loops.one_limit_cycle.draw(None).axes
     (cycle,) = relay_loop().limit_cycles()
     (marked,) = (each for each in plane.lines if each.get_marker() == "o")
     point = complex(marked.get_xdata()[0], marked.get_ydata()[0])

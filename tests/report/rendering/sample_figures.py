@@ -26,14 +26,14 @@ def figures() -> tuple[Figure, ...]:
             "Linear system",
             r"The block $G(s)$ maps $u(t)$ to $y(t)$.",
             "A block G of s; u of t enters from the left and y of t leaves to the right.",
-            linear_system(),
+            linear_system.draw(None),
         ),
         finished(
             "eq-2.37",
             "Feedback system",
             r"The loop has $M = \frac{G}{1 + G N}$ from $U$ to $Y$.",
             "A summing junction takes u and subtracts what N of s feeds back from the output of G of s.",
-            feedback_system(),
+            feedback_system.draw(None),
         ),
         finished(
             "fig-5.1",
@@ -63,7 +63,7 @@ def locus() -> Drawing:
     with style():
         figure = new_figure(3.5)
         axes = figure.subplots()
-        plot_along(axes, (1 + 1j * omega) ** -3, Along("ω", "rad/s", omega), label="$G$", **LINES[0].keywords)
+        plot_along(axes, (1 + 1j * omega) ** -3, Along("ω", "rad/s", omega), label="$G$", **LINES[0])
         axes.set(xlabel="real part", ylabel="imaginary part", xlim=(-0.5, 1.2), ylim=(-1.0, 0.4))
     return figure
 
@@ -75,7 +75,7 @@ def spectrum() -> Drawing:
     with style():
         figure = new_figure(3.0)
         axes = figure.subplots()
-        axes.plot(frequency, magnitude, **LINES[0].keywords)
+        axes.plot(frequency, magnitude, **LINES[0])
         axes.set(
             xlabel="frequency [Hz]", ylabel="amplitude [mm]", xlim=(0, 1000), ylim=(1e-3, 10), yscale="log"
         )

@@ -1,197 +1,193 @@
-"""The block diagrams of the thesis (figures 2.3 to 2.6 and 2.15), drawn again."""
+"""The block diagrams (figures 2.3 to 2.6 and 2.15), on a canvas in inches."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from report.drawing.style import new_figure, style
+from report.drawing.marks import arrow
+from report.drawing.mechanical_symbols import LINE, canvas
+from report.drawing.style import BLACK, style
+from report.evidence import Evidence
+from report.record import figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_BLOCK: Final = (1.5, 0.9)
-_FLAT: Final = (1.5, 0.6)
-_RADIUS: Final = 0.2
-_LINE_WIDTH: Final = 1.1
+    Place = tuple[float, float]
+
+BLOCK: Final = (1.5, 0.9)
+FLAT: Final = (1.5, 0.6)
+RADIUS: Final = 0.2
 
 
-def linear_system() -> Figure:
-    """Draw an input u(t), a block G(s) and its output y(t) (thesis, figure 2.3)."""
-    with style():
-        figure, axes = canvas(5.5, 1.3)
-        _block(axes, 2.75, 0.65, "$G(s)$")
-        _arrow(axes, ((0.3, 0.65), (2.0, 0.65)))
-        _arrow(axes, ((3.5, 0.65), (5.2, 0.65)))
-        _label(axes, 0.8, 0.65, "$u(t)$")
-        _label(axes, 4.5, 0.65, "$y(t)$")
+@figure(
+    "fig-2.3",
+    "Linear system as a block",
+    caption="""Block diagram of the linear trimmer (thesis, figure 2.3): the output's transform is $G(s)$
+    times the input's.""",
+    alternative_text="An arrow u of t enters a block G of s, an arrow y of t leaves it.",
+)
+@style()
+def linear_system(_: Evidence) -> Figure:
+    figure, axes = canvas(5.5, 1.3)
+    _blocks(axes, {"$G(s)$": (2.75, 0.65)})
+    _along(axes, 0.65, (0.3, 2.0), (3.5, 5.2))
+    _labels(axes, {"$u(t)$": (0.8, 0.65), "$y(t)$": (4.5, 0.65)})
     return figure
 
 
-def feedback_system() -> Figure:
-    """Draw the loop with G(s) ahead and N(s) in the feedback path (thesis, figure 2.4).
-
-    The feedback is subtracted, so that the closed loop is M = G / (1 + G N) (thesis, equation 2.24).
-    """
-    with style():
-        figure, axes = canvas(6.5, 2.6)
-        _block(axes, 3.4, 1.9, "$G(s)$")
-        _block(axes, 3.4, 0.6, "$N(s)$")
-        _summing_junction(axes, 1.5, 1.9)
-        _arrow(axes, ((0.3, 1.9), (1.5 - _RADIUS, 1.9)))
-        _arrow(axes, ((1.5 + _RADIUS, 1.9), (2.65, 1.9)))
-        _arrow(axes, ((4.15, 1.9), (6.2, 1.9)))
-        _arrow(axes, ((5.1, 1.9), (5.1, 0.6), (4.15, 0.6)))
-        _arrow(axes, ((2.65, 0.6), (1.5, 0.6), (1.5, 1.9 - _RADIUS)))
-        axes.plot([5.1], [1.9], marker="o", markersize=4, color="black")
-        _label(axes, 0.7, 1.9, "$U(s)$")
-        _label(axes, 5.7, 1.9, "$Y(s)$")
-        _signs(axes, 1.5, 1.9)
+@figure(
+    "fig-2.4",
+    "General feedback system",
+    caption="""Loop with $G$ ahead and $N$ in the feedback path (thesis, figure 2.4), so that $M = G/(1 +
+    GN)$.""",
+    alternative_text="""A reference U enters a summing junction, then a block G whose output Y is fed back
+    through a block N and subtracted.""",
+)
+@style()
+def feedback_system(_: Evidence) -> Figure:
+    figure, axes = canvas(6.5, 2.6)
+    _blocks(axes, {"$G(s)$": (3.4, 1.9), "$N(s)$": (3.4, 0.6)})
+    _junction(axes, 1.5, 1.9)
+    _along(axes, 1.9, (0.3, 1.3), (1.7, 2.65), (4.15, 6.2))
+    _arrow(axes, (5.1, 1.9), (5.1, 0.6), (4.15, 0.6))
+    _arrow(axes, (2.65, 0.6), (1.5, 0.6), (1.5, 1.7))
+    _branch(axes, 5.1, 1.9)
+    _labels(axes, {"$U(s)$": (0.7, 1.9), "$Y(s)$": (5.7, 1.9)})
+    _signs(axes, 1.5, 1.9)
     return figure
 
 
-def loop_without_reference() -> Figure:
-    """Draw the loop of N and G whose reference is zero (thesis, figure 2.5)."""
-    with style():
-        figure, axes = canvas(6.5, 2.2)
-        _block(axes, 2.7, 1.5, r"$N(A,\omega)$")
-        _block(axes, 4.8, 1.5, r"$G(j\omega)$")
-        _summing_junction(axes, 1.3, 1.5)
-        _arrow(axes, ((0.1, 1.5), (1.3 - _RADIUS, 1.5)))
-        _arrow(axes, ((1.3 + _RADIUS, 1.5), (1.95, 1.5)))
-        _arrow(axes, ((3.45, 1.5), (4.05, 1.5)))
-        _arrow(axes, ((5.55, 1.5), (6.4, 1.5)))
-        _arrow(axes, ((5.9, 1.5), (5.9, 0.4), (1.3, 0.4), (1.3, 1.5 - _RADIUS)))
-        axes.plot([5.9], [1.5], marker="o", markersize=4, color="black")
-        _label(axes, 0.55, 1.5, "$r(t) = 0$")
-        _label(axes, 1.72, 1.5, "$e$")
-        _label(axes, 3.75, 1.5, "$u$")
-        _label(axes, 6.15, 1.5, "$y$")
-        _signs(axes, 1.3, 1.5)
+@figure(
+    "fig-2.5",
+    "Loop of element and linear system",
+    caption="""The loop in which limit cycles are sought (thesis, figure 2.5). Without reference $e = -y$, and
+    what goes round comes back unchanged only if $1 + NG = 0$.""",
+    alternative_text="""A reference of zero enters a summing junction; its output e goes through a block N of
+    A and omega, then through a block G of j omega, and is subtracted at the junction.""",
+)
+@style()
+def loop_without_reference(_: Evidence) -> Figure:
+    figure, axes = canvas(6.5, 2.2)
+    _blocks(axes, {r"$N(A,\omega)$": (2.7, 1.5), r"$G(j\omega)$": (4.8, 1.5)})
+    _junction(axes, 1.3, 1.5)
+    _along(axes, 1.5, (0.1, 1.1), (1.5, 1.95), (3.45, 4.05), (5.55, 6.4))
+    _arrow(axes, (5.9, 1.5), (5.9, 0.4), (1.3, 0.4), (1.3, 1.3))
+    _branch(axes, 5.9, 1.5)
+    _labels(axes, {"$r(t) = 0$": (0.55, 1.5), "$e$": (1.72, 1.5), "$u$": (3.75, 1.5), "$y$": (6.15, 1.5)})
+    _signs(axes, 1.3, 1.5)
     return figure
 
 
-def describing_function_block() -> Figure:
-    """Draw the element as a block from a sine to the first harmonic of its output (thesis, figure 2.6)."""
-    with style():
-        figure, axes = canvas(6.5, 1.3)
-        _block(axes, 3.0, 0.65, r"$N(A,\omega)$")
-        _arrow(axes, ((0.2, 0.65), (2.25, 0.65)))
-        _arrow(axes, ((3.75, 0.65), (6.3, 0.65)))
-        _label(axes, 1.2, 0.65, r"$A\,\sin\omega t$")
-        _label(axes, 5.05, 0.65, r"$M\,\sin(\omega t + \varphi) + \ldots$")
-        axes.text(5.05, 0.55, "higher harmonics", ha="center", va="top", fontsize=9)
+@figure(
+    "fig-2.6",
+    "Describing function as a block",
+    caption=r"""A sine goes in, a periodic signal comes out (thesis, figure 2.6). $N = (M/A)\,e^{j\varphi}$
+    keeps its first harmonic and drops the others.""",
+    alternative_text="""An arrow A sine omega t enters a block N; an arrow M sine of omega t plus phi, plus
+    higher harmonics, leaves it.""",
+)
+@style()
+def describing_function_block(_: Evidence) -> Figure:
+    figure, axes = canvas(6.5, 1.3)
+    _blocks(axes, {r"$N(A,\omega)$": (3.0, 0.65)})
+    _along(axes, 0.65, (0.2, 2.25), (3.75, 6.3))
+    _labels(
+        axes, {r"$A\,\sin\omega t$": (1.2, 0.65), r"$M\,\sin(\omega t + \varphi) + \ldots$": (5.05, 0.65)}
+    )
+    axes.text(5.05, 0.55, "higher harmonics", ha="center", va="top", fontsize=9)
     return figure
 
 
-def parallel_nonlinearities() -> Figure:
-    """Draw friction and backlash fed back apart, and their equivalent in parallel (thesis, figure 2.15)."""
-    with style():
-        figure, axes = canvas(6.5, 5.6)
-        _fed_back_apart(axes)
-        _in_parallel(axes)
-    return figure
-
-
-def _fed_back_apart(axes: Axes) -> None:
-    """Draw part (a): friction is fed back from the velocity v, backlash from x, which is v after G_g."""
+@figure(
+    "fig-2.15",
+    "Two nonlinearities in parallel",
+    caption="""Friction $N_f$ and backlash $N_r$ fed back from two places (a), and the same loop with both fed
+    from one (b) (thesis, figure 2.15). Friction sees $v = x/G_g$, so its amplitude is that of $v$.""",
+    alternative_text="""Part a: a block Gm with friction around it, then a block Gg, whose output is fed back
+    through backlash. Part b: a block Gm Gg, whose output is fed back through backlash and, in parallel,
+    through one over Gg and friction.""",
+)
+@style()
+def parallel_nonlinearities(_: Evidence) -> Figure:
+    figure, axes = canvas(6.5, 5.6)
     axes.text(0.1, 5.4, "(a)", va="center")
-    _summing_junction(axes, 1.1, 4.9)
-    _block(axes, 2.6, 4.9, "$G_m(s)$", _FLAT)
-    _block(axes, 4.8, 4.9, "$G_g(s)$", _FLAT)
-    _block(axes, 2.6, 4.1, "$N_f$", _FLAT)
-    _block(axes, 3.7, 3.3, "$N_r$", _FLAT)
-    _arrow(axes, ((1.1 + _RADIUS, 4.9), (1.85, 4.9)))
-    _arrow(axes, ((3.35, 4.9), (4.05, 4.9)))
-    _arrow(axes, ((3.7, 4.9), (3.7, 4.1), (3.35, 4.1)))
-    _arrow(axes, ((1.85, 4.1), (1.1, 4.1), (1.1, 4.9 - _RADIUS)))
-    _arrow(axes, ((5.55, 4.9), (6.1, 4.9), (6.1, 3.3), (4.45, 3.3)))
-    _arrow(axes, ((2.95, 3.3), (0.4, 3.3), (0.4, 4.9), (1.1 - _RADIUS, 4.9)))
-    axes.plot([3.7], [4.9], marker="o", markersize=4, color="black")
-    _label(axes, 3.7, 4.9, "$v$")
-    _label(axes, 6.1, 4.9, "$x$")
+    _junction(axes, 1.1, 4.9)
+    _blocks(
+        axes, {"$G_m(s)$": (2.6, 4.9), "$G_g(s)$": (4.8, 4.9), "$N_f$": (2.6, 4.1), "$N_r$": (3.7, 3.3)}, FLAT
+    )
+    _along(axes, 4.9, (1.3, 1.85), (3.35, 4.05))
+    _arrow(axes, (3.7, 4.9), (3.7, 4.1), (3.35, 4.1))
+    _arrow(axes, (1.85, 4.1), (1.1, 4.1), (1.1, 4.7))
+    _arrow(axes, (5.55, 4.9), (6.1, 4.9), (6.1, 3.3), (4.45, 3.3))
+    _arrow(axes, (2.95, 3.3), (0.4, 3.3), (0.4, 4.9), (0.9, 4.9))
+    _branch(axes, 3.7, 4.9)
+    _labels(axes, {"$v$": (3.7, 4.9), "$x$": (6.1, 4.9)})
     _minus(axes, 1.1, 4.9)
-    axes.text(1.1 - _RADIUS - 0.08, 4.98, "$-$", ha="right", va="bottom")
-
-
-def _in_parallel(axes: Axes) -> None:
-    """Draw part (b): both have the input x, friction behind the inverse of G_g."""
+    axes.text(0.82, 4.98, "$-$", ha="right", va="bottom")
     axes.text(0.1, 2.6, "(b)", va="center")
-    _block(axes, 3.2, 2.2, "$G_m(s)\\,G_g(s)$", (2.0, 0.6))
-    _block(axes, 3.2, 1.3, "$N_r$", _FLAT)
-    _block(axes, 2.4, 0.4, "$N_f$", _FLAT)
-    _block(axes, 4.4, 0.4, "$1/G_g(s)$", _FLAT)
-    _summing_junction(axes, 1.1, 1.3)
-    _arrow(axes, ((4.2, 2.2), (6.1, 2.2), (6.1, 0.4), (5.15, 0.4)))
-    _arrow(axes, ((6.1, 1.3), (3.95, 1.3)))
-    _arrow(axes, ((3.65, 0.4), (3.15, 0.4)))
-    _arrow(axes, ((2.45, 1.3), (1.1 + _RADIUS, 1.3)))
-    _arrow(axes, ((1.65, 0.4), (1.1, 0.4), (1.1, 1.3 - _RADIUS)))
-    _arrow(axes, ((1.1 - _RADIUS, 1.3), (0.5, 1.3), (0.5, 2.2), (2.2, 2.2)))
-    axes.plot([6.1], [1.3], marker="o", markersize=4, color="black")
-    _label(axes, 5.1, 2.2, "$x$")
-    _label(axes, 3.4, 0.4, "$v$")
+    _blocks(axes, {r"$G_m(s)\,G_g(s)$": (3.2, 2.2)}, (2.0, 0.6))
+    _blocks(axes, {"$N_r$": (3.2, 1.3), "$N_f$": (2.4, 0.4), "$1/G_g(s)$": (4.4, 0.4)}, FLAT)
+    _junction(axes, 1.1, 1.3)
+    _arrow(axes, (4.2, 2.2), (6.1, 2.2), (6.1, 0.4), (5.15, 0.4))
+    _along(axes, 1.3, (6.1, 3.95))
+    _along(axes, 0.4, (3.65, 3.15))
+    _along(axes, 1.3, (2.45, 1.3))
+    _arrow(axes, (1.65, 0.4), (1.1, 0.4), (1.1, 1.1))
+    _arrow(axes, (0.9, 1.3), (0.5, 1.3), (0.5, 2.2), (2.2, 2.2))
+    _branch(axes, 6.1, 1.3)
+    _labels(axes, {"$x$": (5.1, 2.2), "$v$": (3.4, 0.4)})
     _minus(axes, 1.1, 1.3)
-    axes.text(1.1 + _RADIUS + 0.08, 1.38, "$-$", ha="left", va="bottom")
+    axes.text(1.38, 1.38, "$-$", ha="left", va="bottom")
+    return figure
+
+
+def _blocks(axes: Axes, middles: dict[str, Place], size: Place = BLOCK) -> None:
+    from matplotlib.patches import Rectangle
+
+    for text, (x, y) in middles.items():
+        corner = (x - size[0] / 2, y - size[1] / 2)
+        axes.add_patch(Rectangle(corner, *size, fill=False, linewidth=LINE["linewidth"]))
+        axes.text(x, y, text, ha="center", va="center", fontsize=13)
+
+
+def _junction(axes: Axes, x: float, y: float) -> None:
+    """Draw a summing junction."""
+    from matplotlib.patches import Circle
+
+    axes.add_patch(Circle((x, y), RADIUS, fill=False, linewidth=LINE["linewidth"]))
+
+
+def _branch(axes: Axes, x: float, y: float) -> None:
+    """Draw the point where a signal goes two ways."""
+    axes.plot([x], [y], marker="o", markersize=4, color=BLACK)
 
 
 def _signs(axes: Axes, x: float, y: float) -> None:
     """Write the signs of a summing junction with a reference from the left and feedback from below."""
-    axes.text(x - _RADIUS - 0.08, y - 0.12, "$+$", ha="right", va="top")
+    axes.text(x - RADIUS - 0.08, y - 0.12, "$+$", ha="right", va="top")
     _minus(axes, x, y)
 
 
 def _minus(axes: Axes, x: float, y: float) -> None:
     """Write a minus sign beside the arrow that enters a summing junction from below."""
-    axes.text(x + 0.08, y - _RADIUS - 0.08, "$-$", ha="left", va="top")
+    axes.text(x + 0.08, y - RADIUS - 0.08, "$-$", ha="left", va="top")
 
 
-def canvas(width: float, height: float) -> tuple[Figure, Axes]:
-    """Return a figure whose one unit of data is one inch."""
-    figure = new_figure(height, width)
-    figure.set_layout_engine("none")
-    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set_axis_off()
-    axes.set(xlim=(0.0, width), ylim=(0.0, height))
-    return figure, axes
+def _labels(axes: Axes, places: dict[str, Place]) -> None:
+    for text, (x, y) in places.items():
+        axes.text(x, y + 0.08, text, ha="center", va="bottom", fontsize=12)
 
 
-def _block(axes: Axes, x: float, y: float, text: str, size: tuple[float, float] = _BLOCK) -> None:
-    from matplotlib.patches import Rectangle
-
-    width, height = size
-    axes.add_patch(
-        Rectangle((x - width / 2, y - height / 2), width, height, fill=False, linewidth=_LINE_WIDTH)
-    )
-    axes.text(x, y, text, ha="center", va="center", fontsize=13)
+def _along(axes: Axes, y: float, *ends: Place) -> None:
+    """Draw arrows at one height, each from one place to the next."""
+    for start, end in ends:
+        _arrow(axes, (start, y), (end, y))
 
 
-def _summing_junction(axes: Axes, x: float, y: float) -> None:
-    from matplotlib.patches import Circle
-
-    axes.add_patch(Circle((x, y), _RADIUS, fill=False, linewidth=_LINE_WIDTH))
-
-
-def _label(axes: Axes, x: float, y: float, text: str) -> None:
-    axes.text(x, y + 0.08, text, ha="center", va="bottom", fontsize=12)
-
-
-def _arrow(axes: Axes, points: Sequence[tuple[float, float]]) -> None:
+def _arrow(axes: Axes, *points: Place) -> None:
     """Draw a line through the points with a head at the last."""
-    *_, tail, head = points
-    xs, ys = zip(*points, strict=True)
-    axes.plot(xs[:-1], ys[:-1], color="black", linestyle="solid", linewidth=_LINE_WIDTH)
-    axes.annotate(
-        "",
-        head,
-        tail,
-        arrowprops={
-            "arrowstyle": "-|>",
-            "color": "black",
-            "linewidth": _LINE_WIDTH,
-            "shrinkA": 0,
-            "shrinkB": 0,
-            "mutation_scale": 12,
-        },
-    )
+    xs, ys = zip(*points[:-1], strict=True)
+    axes.plot(xs, ys, **LINE)
+    arrow(axes, *points[-2:], linewidth=LINE["linewidth"], shrinkA=0, shrinkB=0, mutation_scale=12)

@@ -1,4 +1,4 @@
-"""Graphical harmonic balance on two textbook loops (thesis, figures 2.13 and 2.14).
+"""Graphical harmonic balance on two textbook loops (figures 2.13 and 2.14).
 
 The thesis's own pictures name neither plant nor element, so two loops are taken whose answers are known.
 """
@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from report.drawing.marks import arrow, beside, few_ticks
+from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, new_figure, style
-from report.drawing.ticks import few_ticks
+from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels, style
+from report.evidence import Evidence
 from report.numbers.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
+from report.record import figure
 from trimmer import frequency_response
 
 if TYPE_CHECKING:
@@ -24,126 +27,111 @@ STEPS: Final = (1.15, 2.0)
 """Factors from each limit cycle's amplitude to those of the operating points beside it."""
 
 
-def one_limit_cycle() -> Figure:
-    """Draw a relay loop in the plane of G, and its two equations over frequency (thesis, figure 2.13)."""
+@figure(
+    "fig-2.13",
+    "Graphical harmonic balance",
+    caption=r"""A relay with $1/(s(s+1)(s+2))$, an example in the place of the thesis's figure 2.13, which
+    names no loop. Left: $G$ and $-1/N$ meet at $K$; arrows: rising $\omega$ and $A$. Right: real and
+    imaginary part of $1 + NG$ are zero at the same $K$, $\omega = \sqrt 2$, $A = 2/(3\pi)$.""",
+    alternative_text="""Left, the locus of G crosses the negative real axis, along which minus one over N
+    runs, at K. Right, a falling curve and an upright line cross at omega 1.4142 and amplitude 0.2122.""",
+)
+@style()
+def one_limit_cycle(_: Evidence) -> Figure:
     loop = relay_loop()
     (cycle,) = loop.limit_cycles()
-    omega = np.geomspace(0.5, 8, 300)
-    with style():
-        figure = new_figure(3.3)
-        plane, equations = figure.subplots(1, 2)
-        _locus(plane, loop, omega)
-        _element(plane, loop, np.linspace(0.001, 0.7, 200))
-        meeting = complex(loop.inverse_element(cycle.amplitude))
-        plane.plot([meeting.real], [meeting.imag], "o", color=BLACK, markersize=5)
-        plane.annotate("$K$", (meeting.real, meeting.imag), (-13, 6), textcoords="offset points")
-        plane.set(xlabel="real part", ylabel="imaginary part", xlim=(-0.55, 0.1), ylim=(-0.45, 0.25))
-        plane.set_title("graphical: $G = -1/N$")
-        plane.legend(loc="lower right")
-        few_ticks(plane.xaxis, plane.yaxis, equations.xaxis, equations.yaxis)
-        _equations(equations, loop, omega)
-        equations.plot([cycle.omega], [cycle.amplitude], "o", color=BLACK, markersize=5)
-        equations.annotate(
-            f"$K$: $\\omega = {cycle.omega:.4f}$,\n$A = {cycle.amplitude:.4f}$",
-            (cycle.omega, cycle.amplitude),
-            (10, 12),
-            textcoords="offset points",
-        )
-    return figure
-
-
-def _equations(axes: Axes, loop: Loop, omega: NDArray[np.float64]) -> None:
-    """Draw where the real part and where the imaginary part of 1 + N G is zero."""
-    amplitude = np.linspace(0.05, 0.6, 111)
-    response = frequency_response(loop.plant, omega)
-    balance = 1 + np.outer(loop.element.describing_function(amplitude), response)
+    omega, amplitude = np.geomspace(0.5, 8, 300), np.linspace(0.05, 0.6, 111)
+    figure, (plane, equations) = panels(3.3, 1, 2)
+    _both(plane, loop, omega, np.linspace(0.001, 0.7, 200))
+    meeting = complex(loop.inverse_element(cycle.amplitude))
+    plane.plot([meeting.real], [meeting.imag], "o", color=BLACK, markersize=5)
+    beside(plane, "$K$", meeting, (-13, 6))
+    plane.set(xlabel="real part", ylabel="imaginary part", xlim=(-0.55, 0.1), ylim=(-0.45, 0.25))
+    plane.set_title("graphical: $G = -1/N$")
+    plane.legend(loc="lower right")
+    few_ticks(plane.xaxis, plane.yaxis, equations.xaxis, equations.yaxis)
+    gain = loop.element.describing_function(amplitude)
+    balance = 1 + np.outer(gain, frequency_response(loop.plant, omega))
     for part, line in ((balance.real, LINES[2]), (balance.imag, LINES[3])):
-        axes.contour(omega, amplitude, part, [0.0], colors=line.colour, linestyles=[line.dashes])
-    axes.plot([], [], label="real part of $1 + NG$ is zero", **LINES[2].keywords)
-    axes.plot([], [], label="imaginary part is zero", **LINES[3].keywords)
-    axes.set(xlabel=r"$\omega$ [rad/s]", ylabel="amplitude $A$", xlim=(0.8, 2.2), ylim=(0.05, 0.6))
-    axes.set_title("algebraic: two equations")
-    axes.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=1.0)
-
-
-def two_limit_cycles() -> Figure:
-    """Draw a loop with backlash in the plane of G, and what it does over time (thesis, figure 2.14)."""
-    loop = backlash_loop()
-    with style():
-        figure = new_figure(5.6)
-        grid = figure.add_gridspec(2, 2, height_ratios=(1.4, 1))
-        whole, near = (figure.add_subplot(grid[0, column]) for column in range(2))
-        for index, axes, omega, amplitude in (
-            (0, whole, np.geomspace(0.45, 6, 200), np.geomspace(0.55, 6, 200)),
-            (1, near, np.geomspace(1.2, 2.2, 100), np.geomspace(2, 400, 200)),
-        ):
-            _encircled(axes, loop)
-            _locus(axes, loop, omega)
-            _element(axes, loop, amplitude)
-            _operating_points(axes, loop, index)
-            axes.plot([-1], [0], "+", color=BLACK, markersize=9, markeredgewidth=1.6)
-            axes.set_xlabel("real part")
-            few_ticks(axes.xaxis, axes.yaxis)
-        whole.set(ylabel="imaginary part", xlim=(-3.3, 0.7), ylim=(-3.4, 0.6), title="both limit cycles")
-        near.set(xlim=(-1.14, -0.86), ylim=(-0.24, 0.09), title="near the second one, $L_2$")
-        whole.legend(loc="upper left", borderaxespad=0.0)
-        _history(figure.add_subplot(grid[1, :]), loop)
+        equations.contour(omega, amplitude, part, [0.0], colors=line["color"], linestyles=[line["linestyle"]])
+    equations.plot([], [], label="real part of $1 + NG$ is zero", **LINES[2])
+    equations.plot([], [], label="imaginary part is zero", **LINES[3])
+    equations.set(xlabel=r"$\omega$ [rad/s]", ylabel="amplitude $A$", xlim=(0.8, 2.2), ylim=(0.05, 0.6))
+    equations.set_title("algebraic: two equations")
+    equations.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=1.0)
+    equations.plot([cycle.omega], [cycle.amplitude], "o", color=BLACK, markersize=5)
+    name = f"$K$: $\\omega = {cycle.omega:.4f}$,\n$A = {cycle.amplitude:.4f}$"
+    beside(equations, name, (cycle.omega, cycle.amplitude), (10, 12))
     return figure
 
 
-def _encircled(axes: Axes, loop: Loop) -> None:
-    """Shade what the closed locus of G encircles."""
-    response = frequency_response(loop.plant, np.geomspace(0.05, 60, 400))
-    closed = np.concatenate([response, response[::-1].conj()])
-    axes.fill(closed.real, closed.imag, color="#e4e4e4", linewidth=0, label="encircled by $G$")
+@figure(
+    "fig-2.14",
+    "Stable and unstable limit cycle",
+    caption=r"""$7/(s + 1)^3$ with friction-controlled backlash, an example in the place of the thesis's
+    figure 2.14. Triangles: operating points at a larger ($L'$) and a smaller ($L''$) amplitude; arrows:
+    rising $\omega$ and $A$. Below: the loop simulated. It leaves $A_1$ either way and settles at $A_2$ from
+    both sides.""",
+    alternative_text="""The curve of minus one over N enters the shaded region that G encircles at L1,
+    unstable, and leaves it at L2, stable, before it ends at minus one. Amplitudes over time fall to zero from
+    just below A1, and tend to A2 from just above A1 and from above A2.""",
+)
+@style()
+def two_limit_cycles(_: Evidence) -> Figure:
+    loop = backlash_loop()
+    figure = new_figure(5.6)
+    whole, near, motion = figure.subplot_mosaic([[0, 1], [2, 2]], height_ratios=(1.4, 1)).values()
+    for index, axes, omega, amplitude in (
+        (0, whole, np.geomspace(0.45, 6, 200), np.geomspace(0.55, 6, 200)),
+        (1, near, np.geomspace(1.2, 2.2, 100), np.geomspace(2, 400, 200)),
+    ):
+        response = frequency_response(loop.plant, np.geomspace(0.05, 60, 400))
+        closed = np.concatenate([response, response[::-1].conj()])
+        axes.fill(closed.real, closed.imag, color="#e4e4e4", linewidth=0, label="encircled by $G$")
+        _both(axes, loop, omega, amplitude)
+        _operating_points(axes, loop, index)
+        critical_point(axes)
+        axes.set_xlabel("real part")
+        few_ticks(axes.xaxis, axes.yaxis)
+    whole.set(ylabel="imaginary part", xlim=(-3.3, 0.7), ylim=(-3.4, 0.6), title="both limit cycles")
+    near.set(xlim=(-1.14, -0.86), ylim=(-0.24, 0.09), title="near the second one, $L_2$")
+    whole.legend(loc="upper left", borderaxespad=0.0)
+    history = backlash_history()
+    for factor, amplitudes, line in zip(STARTS, history.amplitudes.T, LINES, strict=False):
+        label = f"started at {factor:g} $A_1$"
+        motion.plot(history.times, amplitudes, label=label, marker="o", markersize=2.5, **line)
+    for cycle, name in zip(loop.limit_cycles(), ("$A_1$", "$A_2$"), strict=True):
+        motion.axhline(cycle.amplitude, **FAINT)
+        motion.text(history.times[-1], cycle.amplitude + 0.12, name, ha="right", va="bottom")
+    motion.set(xlabel="time [s]", ylabel="amplitude in gaps", ylim=(-0.2, 8.2), title="simulated")
+    motion.legend(loc="center right")
+    few_ticks(motion.xaxis, motion.yaxis, intervals=8)
+    return figure
 
 
 def _operating_points(axes: Axes, loop: Loop, index: int) -> None:
     """Mark a limit cycle, and the points on -1/N at a larger and a smaller amplitude."""
     cycle = loop.limit_cycles()[index]
     name, kind = f"L_{index + 1}", "stable" if cycle.stable else "unstable"
-    for factor, prime, marker in ((STEPS[index], "'", "^"), (1.0, "", "o"), (1 / STEPS[index], "''", "v")):
+    for factor, text, marker in (
+        (STEPS[index], f"${name}'$", "^"),
+        (1.0, f"${name}$, {kind}", "o"),
+        (1 / STEPS[index], f"${name}''$", "v"),
+    ):
         point = complex(loop.inverse_element(factor * cycle.amplitude))
         axes.plot([point.real], [point.imag], marker, color=BLACK, markersize=5.5)
-        text = f"${name}{prime}$" if prime else f"${name}$, {kind}"
-        axes.annotate(text, (point.real, point.imag), (8, -4), textcoords="offset points")
+        beside(axes, text, point, (8, -4))
 
 
-def _history(axes: Axes, loop: Loop) -> None:
-    """Draw the simulated amplitude over time, from below and above the first limit cycle, and from far up."""
-    first, second = loop.limit_cycles()
-    history = backlash_history()
-    for factor, amplitudes, line in zip(STARTS, history.amplitudes.T, LINES, strict=False):
-        label = f"started at {factor:g} $A_1$"
-        axes.plot(history.times, amplitudes, label=label, marker="o", markersize=2.5, **line.keywords)
-    for cycle, name in ((first, "A_1"), (second, "A_2")):
-        axes.axhline(cycle.amplitude, color="#555555", linestyle=":", linewidth=1.0)
-        axes.text(history.times[-1], cycle.amplitude + 0.12, f"${name}$", ha="right", va="bottom")
-    axes.set(xlabel="time [s]", ylabel="amplitude in gaps", ylim=(-0.2, 8.2), title="simulated")
-    axes.legend(loc="center right")
-    few_ticks(axes.xaxis, axes.yaxis, intervals=8)
+def _both(axes: Axes, loop: Loop, omega: NDArray[np.float64], amplitude: NDArray[np.float64]) -> None:
+    """Draw G for rising frequency and -1/N for rising amplitude."""
+    response, inverse = frequency_response(loop.plant, omega), loop.inverse_element(amplitude)
+    _directed(axes, response, Along("ω", "rad/s", omega), r"$G(j\omega)$", LINES[0])
+    _directed(axes, inverse, Along("A", "", amplitude), "$-1/N(A)$", LINES[1])
 
 
-def _locus(axes: Axes, loop: Loop, omega: NDArray[np.float64]) -> None:
-    response = frequency_response(loop.plant, omega)
-    plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$G(j\omega)$", **LINES[0].keywords)
-    _arrows(axes, response, LINES[0].colour)
-
-
-def _element(axes: Axes, loop: Loop, amplitude: NDArray[np.float64]) -> None:
-    inverse = loop.inverse_element(amplitude)
-    plot_along(axes, inverse, Along("A", "", amplitude), label="$-1/N(A)$", **LINES[1].keywords)
-    _arrows(axes, inverse, LINES[1].colour)
-
-
-def _arrows(axes: Axes, curve: NDArray[np.complex128], colour: str) -> None:
-    """Put arrows of rising parameter on a curve, each a sixth of its samples after the one before."""
+def _directed(axes: Axes, curve: NDArray[np.complex128], along: Along, label: str, line: Look) -> None:
+    """Draw a curve with arrows of rising parameter, each a sixth of its samples after the one before."""
+    plot_along(axes, curve, along, label=label, **line)
     for place in range(len(curve) // 12, len(curve) - 2, len(curve) // 6):
-        start, end = curve[place], curve[place + 2]
-        axes.annotate(
-            "",
-            (end.real, end.imag),
-            (start.real, start.imag),
-            arrowprops={"arrowstyle": "-|>", "color": colour, "mutation_scale": 12},
-            annotation_clip=True,
-        )
+        arrow(axes, curve[place], curve[place + 2], color=line["color"], mutation_scale=12)

@@ -1,161 +1,151 @@
-"""Figures 5.1 to 5.4 of the thesis drawn again: the linear trimmer in time and in frequency."""
+"""The linear trimmer in time and in frequency (figures 5.1 to 5.4)."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from report.drawing.marks import arrow, beside
+from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import LINES, new_figure, style
+from report.drawing.style import BLACK, LINES, panels, style
+from report.evidence import Evidence
 from report.numbers.light_damping import lightly_damped, sum_of_displacements
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LinearNumbers
-from trimmer import (
-    Extremum,
-    InputChannels,
-    bandwidth_crossings,
-    frequency_response,
-    gain_crossings,
-    pin_model,
-    resonance_peaks,
-    time_response,
-)
+from report.numbers.start_from_rest import pin_and_output
+from report.record import figure
+from trimmer import bandwidth_crossings, frequency_response, gain_crossings, resonance_peaks
 
 if TYPE_CHECKING:
     import control
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-SHOWN_TIME = 0.06
-SAMPLES = 6001
+    Reals = NDArray[np.float64]
+
 OMEGA = np.geomspace(1e2, 1e5, 3000)
 """Frequencies of the Bode plots, rad/s; peaks are added to them."""
 
 
-def linear_time_response(numbers: LinearNumbers) -> Figure:
-    """Draw the pin, the output from rest and their difference (thesis, figure 5.1)."""
-    times = np.linspace(0, SHOWN_TIME, SAMPLES)
-    pin = DRIVE_AMPLITUDE * np.sin(2 * math.pi * DRIVE_FREQUENCY * times)
-    system = pin_model(numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
-    output = time_response(system, pin, times).output
-    with style():
-        figure = new_figure(3.6)
-        upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
-        upper.plot(1e3 * times, 1e3 * pin, label="pin, $u$", **LINES[1].keywords)
-        upper.plot(1e3 * times, 1e3 * output, label="output from rest, $q_2 - q_4$", **LINES[0].keywords)
-        upper.set_ylabel("displacement [mm]")
-        upper.legend(loc="upper right", ncols=2)
-        upper.set_ylim(-1.8, 2.6)
-        lower.plot(1e3 * times, 1e3 * (output - pin), **LINES[2].keywords)
-        lower.set(xlabel="time [ms]", ylabel="output − pin [mm]", xlim=(0, 1e3 * SHOWN_TIME))
+@figure(
+    "fig-5.1",
+    "Time response of the linear trimmer",
+    caption=r"""Pin and output for $u(t) = 0.0015\sin(2\pi 100 t)$ m, started from rest (thesis, figure 5.1).
+    Below: their difference. The start excites the natural modes, which take some periods to decay.""",
+    alternative_text="""Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly
+    coincide; a third curve below shows their difference, which starts at 0.3 mm and decays.""",
+)
+@style()
+def linear_time_response(known: Evidence) -> Figure:
+    times = np.linspace(0, 0.06, 6001)
+    pin, output = pin_and_output(known.numbers.parameters, times)
+    figure, (upper, lower) = panels(3.6, 2, sharex=True, height_ratios=(2, 1))
+    upper.plot(1e3 * times, 1e3 * pin, label="pin, $u$", **LINES[1])
+    upper.plot(1e3 * times, 1e3 * output, label="output from rest, $q_2 - q_4$", **LINES[0])
+    upper.set(ylabel="displacement [mm]", ylim=(-1.8, 2.6))
+    upper.legend(loc="upper right", ncols=2)
+    lower.plot(1e3 * times, 1e3 * (output - pin), **LINES[2])
+    lower.set(xlabel="time [ms]", ylabel="output − pin [mm]", xlim=(0, 60))
     return figure
 
 
-def bode_plot(numbers: LinearNumbers) -> Figure:
-    """Draw the Bode plot of q2 − q4 for both ways of feeding the pin (thesis, figure 5.2)."""
-    system, both = numbers.displacement_only, numbers.both_channels
-    with style():
-        figure = new_figure(4.6)
-        upper, lower = figure.subplots(2, 1, sharex=True)
-        _bode_lines(upper, lower, system, "displacement only (thesis)", 0)
-        _bode_lines(upper, lower, both, "displacement and velocity", 1)
-        unity, cutoff = gain_crossings(system)[-1], bandwidth_crossings(system)[-1]
-        upper.plot([unity], [0], "o", color="black", markersize=5)
-        upper.annotate("0 dB, quoted as cutoff", (unity, 0), (8e3, 14), arrowprops={"arrowstyle": "-"})
-        level = 20 * np.log10(abs(frequency_response(system, cutoff)))
-        upper.plot([cutoff], [level], "s", color="black", markersize=5)
-        upper.annotate("−3 dB", (cutoff, float(level)), (1.2e3, -22), arrowprops={"arrowstyle": "-"})
-        slope = np.array([2e4, 1e5])
-        start = 20 * np.log10(abs(frequency_response(system, slope[0])))
-        upper.plot(slope, start + 6 - 40 * np.log10(slope / slope[0]), color="#555555", linestyle=":")
-        upper.text(2.4e4, float(start) + 12, "−40 dB per decade", color="#333333")
-        upper.set_ylabel("magnitude [dB]")
-        upper.legend(loc="lower left")
-        lower.set(xlabel="angular frequency [rad/s]", ylabel="phase [degrees]", xlim=(OMEGA[0], OMEGA[-1]))
+@figure(
+    "fig-5.2",
+    "Bode plot",
+    caption="""Bode plot of $q_2 - q_4$ (thesis, figure 5.2). Circle: the frequency quoted as cutoff, where
+    the gain is one. Square: 3 dB below the static gain. The dotted line falls by 40 dB per decade.""",
+    alternative_text="""Magnitude and phase against frequency for two systems that nearly coincide up to ten
+    thousand radians per second. Two sharp peaks near 2221 and 3453; above them the magnitude falls.""",
+)
+@style()
+def bode_plot(known: Evidence) -> Figure:
+    system, both = known.numbers.displacement_only, known.numbers.both_channels
+    figure, (upper, lower) = panels(4.6, 2, sharex=True)
+    for each, label, line in (
+        (system, "displacement only (thesis)", LINES[0]),
+        (both, "displacement and velocity", LINES[1]),
+    ):
+        omega = _with_peaks(each)
+        phase = np.unwrap(np.angle(frequency_response(each, omega)))
+        upper.semilogx(omega, _decibels(each, omega), label=label, **line)
+        lower.semilogx(omega, np.degrees(phase), **line)
+    unity, cutoff = gain_crossings(system)[-1], bandwidth_crossings(system)[-1]
+    slope = np.array([2e4, 1e5])
+    level, start = (float(each) for each in _decibels(system, np.array([cutoff, slope[0]])))
+    upper.plot([unity], [0], "o", color=BLACK, markersize=5)
+    upper.annotate("0 dB, quoted as cutoff", (unity, 0), (8e3, 14), arrowprops={"arrowstyle": "-"})
+    upper.plot([cutoff], [level], "s", color=BLACK, markersize=5)
+    upper.annotate("−3 dB", (cutoff, level), (1.2e3, -22), arrowprops={"arrowstyle": "-"})
+    upper.plot(slope, start + 6 - 40 * np.log10(slope / slope[0]), color="#555555", linestyle=":")
+    upper.text(2.4e4, start + 12, "−40 dB per decade", color="#333333")
+    upper.set_ylabel("magnitude [dB]")
+    upper.legend(loc="lower left")
+    lower.set(xlabel="angular frequency [rad/s]", ylabel="phase [degrees]", xlim=(OMEGA[0], OMEGA[-1]))
     return figure
 
 
-def bode_plot_light_damping(numbers: LinearNumbers) -> Figure:
-    """Draw |q1 + q2 + q3 + q4| with a thousandth of the damping (thesis, figure 5.4)."""
-    light = sum_of_displacements(lightly_damped(numbers.parameters))
-    full = sum_of_displacements(numbers.parameters)
-    with style():
-        figure = new_figure(3.2)
-        axes = figure.subplots()
-        for system, label, line in ((light, "a thousandth of the damping", 0), (full, "all damping", 1)):
-            omega = _with_peaks(resonance_peaks(system))
-            axes.semilogx(omega, _decibels(system, omega), label=label, **LINES[line].keywords)
-        for mode in numbers.undamped:
-            axes.axvline(mode.omega, color="#777777", linewidth=0.7, linestyle=":")
-            axes.text(mode.omega, 88, f"{mode.omega:.0f}", ha="center", va="bottom", fontsize=8)
-        axes.set(
-            xlabel="angular frequency [rad/s]",
-            ylabel="magnitude of $q_1 + q_2 + q_3 + q_4$ [dB]",
-            xlim=(300, 2e4),
-            ylim=(-60, 86),
-        )
-        axes.legend(loc="lower left")
-    return figure
-
-
-def nyquist_locus(numbers: LinearNumbers) -> Figure:
-    """Draw the Nyquist locus, whole and near the critical point (thesis, figure 5.3)."""
-    system = numbers.displacement_only
-    omega = _locus_frequencies(numbers)
-    with style():
-        figure = new_figure(3.4)
-        whole, near = figure.subplots(1, 2)
-        for axes in (whole, near):
-            _locus(axes, system, omega)
-        near.set(xlim=(-3, 3), ylim=(-3, 3), title="near the critical point", xlabel="real part")
-        whole.set(title="whole locus", xlabel="real part", ylabel="imaginary part")
-        whole.set_aspect("equal", adjustable="datalim")
-        near.set_aspect("equal", adjustable="box")
-        whole.legend(loc="upper right")
-    return figure
-
-
-def _locus(axes: Axes, system: control.TransferFunction, omega: NDArray[np.float64]) -> None:
-    response = frequency_response(system, omega)
-    plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$\omega > 0$", **LINES[0].keywords)
-    thin = LINES[1].keywords | {"linewidth": 0.9}
-    plot_along(axes, response.conj(), Along("ω", "rad/s", -omega), label=r"$\omega < 0$", **thin)
-    axes.plot([-1], [0], "+", color="black", markersize=9, markeredgewidth=1.6)
-    axes.annotate("$-1$", (-1, 0), (-8, 8), textcoords="offset points", ha="right")
-    for place in (2150.0, 3350.0, 3600.0, 4400.0):
-        start, end = frequency_response(system, np.array([place, place * 1.004]))
-        axes.annotate(
-            "",
-            (end.real, end.imag),
-            (start.real, start.imag),
-            arrowprops={"arrowstyle": "-|>", "color": LINES[0].colour, "mutation_scale": 11},
-            annotation_clip=True,
-        )
-
-
-def _locus_frequencies(numbers: LinearNumbers) -> NDArray[np.float64]:
-    """Return frequencies that follow each resonance closely, where the locus moves fastest."""
-    near = [
-        mode.omega_damped - mode.eigenvalue.real * np.sinh(np.linspace(-5, 5, 400)) for mode in numbers.modes
-    ]
+@figure(
+    "fig-5.3",
+    "Nyquist locus",
+    caption="""Nyquist locus of $q_2 - q_4$ from the pin's displacement (thesis, figure 5.3). Arrows: rising
+    frequency. The locus does not encircle $-1$.""",
+    alternative_text="""Closed curve with two large loops below the real axis for positive frequency and its
+    mirror image; the right half shows that the point minus one lies outside.""",
+)
+@style()
+def nyquist_locus(known: Evidence) -> Figure:
+    system = known.numbers.displacement_only
+    # Each resonance is followed closely, where the locus moves fastest.
+    modes, around = known.numbers.modes, np.sinh(np.linspace(-5, 5, 400))
+    near = [mode.omega_damped - mode.eigenvalue.real * around for mode in modes]
     omega = np.sort(np.concatenate([OMEGA, np.linspace(1, 1e4, 1500), *near]))
-    return np.asarray(omega[omega > 0])
+    omega = omega[omega > 0]
+    response, thin = frequency_response(system, omega), LINES[1] | {"linewidth": 0.9}
+    figure, (whole, enlarged) = panels(3.4, 1, 2)
+    for axes in (whole, enlarged):
+        plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$\omega > 0$", **LINES[0])
+        plot_along(axes, response.conj(), Along("ω", "rad/s", -omega), label=r"$\omega < 0$", **thin)
+        critical_point(axes)
+        beside(axes, "$-1$", (-1, 0), (-8, 8), ha="right")
+        for place in (2150.0, 3350.0, 3600.0, 4400.0):
+            arrow(axes, *frequency_response(system, place * np.array([1, 1.004])), color=LINES[0]["color"])
+    enlarged.set(xlim=(-3, 3), ylim=(-3, 3), title="near the critical point", xlabel="real part")
+    whole.set(title="whole locus", xlabel="real part", ylabel="imaginary part")
+    whole.set_aspect("equal", adjustable="datalim")
+    enlarged.set_aspect("equal", adjustable="box")
+    whole.legend(loc="upper right")
+    return figure
 
 
-def _bode_lines(upper: Axes, lower: Axes, system: control.TransferFunction, label: str, line: int) -> None:
-    omega = _with_peaks(resonance_peaks(system))
-    phase = np.unwrap(np.angle(frequency_response(system, omega)))
-    upper.semilogx(omega, _decibels(system, omega), label=label, **LINES[line].keywords)
-    lower.semilogx(omega, np.degrees(phase), **LINES[line].keywords)
+@figure(
+    "fig-5.4",
+    "Bode plot with very light damping",
+    caption="""Magnitude of the sum of all displacements with a thousandth of the damping, and with all of it
+    (thesis, figure 5.4). Dotted: natural frequencies without damping, in rad/s.""",
+    alternative_text="""Magnitude against frequency; the lightly damped curve has four sharp peaks, the other
+    has three rounded ones.""",
+)
+@style()
+def bode_plot_light_damping(known: Evidence) -> Figure:
+    light = sum_of_displacements(lightly_damped(known.numbers.parameters))
+    full = sum_of_displacements(known.numbers.parameters)
+    figure, axes = panels(3.2)
+    for system, label, line in ((light, "a thousandth of the damping", 0), (full, "all damping", 1)):
+        omega = _with_peaks(system)
+        axes.semilogx(omega, _decibels(system, omega), label=label, **LINES[line])
+    for mode in known.numbers.undamped:
+        axes.axvline(mode.omega, color="#777777", linewidth=0.7, linestyle=":")
+        axes.text(mode.omega, 88, f"{mode.omega:.0f}", ha="center", va="bottom", fontsize=8)
+    axes.set(xlabel="angular frequency [rad/s]", ylabel="magnitude of $q_1 + q_2 + q_3 + q_4$ [dB]")
+    axes.set(xlim=(300, 2e4), ylim=(-60, 86))
+    axes.legend(loc="lower left")
+    return figure
 
 
-def _decibels(system: control.TransferFunction, omega: NDArray[np.float64]) -> NDArray[np.float64]:
+def _decibels(system: control.TransferFunction, omega: Reals) -> Reals:
     return np.asarray(20 * np.log10(np.abs(frequency_response(system, omega))))
 
 
-def _with_peaks(peaks: Sequence[Extremum]) -> NDArray[np.float64]:
-    near = [peak.omega * (1 + np.linspace(-0.01, 0.01, 81)) for peak in peaks]
+def _with_peaks(system: control.TransferFunction) -> Reals:
+    near = [peak.omega * (1 + np.linspace(-0.01, 0.01, 81)) for peak in resonance_peaks(system)]
     return np.sort(np.concatenate([OMEGA, *near]))

@@ -1,0 +1,80 @@
+"""The closed loop released without drive, and the open loop for very different drives (figures E.1, E.2)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from report.drawing.style import FAINT, LINES, panels, style
+from report.evidence import Evidence
+from report.record import figure
+from report.thesis import LARGE_GAP, TURN
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LAST: Final = 0.012
+"""Time that is shown of the settled motions, s."""
+
+
+@figure(
+    "fig-E.1",
+    "Closed loop for four gaps",
+    caption="""Settled output of the closed loop without drive, pin displacement only (thesis, figure E.1).
+    The four motions are one and the same, scaled by the gap. Dotted: the amplitude.""",
+    alternative_text="""Four nearly sinusoidal curves over 12 ms with the same period; their amplitude rises
+    from 2.5 to 5.0 mm.""",
+)
+@style()
+def closed_loop_for_four_gaps(known: Evidence) -> Figure:
+    runs = known.motion.released.appendix
+    figure, column = panels(5.2, len(runs), sharex=True, sharey=True)
+    for axes, run in zip(column, runs, strict=True):
+        shown = run.times > run.times[-1] - LAST
+        times = 1e3 * (run.times[shown] - run.times[shown][0])
+        axes.plot(times, 1e3 * run.output[shown], **LINES[0])
+        for side in (-1, 1):
+            axes.axhline(1e3 * side * run.amplitude, **FAINT)
+        motion = f"amplitude {1e3 * run.amplitude:.3f} mm, {run.frequency:.2f} Hz"
+        axes.set_title(f"$b$ = {1e3 * run.gap:g} mm: {motion}", loc="left")
+        axes.set_ylabel("$q_2 - q_4$ [mm]")
+    axes.set(xlabel="time [ms]", xlim=(0, 1e3 * LAST), ylim=(-5.8, 5.8))
+    return figure
+
+
+@figure(
+    "fig-E.2",
+    "Open loop for five amplitudes of the drive",
+    caption="""Settled input and output at 100 Hz, $b$ = 40 µm, over the amplitude of the input (thesis,
+    figure E.2). At 1.5 µm the pin stays within its play. Bottom right: outputs without their first harmonic,
+    which far above the gap no longer depend on the amplitude.""",
+    alternative_text="""Five panels with a sine and an output: zero in the first, rippled in the second,
+    nearly the same sine in the others. The sixth panel shows ripples of 26 to 36 micrometres that nearly
+    coincide.""",
+)
+@style()
+def drive_amplitudes(known: Evidence) -> Figure:
+    runs = known.motion.drive_amplitudes
+    figure, grid = panels(5.4, 3, 2, sharex=True)
+    *single, ripples = grid.flat
+    for axes, run in zip(single, runs, strict=True):
+        axes.plot(run.phases / TURN, np.sin(run.phases), label="input", **LINES[1])
+        axes.plot(run.phases / TURN, run.output / run.amplitude, label="output", **LINES[0])
+        axes.set(title=f"$A$ = {_length(run.amplitude)}", ylabel="displacement$/A$")
+        axes.set(xlim=(0, 2), ylim=(-1.3, 1.9))
+    for run, line in zip(runs[1:], LINES[2:], strict=False):
+        lines = np.fft.rfft(run.output)
+        lines[2] = 0.0  # two periods: the first harmonic
+        ripple = 1e6 * np.fft.irfft(lines, run.output.size)
+        ripples.plot(run.phases / TURN, ripple, label=_length(run.amplitude), **line)
+    ripples.set(title="output without first harmonic", ylabel="[µm]", ylim=(-45, 100))
+    ripples.legend(loc="upper right", ncols=2)
+    for axes in grid[-1]:
+        axes.set_xlabel("phase of the pin [turns]")
+    single[0].legend(loc="upper right", ncols=2)
+    return figure
+
+
+def _length(metres: float) -> str:
+    return f"{1e6 * metres:g} µm" if metres < LARGE_GAP else f"{1e3 * metres:g} mm"

@@ -1,1 +1,0 @@
-"""Figures: appendix E, further simulations."""

@@ -1,0 +1,305 @@
+"""The trimmer over time and in spectra, driven (figures 3.1 to 3.8) and released (figure 3.9).
+
+The experiment's data and parameters are confidential, so all are drawn with the parameters of Listing A.1.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from report.drawing.marks import beside
+from report.drawing.style import BLACK, FAINT, LINES, panels, style
+from report.evidence import Evidence
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun, Reals
+from report.numbers.printed_peaks import FRAMES_OF_TABLES, TABLE_2
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
+from report.numbers.transient_spectrum import transient_spectrum
+from report.record import figure
+from report.thesis import MEASURED_DRIVE_FREQUENCY
+from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
+from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+DRIVEN: Final = "Simulated with the parameters of Listing A.1, driven with 1.5 mm at 109.945 Hz"
+SHOWN_FORCE: Final = FORCES[1]
+"""Friction in the figures that stand for the experiment, N."""
+SHOWN_TIME, FROM_REST = 0.05, 0.03
+"""Time that is shown of the settled motions, and of those from rest, s."""
+WHOLE_PERIODS: Final = 6003
+"""Samples in 33 periods of the drive, to 1e-6: nothing leaks from one harmonic to another."""
+OPEN_LOOP_PEAK: Final = 365.999
+"""Peak of figure 3.8 that the thesis reads as a limit cycle, Hz."""
+SET_APART: Final = 16.0
+"""Distance between the symbols of two frictions at one harmonic, Hz."""
+IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.7, "columnspacing": 1.0}
+
+
+@figure(
+    "fig-3.1",
+    "Motions without play",
+    caption=f"""{DRIVEN}, settled, in place of the measured motions (thesis, figure 3.1): cutter, guard, and
+    difference. Friction of 0.5 N between cutter and guard, no play. The guard's motion, two percent of the
+    cutter's, shows higher harmonics most clearly.""",
+    alternative_text="""Three curves over 50 ms: cutter and difference are sines of 1.5 mm with flattened
+    peaks, the guard moves by 20 micrometres to either side and less smoothly.""",
+)
+@style()
+def motions_without_play(known: Evidence) -> Figure:
+    return _motions(known.motion.driven.run(0.0, SHOWN_FORCE))
+
+
+@figure(
+    "fig-3.3",
+    "Motions with play",
+    caption=f"""{DRIVEN}, settled (thesis, figure 3.3): as figure 3.1, with a play of 0.2 mm between pin and
+    bridge.""",
+    alternative_text="""Three curves over 50 ms: cutter and difference show a fast oscillation on top of a
+    sine of 1.5 mm, the guard moves by 20 micrometres to either side.""",
+)
+@style()
+def motions_with_play(known: Evidence) -> Figure:
+    return _motions(known.motion.driven.run(GAP, SHOWN_FORCE))
+
+
+def _motions(run: DrivenRun) -> Figure:
+    part = run.last(int(SHOWN_TIME * SAMPLE_RATE) + 1)
+    times = 1e3 * (run.times[part] - run.times[part.start])
+    rows = (
+        ("cutter, $q_2$ [mm]", 1e3 * run.cutter),
+        ("guard, $q_4$ [µm]", 1e6 * run.guard),
+        ("$q_2 - q_4$ [mm]", 1e3 * run.output),
+    )
+    figure, column = panels(4.4, 3, sharex=True)
+    for axes, (label, values), line in zip(column, rows, LINES, strict=False):
+        axes.plot(times, values[part], **line)
+        axes.set_ylabel(label)
+    column[-1].set(xlabel="time [ms]", xlim=(0, 1e3 * SHOWN_TIME))
+    return figure
+
+
+@figure(
+    "fig-3.2",
+    "Spectrum without play",
+    caption=f"""{DRIVEN}: 2001 samples at 20 kHz of the motion of figure 3.1, bins of 9.995 Hz (thesis, figure
+    3.2). Only odd harmonics; the fifth is raised by a natural mode at 549.6 Hz.""",
+    alternative_text="""Amplitude on a logarithmic scale against frequency up to 1000 Hz, with peaks at the
+    first, third, fifth, seventh and ninth multiple of the drive and nothing between them.""",
+)
+@style()
+def spectrum_without_play(known: Evidence) -> Figure:
+    return _spectra({"without play": _settled(known.motion.driven.run(0.0, SHOWN_FORCE))})
+
+
+@figure(
+    "fig-3.4",
+    "Spectrum with play",
+    caption=f"""{DRIVEN}: the motions of figures 3.3 and 3.1 (thesis, figure 3.4). Play raises the odd
+    harmonics and adds no others.""",
+    alternative_text="""Two spectra on a logarithmic scale. Both have peaks at the odd multiples of the drive
+    only; with play the third, fifth and seventh are higher.""",
+)
+@style()
+def spectrum_with_play(known: Evidence) -> Figure:
+    gaps = {"play of 0.2 mm": GAP, "without play": 0.0}
+    return _spectra({name: _settled(known.motion.driven.run(gap, SHOWN_FORCE)) for name, gap in gaps.items()})
+
+
+def _settled(run: DrivenRun, samples: int = FRAMES_OF_TABLES) -> Spectrum:
+    return amplitude_spectrum(run.output[run.last(samples)], SAMPLE_RATE, Window.RECTANGULAR)
+
+
+def _spectra(spectra: dict[str, Spectrum]) -> Figure:
+    figure, axes = panels(2.9)
+    for (name, spectrum), line, marker in zip(spectra.items(), LINES, "os", strict=False):
+        look = {"marker": marker, "markersize": 4, "linewidth": 1.0} | line
+        axes.semilogy(spectrum.frequency, 1e6 * spectrum.amplitude, label=name, **look)
+    axes.set(xlabel="frequency [Hz]", ylabel="amplitude [µm]", xlim=(0, 1050), ylim=(0.3, 2e4))
+    for order in range(1, 10, 2):
+        axes.annotate(f"$f_{order}$", (order * MEASURED_DRIVE_FREQUENCY, 6e3), ha="center")
+    axes.legend(loc="upper right", bbox_to_anchor=(1.0, 0.86))
+    return figure
+
+
+@figure(
+    "fig-3.5",
+    "Spectrum with play, 200 to 1000 Hz",
+    caption="""The spectrum of figure 3.4 above the drive, with the measured peaks of table 3.2 as symbols;
+    their height means nothing (thesis, figure 3.5). Dotted: multiples of 109.945 Hz. The measurement has even
+    harmonics, which the model cannot have.""",
+    alternative_text="""Peaks of the model at the third and fifth harmonic. Symbols of three measurements
+    stand near the second, third, fourth and fifth harmonic.""",
+)
+@style()
+def enlarged_spectrum(known: Evidence) -> Figure:
+    spectrum = _settled(known.motion.driven.run(GAP, SHOWN_FORCE))
+    frequency, amplitude = spectrum.frequency, 1e6 * spectrum.amplitude
+    height = float(amplitude[frequency > 200].max())
+    figure, axes = panels(3.2)
+    axes.plot(frequency, amplitude, label="model", marker=".", **LINES[0])
+    for row, ((name, cells), marker) in enumerate(zip(TABLE_2.items(), "v^s", strict=True)):
+        places = [float(cell) for cell in cells[1:]]
+        look = {"color": LINES[row + 1]["color"], "markersize": 5, "label": f"measured, {name}"}
+        axes.plot(places, [height * (1.1 + 0.1 * row)] * len(places), marker, **look)
+    for order in range(2, 10):
+        axes.axvline(order * MEASURED_DRIVE_FREQUENCY, **FAINT)
+        _name_harmonic(axes, order, 1.42 * height, (3, 0))
+    axes.set(xlabel="frequency [Hz]", ylabel="amplitude [µm]", xlim=(200, 1000), ylim=(0, 1.55 * height))
+    axes.legend(loc="center right", frameon=True, framealpha=1.0, edgecolor="none")
+    return figure
+
+
+@figure(
+    "fig-3.6",
+    "Open loop, gap 0.2 mm",
+    caption=f"""{DRIVEN}, with friction of 0.25, 0.50 and 0.75 N between cutter and guard (thesis, figure
+    3.6). Third and fifth harmonic are the largest; friction makes the fifth smaller.""",
+    alternative_text="""Left: displacement from rest over 30 ms for three frictions, a sine with a faster
+    oscillation on top. Right: amplitudes of the third to ninth harmonic, the fifth falling from 259 to 154
+    micrometres.""",
+)
+@style()
+def open_loop_with_small_gap(known: Evidence) -> Figure:
+    runs = [known.motion.driven.run(GAP, force) for force in FORCES]
+    orders = np.arange(3, 10, 2)
+    figure, (over_time, harmonics) = panels(3.2, 1, 2)
+    for index, (run, line, marker) in enumerate(zip(runs, LINES, "os^", strict=False)):
+        _from_rest(over_time, run, line)
+        places = orders * MEASURED_DRIVE_FREQUENCY + SET_APART * (index - 1)
+        heights = 1e6 * run.harmonics[orders]
+        harmonics.vlines(places, 0, heights, colors=line["color"], linestyles=[line["linestyle"]])
+        look = {"color": line["color"], "markersize": 5, "label": f"{run.force:.2f} N"}
+        harmonics.plot(places, heights, marker, **look)
+    for order in orders.tolist():
+        _name_harmonic(harmonics, order, 1e6 * max(float(run.harmonics[order]) for run in runs))
+    over_time.set(title="(a) from rest", ylim=(-1.8, 2.5))
+    over_time.legend(loc="upper right", **IN_A_ROW)
+    harmonics.set(xlabel="frequency [Hz], forces set apart", ylabel="amplitude [µm]")
+    harmonics.set(xlim=(200, 1050), ylim=(0, 330), title="(b) settled, above the drive")
+    harmonics.legend(loc="upper right")
+    return figure
+
+
+@figure(
+    "fig-3.7",
+    "Open loop, larger gaps",
+    caption=f"""{DRIVEN}. Left: with the printed gap of 20 mm the pin swings inside of its play and nothing
+    else moves (thesis, figure 3.7). Right: the middle one of the three gaps, 2 mm, with three frictions.""",
+    alternative_text="""Left: a small sine in a wide grey band, and a line at zero. Right: three curves with a
+    strong oscillation on top of the drive's, smaller with more friction.""",
+)
+@style()
+def open_loop_with_large_gap(known: Evidence) -> Figure:
+    still = known.motion.driven.run(LARGEST_GAP, SHOWN_FORCE)
+    part = slice(0, int(FROM_REST * SAMPLE_RATE) + 1)
+    times = 1e3 * still.times[part]
+    figure, (printed, smaller) = panels(3.2, 1, 2)
+    printed.fill_between(times, -500 * LARGEST_GAP, 500 * LARGEST_GAP, color="#e4e4e4", label="play")
+    printed.plot(times, 1e3 * still.pin[part], label="pin", **LINES[1])
+    printed.plot(times, 1e3 * still.output[part], label="$q_2 - q_4$", **LINES[0])
+    printed.set(xlabel="time [ms]", ylabel="displacement [mm]", title="(a) $b$ = 20 mm, as printed")
+    printed.set(xlim=(0, 1e3 * FROM_REST), ylim=(-12, 17))
+    printed.legend(loc="upper right", ncols=3)
+    for force, line in zip(FORCES, LINES, strict=False):
+        _from_rest(smaller, known.motion.driven.run(LARGER_GAP, force), line)
+    smaller.set(title="(b) $b$ = 2 mm", ylim=(-1.7, 2.4))
+    smaller.legend(loc="upper right", **IN_A_ROW)
+    return figure
+
+
+def _from_rest(axes: Axes, run: DrivenRun, keywords: dict[str, Any]) -> None:
+    part = slice(0, int(FROM_REST * SAMPLE_RATE) + 1)
+    axes.plot(1e3 * run.times[part], 1e3 * run.output[part], label=f"{run.force:.2f} N", **keywords)
+    axes.set(xlabel="time [ms]", ylabel="$q_2 - q_4$ [mm]", xlim=(0, 1e3 * FROM_REST))
+
+
+def _name_harmonic(axes: Axes, order: int, height: float, offset: tuple[float, float] = (6, 4)) -> None:
+    beside(axes, f"$f_{order}$", (order * MEASURED_DRIVE_FREQUENCY, height), offset)
+
+
+@figure(
+    "fig-3.8",
+    "What the start adds to a spectrum",
+    caption=f"""{DRIVEN}, gap 2 mm, friction 0.25 N (thesis, figure 3.8). Left: a record from rest and one of
+    the settled motion, whole periods. Right: spectrum of their difference over time; dotted lines are natural
+    modes. The peak that the thesis takes for a limit cycle stands beside the second.""",
+    alternative_text="""Left: the settled record has three narrow peaks and nothing between them; the record
+    from rest has a floor with a hump near 355 Hz. Right: peaks at the dotted lines near 355 and 550 Hz.""",
+)
+@style()
+def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
+    run = known.motion.driven.run(LARGER_GAP, FORCES[0])
+    started = amplitude_spectrum(run.output[:WHOLE_PERIODS], SAMPLE_RATE, Window.RECTANGULAR)
+    settled = _settled(run, WHOLE_PERIODS)
+    figure, (both, dying) = panels(3.4, 1, 2)
+    for spectrum, name, line in ((started, "first 0.3 s", LINES[1]), (settled, "last 0.3 s", LINES[0])):
+        amplitude = 1e6 * np.maximum(spectrum.amplitude, 1e-12)
+        both.semilogy(spectrum.frequency, amplitude, label=name, **line)
+    both.set(xlabel="frequency [Hz]", ylabel="amplitude [µm]", xlim=(80, 700), ylim=(1e-2, 2e4))
+    both.set_title("(a) record with and without the start")
+    both.legend(loc="upper right", ncols=2)
+    for order in (1, 3, 5):
+        _name_harmonic(both, order, 1e6 * float(run.harmonics[order]))
+    frequency, modulus = transient_spectrum(run)
+    inside = (frequency > 80) & (frequency < 700)
+    height = float(1e6 * modulus[inside].max())
+    dying.plot(frequency[inside], 1e6 * modulus[inside], **LINES[1])
+    for mode in known.numbers.modes[:3]:
+        dying.axvline(mode.frequency, **FAINT)
+        beside(dying, f"{mode.frequency:.0f} Hz", (mode.frequency, 1.25 * height), (-3, 0), ha="right")
+    dying.plot([OPEN_LOOP_PEAK], [1.06 * height], "v", color=BLACK, markersize=6)
+    place = (OPEN_LOOP_PEAK + 12, 1.06 * height)
+    dying.annotate("365.999 Hz\nin the thesis", place, va="top", fontsize=9)
+    dying.set(xlabel="frequency [Hz]", ylabel="modulus [µm s]", title="(b) what dies out")
+    dying.set(xlim=(80, 700), ylim=(0, 1.35 * height))
+    return figure
+
+
+@figure(
+    "fig-3.9",
+    "Closed loop released without drive",
+    caption="""Spectra of the first 0.3 s with the parameters of Listing A.1, over the gap (thesis, figure
+    3.9). Left: released inside of the play, natural modes die out, near 355 Hz for every gap. Right: released
+    outside, the limit cycle. Friction acts by its ratio to the gap. Dotted: the second natural mode.""",
+    alternative_text="""Four panels for two gaps and two starts. Left peaks at 355 and 550 Hz, which friction
+    of 0.25 N removes for the small gap only. Right one peak at 728 Hz, hardly changed by friction.""",
+)
+@style()
+def closed_loop_spectra(known: Evidence) -> Figure:
+    second, third = (mode.frequency for mode in known.numbers.modes[1:3])
+    figure, grid = panels(4.8, 2, 2, sharex=True, sharey="col")
+    for row, gap in zip(grid, (GAP, LARGEST_GAP), strict=True):
+        for axes, start in zip(row, (INSIDE, OUTSIDE), strict=True):
+            for force, line in zip(FORCES_OF_FIGURE, LINES, strict=False):
+                run = known.motion.released.released(gap, force, start)
+                frequency, amplitude = _released_spectrum(run)
+                shown = (frequency > 100) & (frequency < 900)
+                label = f"$F_c$ = {force:g} N"
+                axes.plot(frequency[shown], amplitude[shown] / gap, label=label, **line)
+            axes.axvline(second, **FAINT)
+            axes.set_xlim(100, 900)
+        row[0].set_ylabel(f"$b$ = {1e3 * gap:g} mm\namplitude$/b$")
+    inside, outside = grid[0]
+    inside.set(title="released inside of the play, 0.4 gaps", ylim=(0, 0.017))
+    outside.set(title="released outside, 4 gaps", ylim=(0, 5.5))
+    for axes in grid[1]:
+        axes.set_xlabel("frequency [Hz]")
+    for axes in (inside, outside):
+        beside(axes, f"{second:.1f} Hz", (second, 0.9 * axes.get_ylim()[1]), (-4, 0), ha="right")
+    inside.annotate(f"{third:.0f} Hz", (third, 0.0145), ha="center")
+    cycle = known.motion.released.released(GAP, FORCES_OF_FIGURE[0], OUTSIDE)
+    outside.annotate(f"limit cycle,\n{cycle.frequency:.0f} Hz", (cycle.frequency, 4.5), ha="center")
+    figure.legend(*grid[1, 1].get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    return figure
+
+
+def _released_spectrum(run: ReleasedRun) -> tuple[Reals, Reals]:
+    """Return a spectrum; that of an oscillation that goes on with the window that shows amplitudes."""
+    if not run.goes_on:
+        return released_spectrum(run)
+    spectrum = amplitude_spectrum(run.output, SAMPLE_RATE, Window.FLAT_TOP)
+    return spectrum.frequency, spectrum.amplitude

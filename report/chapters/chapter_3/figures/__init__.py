@@ -1,1 +1,0 @@
-"""Figures: chapter 3, experiment and simulation."""

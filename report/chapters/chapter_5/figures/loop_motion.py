@@ -1,0 +1,271 @@
+"""The loop of section 5.2 over time and in spectra (figures 5.7, 5.9 to 5.12 and 5.14)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from report.drawing import plane
+from report.drawing.marks import beside
+from report.drawing.style import DOTTED, LINES, panels, style
+from report.evidence import Evidence
+from report.numbers.drive_amplitudes import AmplitudeRun
+from report.numbers.impulse_response import GAPS, SHOWN
+from report.numbers.record import Record, line_amplitudes
+from report.numbers.reference_loop import RECORD, SAMPLE_RATE, SETTLING
+from report.numbers.spectral_lines import largest_other_line
+from report.numbers.timed_block import RECORD as SHORT
+from report.record import figure
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+    Reals = NDArray[np.float64]
+
+READINGS: Final = (33.03, -32.961)
+"""Printed readings of figure 5.9a, µm."""
+WINDOW: Final = 1.5e-3
+"""Time over which smallest and largest value make one point of a band, s: more than a period."""
+SHOWN_PERIODS: Final = 4
+NEAR_PEAK: Final = (690.0, 780.0)
+"""Frequencies of figure 5.9b, Hz."""
+RECORDS: Final = (Record(1.0, 20_001), Record(0.1, 20_001))
+HIGHEST: Final = 1200.0
+"""Highest frequency that is shown, Hz."""
+FLOOR: Final = 0.1
+"""Smallest line that is shown, µm."""
+
+
+@figure(
+    "fig-5.7",
+    "Three gaps after one impulse",
+    caption="""How far the closed loop swings after an impulse, for the gaps of figure 5.7 of the thesis. All
+    three go on after the stronger impulse, with 8.29 gaps each. After the weaker one the largest gap dies
+    out, not the smallest.""",
+    alternative_text="""Six bands over 160 milliseconds. In the left column they widen to 83, 166 and 249
+    nanometres from top to bottom; in the right column the first two do the same and the third shrinks to
+    nothing.""",
+)
+@style()
+def three_gaps(known: Evidence) -> Figure:
+    figure, grid = panels(4.8, len(GAPS), len(SHOWN), sharex=True, sharey=True)
+    for run in known.motion.closed.impulses.runs:
+        axes = grid[GAPS.index(run.gap), SHOWN.index(run.impulse)]
+        _band(axes, run.times, 1e9 * run.output)
+        goes_on = run.amplitude > run.gap / 2
+        text = f"goes on with {1e9 * run.amplitude:.1f} nm" if goes_on else "dies out"
+        axes.text(0.97, 0.5, text, transform=axes.transAxes, va="center" if goes_on else "bottom", ha="right")
+    for row, gap in zip(grid, GAPS, strict=True):
+        row[0].set_ylabel(f"$b$ = {1e9 * gap:.0f} nm\n$y$ [nm]")
+    for column, impulse in zip(grid.T, SHOWN, strict=True):
+        column[0].set_title(f"impulse {1e12 * impulse:.0f}·10$^{{-12}}$ m s")
+        column[-1].set(xlabel="time [ms]", xlim=(0, 160), ylim=(-330, 330))
+    return figure
+
+
+def _band(axes: Axes, times: Reals, values: Reals) -> None:
+    """Draw how far a fast oscillation reaches, as a band between its smallest and largest values."""
+    parts = np.array_split(np.arange(times.size), round(times[-1] / WINDOW))
+    middles = 1e3 * np.array([times[part].mean() for part in parts])
+    low, high = (np.array([extreme(values[part]) for part in parts]) for extreme in (np.min, np.max))
+    axes.fill_between(middles, low, high, color=LINES[0]["color"], alpha=0.35, linewidth=0)
+    for edge in (low, high):
+        axes.plot(middles, edge, linewidth=1, **LINES[0])
+
+
+@figure(
+    "fig-5.9",
+    "Limit cycle for a gap of 4 µm",
+    caption="""a: settled output with the readings of the thesis (figure 5.9). b: its spectrum over one
+    second, whose highest bin is 734 Hz, and over the stated 0.1 s, whose highest bin is 730 Hz. Dotted: the
+    limit cycle.""",
+    alternative_text="""A sine of 33 micrometres between two dotted lines. Below it a narrow peak at 734 hertz
+    and one ten times as wide at 730, on both sides of a dotted line at 733.6.""",
+)
+@style()
+def small_gap(known: Evidence) -> Figure:
+    orbit, rounded = known.orbits.friction.stable, known.orbits.friction_listing.stable
+    figure, (upper, lower) = panels(5.2, 2)
+    times = np.linspace(0, SHOWN_PERIODS * orbit.period, 1601)
+    upper.plot(1e3 * times, 1e6 * SMALL_GAP * periodic(orbit, times), **LINES[0])
+    for reading in READINGS:
+        upper.axhline(reading, **DOTTED)
+    exact, listing = (1e6 * SMALL_GAP * each.amplitude for each in (orbit, rounded))
+    sizes = f"exact ±{exact:.2f} µm, rounded coefficients ±{listing:.2f} µm"
+    text = f"{sizes}; dotted: readings {READINGS[0]} and −{-READINGS[1]} µm"
+    upper.annotate(text, (0.5, 1.02), xycoords="axes fraction", ha="center", fontsize=9)
+    upper.set(xlabel="a: time [ms]", ylabel="$y$ [µm]", xlim=(0, 1e3 * times[-1]), ylim=(-40, 40))
+    for record, line, marker, size in zip(RECORDS, LINES, "os", (2.5, 5), strict=False):
+        times = np.linspace(0, record.duration, record.samples)
+        lines = 1e6 * SMALL_GAP * line_amplitudes(periodic(orbit, times))
+        frequencies = record.bin_width * np.arange(lines.size)
+        near = (frequencies > NEAR_PEAK[0]) & (frequencies < NEAR_PEAK[1])
+        label = f"{record.duration:g} s, highest bin {frequencies[np.argmax(lines)]:.0f} Hz"
+        look = {"marker": marker, "markersize": size, "label": label} | line
+        lower.plot(frequencies[near], lines[near], **look)
+    lower.axvline(orbit.frequency, **DOTTED)
+    lower.set(xlabel="b: frequency [Hz]", ylabel="amplitude [µm]", xlim=NEAR_PEAK, ylim=(0, None))
+    lower.legend(loc="upper right")
+    return figure
+
+
+@figure(
+    "fig-5.10",
+    "Intersections and oscillation for a gap of 40 µm",
+    caption=r"""a: $G$ and $-1/N$ of friction-controlled backlash with $b$ = $4\times10^{-5}$ m (thesis,
+    figure 5.10). Full point: stable limit cycle; open point: unstable. The curve is that of every other gap;
+    only the amplitudes along it belong to this one. b: how far the exact loop swings after an impulse, and
+    the settled motion.""",
+    alternative_text="""The dashed curve leaves the large loop of G at its lower side, at 21.1 micrometres and
+    553.6 hertz, unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz,
+    stable. Below, a band that widens to 0.33 millimetres, and four periods of a sine of that size.""",
+)
+@style()
+def larger_gap(known: Evidence) -> Figure:
+    system, pair = known.numbers.displacement_only, known.cycles.friction
+    figure, ((whole, near), (start, settled)) = panels(6.4, 2, 2, height_ratios=(5, 4))
+    for axes, cycle, offset in ((whole, pair.unstable, (24, 8)), (near, pair.stable, (-7, 10))):
+        plane.locus(axes, system)
+        plane.element_curve(axes, FrictionBacklash(LARGE_GAP), "$-1/N$, $b$ = 40 µm", LINES[1])
+        size = f"{1e6 * LARGE_GAP * cycle.amplitude:.1f} µm, {cycle.frequency:.1f} Hz"
+        text = f"{size}\n{'stable' if cycle.stable else 'unstable'}"
+        plane.mark(axes, system, (cycle,), (text,), (offset,))
+    plane.frame(whole, "a: both intersections", (-9, 3), (-20, 6))
+    plane.frame(near, "a: the outer one, near $-1$", (-1.15, -0.9), (-0.16, 0.02), left=False)
+    whole.legend(loc="upper left")
+    run = known.motion.closed.impulses.runs[0]  # scaled by the gap it is the motion for any gap
+    _band(start, run.times, 1e3 * LARGE_GAP / run.gap * run.output)
+    start.set_title(f"b: after an impulse of {1e3 * run.impulse / run.gap:g} ms times $b$")
+    start.set(xlabel="time [ms]", ylabel="$y$ [mm]", xlim=(0, 120))
+    orbit = known.orbits.friction.stable
+    times = np.linspace(0, SHOWN_PERIODS * orbit.period, 801)
+    settled.plot(1e3 * times, 1e3 * LARGE_GAP * periodic(orbit, times), **LINES[0])
+    settled.set_title(f"b: settled, {1e6 * LARGE_GAP * orbit.amplitude:.1f} µm at {orbit.frequency:.1f} Hz")
+    settled.set(xlabel="time [ms]", xlim=(0, 1e3 * times[-1]))
+    return figure
+
+
+def periodic(orbit: PeriodicOrbit, times: Reals) -> Reals:
+    """Return the output of an orbit at any times, for a gap of one metre."""
+    return orbit.motion.output(np.mod(times, orbit.period))
+
+
+@figure(
+    "fig-5.11",
+    "Driven loop over time",
+    caption="""Output and bridge with a drive of 1.5 mm at 100 Hz and $b$ = 40 µm (thesis, figure 5.11).
+    Above: open loop. Below: the same blocks with the output subtracted from the drive, which swing between −1
+    and 1 mm (dotted) with a faster oscillation on top, as the text describes the figure.""",
+    alternative_text="""Above, a sine of 1.48 millimetres that bridge and output share. Below, a wave of one
+    millimetre made of a slow and a fast oscillation, the bridge in opposite phase to the fast one.""",
+)
+@style()
+def time_responses(known: Evidence) -> Figure:
+    opened, closed = _open_loop(known), known.motion.closed.reference.from_rest.motion
+    times = np.linspace(0, 2 / DRIVE_FREQUENCY, opened.output.size, endpoint=False)
+    bridge = FrictionBacklash(LARGE_GAP).waveform(opened.phases, DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    later = SETTLING + times
+    figure, (upper, lower) = panels(4.6, 2, sharex=True, sharey=True)
+    for axes, output, load in (
+        (upper, opened.output, bridge),
+        (lower, closed.output(later), closed.element_output(later)),
+    ):
+        axes.plot(1e3 * times, 1e3 * output, label="output $y$", **LINES[0])
+        axes.plot(1e3 * times, 1e3 * load, label="bridge, behind the play", **LINES[1])
+        axes.axhline(1.0, **DOTTED)
+        axes.axhline(-1.0, **DOTTED)
+        axes.set_ylabel("[mm]")
+    upper.set(title="open loop, as the caption has it", ylim=(-1.7, 2.4))
+    upper.legend(loc="upper right", ncols=2)
+    lower.set(title="output fed back, the drive as reference", xlabel="time [ms]", xlim=(0, 1e3 * times[-1]))
+    return figure
+
+
+@figure(
+    "fig-5.12",
+    "Closed and driven loop in spectra",
+    caption="""a: closed loop (thesis, figure 5.12). b: open loop, odd multiples of 100 Hz only; and the same
+    blocks with the output subtracted from the drive, where the limit cycle shows. Dotted: its frequency
+    without drive.""",
+    alternative_text="""Three spectra. The first has one line at 733.6 hertz; the second has lines at 100,
+    300, 500, 700, 900 and 1100 hertz, none of them there; the third has large lines at 100 and at 733
+    hertz.""",
+)
+@style()
+def spectra(known: Evidence) -> Figure:
+    orbit, closed, run = known.orbits.friction.stable, known.motion.closed, _open_loop(known)
+    figure, (top, middle, bottom) = panels(5.2, 3, sharex=True)
+    sizes = 1e6 * SMALL_GAP * abs(orbit.harmonics)
+    _stems(top, orbit.frequency * np.arange(1, sizes.size + 1), sizes)
+    top.set_title("a: closed loop without drive, $b$ = 4 µm")
+    _stems(middle, DRIVE_FREQUENCY * np.arange(run.harmonics.size), 1e6 * run.harmonics)
+    middle.set_title("b: open loop, $b$ = 40 µm")
+    times = SETTLING + np.arange(round(RECORD * SAMPLE_RATE)) / SAMPLE_RATE
+    record = closed.reference.from_rest.motion.output(times)
+    spectrum = amplitude_spectrum(record, SAMPLE_RATE, Window.BLACKMAN_HARRIS)
+    bottom.plot(spectrum.frequency, 1e6 * spectrum.amplitude, **LINES[0])
+    bottom.set_title("b: output fed back, the drive as reference, $b$ = 40 µm")
+    for axes in (top, middle, bottom):
+        axes.axvline(orbit.frequency, **DOTTED)
+        axes.set_yscale("log")
+        axes.set(ylabel="amplitude [µm]", ylim=(FLOOR, 5e3))
+    bottom.set(xlabel="frequency [Hz]", xlim=(0, HIGHEST))
+    return figure
+
+
+def _open_loop(known: Evidence) -> AmplitudeRun:
+    return next(run for run in known.motion.drive_amplitudes if run.amplitude == DRIVE_AMPLITUDE)
+
+
+def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
+    shown = (sizes > FLOOR) & (frequencies > 0) & (frequencies < HIGHEST)
+    axes.vlines(frequencies[shown], FLOOR, sizes[shown], color=LINES[0]["color"])
+    axes.plot(frequencies[shown], sizes[shown], "o", color=LINES[0]["color"], markersize=4)
+
+
+@figure(
+    "fig-5.14",
+    "Inertia-controlled backlash, driven",
+    caption="""From rest, 1.5 mm at 100 Hz, $b$ = 0.4 mm (thesis, figure 5.14). Above: open loop. Below:
+    Listing A.8's block in the loop with the drive as reference; its largest line beside multiples of 100 Hz
+    (points) is where the thesis reads 659 Hz.""",
+    alternative_text="""Above, a distorted sine, and a spectrum that falls smoothly between odd multiples of
+    100 hertz. Below, a fast oscillation on a slow one, and a spectrum with a hump at 660 hertz beside a line
+    at 700.""",
+)
+@style()
+def inertia(known: Evidence) -> Figure:
+    block = known.motion.closed.timed_block
+    frequency, size = largest_other_line(block)
+    shown = block.times <= 0.03
+    figure, grid = panels(4.8, 2, 2, sharex="col", sharey="col")
+    rows = ((block.open_loop, "open loop"), (block.block_in_loop, "Listing A.8 in the loop"))
+    for (motion, axes), (output, name) in zip(grid, rows, strict=True):
+        motion.plot(1e3 * block.times[shown], 1e3 * output[shown], **LINES[0])
+        motion.set(ylabel="$y$ [mm]", title=f"a: {name}, from rest")
+        sizes = 1e6 * line_amplitudes(output)
+        frequencies = SHORT.bin_width * np.arange(sizes.size)
+        near = (frequencies > 0) & (frequencies < HIGHEST)
+        axes.plot(frequencies[near], sizes[near], **LINES[0])
+        multiples = DRIVE_FREQUENCY * np.arange(1, HIGHEST // DRIVE_FREQUENCY)
+        places = np.round(multiples / SHORT.bin_width).astype(int)
+        look = {"color": LINES[1]["color"], "markersize": 3.5, "label": "multiples of 100 Hz"}
+        axes.plot(frequencies[places], sizes[places], "o", **look)
+        axes.axvline(frequency, **DOTTED)
+        axes.set_yscale("log")
+        axes.set(ylabel="amplitude [µm]", title=f"b: {name}", ylim=(FLOOR, 5e3))
+    look = {"ha": "right", "fontsize": 8, "arrowprops": {"arrowstyle": "-"}}
+    beside(grid[1, 1], f"{frequency:.1f} Hz", (frequency, 1e6 * size), (-8, 22), **look)
+    grid[0, 1].legend(loc="upper right", handletextpad=0.2)
+    grid[1, 0].set(xlabel="time [ms]", xlim=(0, 30))
+    grid[1, 1].set(xlabel="frequency [Hz]", xlim=(0, HIGHEST))
+    return figure

@@ -1,0 +1,21 @@
+"""Figures, each drawn once for each test process."""
+
+from functools import cache
+
+import pytest
+
+from report.record import FigureRecord, modules, records
+
+FIGURES = {figure.id: figure for module in modules() for figure in records(module, FigureRecord)}
+
+
+@pytest.fixture(scope="session")
+def drawn(evidence):
+    """Return a function that draws a figure by its id."""
+    return cache(lambda figure_id: FIGURES[figure_id].draw(evidence))
+
+
+@pytest.fixture(scope="session")
+def drawn_axes(drawn):
+    """Return a function that draws a figure by its id, and returns its axes."""
+    return lambda figure_id: drawn(figure_id).axes
