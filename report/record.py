@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, TypeVar, final
 from report import chapters
 from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
 from report.document import Figure
+from report.drawing.style import style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence
 from report.text import TextError, filled
@@ -148,8 +149,9 @@ class FigureRecord:
 def figure(
     figure_id: str, title: str, *, caption: str, alternative_text: str
 ) -> Callable[[Draw], FigureRecord]:
-    """Make a figure of the function that draws it; caption and alternative text may be text blocks."""
-    return lambda draw: FigureRecord(figure_id, title, filled(caption), filled(alternative_text), draw)
+    """Make a figure of what draws it, in the report's look; caption and words may be text blocks."""
+    words = filled(caption), filled(alternative_text)
+    return lambda draw: FigureRecord(figure_id, title, *words, style()(draw))
 
 
 AnyRecord = TypeVar("AnyRecord", ClaimRecord, FigureRecord)

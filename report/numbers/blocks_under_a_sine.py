@@ -8,7 +8,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
-from report.numbers.backlash_listings import DRIVE_GAP, friction_block, inertia_block
+from report.numbers.independent.listed_blocks import DRIVE_GAP, friction_block, inertia_block
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from trimmer.elements.inertia_backlash import InertiaBacklash
 

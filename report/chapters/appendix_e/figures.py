@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.style import FAINT, LINES, panels, style
+from report.drawing.style import FAINT, LINES, panels
 from report.evidence import Evidence
 from report.record import figure
 from report.thesis import LARGE_GAP, TURN
@@ -26,7 +26,6 @@ LAST: Final = 0.012
     alternative_text="""Four nearly sinusoidal curves over 12 ms with the same period; their amplitude rises
     from 2.5 to 5.0 mm.""",
 )
-@style()
 def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     runs = known.motion.released.appendix
     figure, column = panels(5.2, len(runs), sharex=True, sharey=True)
@@ -53,7 +52,6 @@ def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     nearly the same sine in the others. The sixth panel shows ripples of 26 to 36 micrometres that nearly
     coincide.""",
 )
-@style()
 def drive_amplitudes(known: Evidence) -> Figure:
     runs = known.motion.drive_amplitudes
     figure, grid = panels(5.4, 3, 2, sharex=True)

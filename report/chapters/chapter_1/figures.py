@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from report.drawing import mechanical_symbols as draw
-from report.drawing.style import BLACK, style
+from report.drawing.style import BLACK
 from report.evidence import Evidence
 from report.record import figure
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     cutter, which touches the guard. The guard is fixed to the guard housing, and a coil spring ties the
     cutter to it.""",
 )
-@style()
 def components(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 4.0)
     draw.body(axes, (0.5, 0.2), (5.5, 0.35), "plastic housing", "#f2f2f2")

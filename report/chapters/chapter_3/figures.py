@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from report.drawing.marks import beside
-from report.drawing.style import BLACK, FAINT, LINES, panels, style
+from report.drawing.style import BLACK, FAINT, LINES, panels
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun, Reals
 from report.numbers.printed_peaks import FRAMES_OF_TABLES, TABLE_2
@@ -48,7 +48,6 @@ IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.
     alternative_text="""Three curves over 50 ms: cutter and difference are sines of 1.5 mm with flattened
     peaks, the guard moves by 20 micrometres to either side and less smoothly.""",
 )
-@style()
 def motions_without_play(known: Evidence) -> Figure:
     return _motions(known.motion.driven.run(0.0, SHOWN_FORCE))
 
@@ -61,7 +60,6 @@ def motions_without_play(known: Evidence) -> Figure:
     alternative_text="""Three curves over 50 ms: cutter and difference show a fast oscillation on top of a
     sine of 1.5 mm, the guard moves by 20 micrometres to either side.""",
 )
-@style()
 def motions_with_play(known: Evidence) -> Figure:
     return _motions(known.motion.driven.run(GAP, SHOWN_FORCE))
 
@@ -90,7 +88,6 @@ def _motions(run: DrivenRun) -> Figure:
     alternative_text="""Amplitude on a logarithmic scale against frequency up to 1000 Hz, with peaks at the
     first, third, fifth, seventh and ninth multiple of the drive and nothing between them.""",
 )
-@style()
 def spectrum_without_play(known: Evidence) -> Figure:
     return _spectra({"without play": _settled(known.motion.driven.run(0.0, SHOWN_FORCE))})
 
@@ -103,7 +100,6 @@ def spectrum_without_play(known: Evidence) -> Figure:
     alternative_text="""Two spectra on a logarithmic scale. Both have peaks at the odd multiples of the drive
     only; with play the third, fifth and seventh are higher.""",
 )
-@style()
 def spectrum_with_play(known: Evidence) -> Figure:
     gaps = {"play of 0.2 mm": GAP, "without play": 0.0}
     return _spectra({name: _settled(known.motion.driven.run(gap, SHOWN_FORCE)) for name, gap in gaps.items()})
@@ -134,7 +130,6 @@ def _spectra(spectra: dict[str, Spectrum]) -> Figure:
     alternative_text="""Peaks of the model at the third and fifth harmonic. Symbols of three measurements
     stand near the second, third, fourth and fifth harmonic.""",
 )
-@style()
 def enlarged_spectrum(known: Evidence) -> Figure:
     spectrum = _settled(known.motion.driven.run(GAP, SHOWN_FORCE))
     frequency, amplitude = spectrum.frequency, 1e6 * spectrum.amplitude
@@ -162,7 +157,6 @@ def enlarged_spectrum(known: Evidence) -> Figure:
     oscillation on top. Right: amplitudes of the third to ninth harmonic, the fifth falling from 259 to 154
     micrometres.""",
 )
-@style()
 def open_loop_with_small_gap(known: Evidence) -> Figure:
     runs = [known.motion.driven.run(GAP, force) for force in FORCES]
     orders = np.arange(3, 10, 2)
@@ -192,7 +186,6 @@ def open_loop_with_small_gap(known: Evidence) -> Figure:
     alternative_text="""Left: a small sine in a wide grey band, and a line at zero. Right: three curves with a
     strong oscillation on top of the drive's, smaller with more friction.""",
 )
-@style()
 def open_loop_with_large_gap(known: Evidence) -> Figure:
     still = known.motion.driven.run(LARGEST_GAP, SHOWN_FORCE)
     part = slice(0, int(FROM_REST * SAMPLE_RATE) + 1)
@@ -230,7 +223,6 @@ def _name_harmonic(axes: Axes, order: int, height: float, offset: tuple[float, f
     alternative_text="""Left: the settled record has three narrow peaks and nothing between them; the record
     from rest has a floor with a hump near 355 Hz. Right: peaks at the dotted lines near 355 and 550 Hz.""",
 )
-@style()
 def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     run = known.motion.driven.run(LARGER_GAP, FORCES[0])
     started = amplitude_spectrum(run.output[:WHOLE_PERIODS], SAMPLE_RATE, Window.RECTANGULAR)
@@ -268,7 +260,6 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     alternative_text="""Four panels for two gaps and two starts. Left peaks at 355 and 550 Hz, which friction
     of 0.25 N removes for the small gap only. Right one peak at 728 Hz, hardly changed by friction.""",
 )
-@style()
 def closed_loop_spectra(known: Evidence) -> Figure:
     second, third = (mode.frequency for mode in known.numbers.modes[1:3])
     figure, grid = panels(4.8, 2, 2, sharex=True, sharey="col")

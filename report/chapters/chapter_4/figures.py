@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import BLACK, LINES, panels, style
+from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
 from report.numbers import blocks_under_a_sine as blocks
-from report.numbers.backlash_listings import DRIVE_GAP
+from report.numbers.independent.listed_blocks import DRIVE_GAP
 from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
 
@@ -32,7 +32,6 @@ INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
     alternative_text="""A sine and a clipped, delayed copy of it over two periods; circles of the second block
     lie on the first one's line. The difference is a line at zero.""",
 )
-@style()
 def two_friction_blocks(_: Evidence) -> Figure:
     built_in, own = blocks.built_in_block(), blocks.own_block()
     figure, (outputs, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
@@ -55,7 +54,6 @@ def two_friction_blocks(_: Evidence) -> Figure:
     alternative_text="""A sine and an output that leads into straight flights twice a period. Below, the
     deviation is zero but for one flight in each period, where it is minus 12.4 micrometres.""",
 )
-@style()
 def inertia_block_over_time(_: Evidence) -> Figure:
     output, exact = blocks.listing_a8(), blocks.exact_inertia(DRIVE_GAP)
     figure, (waves, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
@@ -77,7 +75,6 @@ def inertia_block_over_time(_: Evidence) -> Figure:
     alternative_text="""Five periodic curves; the one without gap is a sine, the others rise higher and later,
     along straight lines.""",
 )
-@style()
 def inertia_waveforms(_: Evidence) -> Figure:
     figure, axes = panels(3.4)
     for gap, line in zip(blocks.GAPS, LINES, strict=False):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from report.drawing.marks import arrow
 from report.drawing.mechanical_symbols import LINE, canvas
-from report.drawing.style import BLACK, style
+from report.drawing.style import BLACK
 from report.evidence import Evidence
 from report.record import figure
 
@@ -28,7 +28,6 @@ RADIUS: Final = 0.2
     times the input's.""",
     alternative_text="An arrow u of t enters a block G of s, an arrow y of t leaves it.",
 )
-@style()
 def linear_system(_: Evidence) -> Figure:
     figure, axes = canvas(5.5, 1.3)
     _blocks(axes, {"$G(s)$": (2.75, 0.65)})
@@ -45,7 +44,6 @@ def linear_system(_: Evidence) -> Figure:
     alternative_text="""A reference U enters a summing junction, then a block G whose output Y is fed back
     through a block N and subtracted.""",
 )
-@style()
 def feedback_system(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 2.6)
     _blocks(axes, {"$G(s)$": (3.4, 1.9), "$N(s)$": (3.4, 0.6)})
@@ -67,7 +65,6 @@ def feedback_system(_: Evidence) -> Figure:
     alternative_text="""A reference of zero enters a summing junction; its output e goes through a block N of
     A and omega, then through a block G of j omega, and is subtracted at the junction.""",
 )
-@style()
 def loop_without_reference(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 2.2)
     _blocks(axes, {r"$N(A,\omega)$": (2.7, 1.5), r"$G(j\omega)$": (4.8, 1.5)})
@@ -88,7 +85,6 @@ def loop_without_reference(_: Evidence) -> Figure:
     alternative_text="""An arrow A sine omega t enters a block N; an arrow M sine of omega t plus phi, plus
     higher harmonics, leaves it.""",
 )
-@style()
 def describing_function_block(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 1.3)
     _blocks(axes, {r"$N(A,\omega)$": (3.0, 0.65)})
@@ -109,7 +105,6 @@ def describing_function_block(_: Evidence) -> Figure:
     through backlash. Part b: a block Gm Gg, whose output is fed back through backlash and, in parallel,
     through one over Gg and friction.""",
 )
-@style()
 def parallel_nonlinearities(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 5.6)
     axes.text(0.1, 5.4, "(a)", va="center")

@@ -12,7 +12,7 @@ import numpy as np
 
 from report.drawing import mechanical_symbols as draw
 from report.drawing.marks import beside, few_ticks, span
-from report.drawing.style import BLACK, DOTTED, LINES, panels, style
+from report.drawing.style import BLACK, DOTTED, LINES, panels
 from report.evidence import Evidence
 from report.record import figure
 
@@ -32,7 +32,6 @@ PIN_ANGLE: Final = math.radians(35)
     pin, spring k2 and damper c2, cutter m2; spring k5, guard housing m3; spring k3 and damper c3, a wall. The
     guard m4 hangs on the guard housing by spring k4 and damper c4.""",
 )
-@style()
 def free_body_diagram(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 3.2)
     draw.wall(axes, 0.2, 1.5, 2.8, -1)
@@ -67,7 +66,6 @@ def free_body_diagram(_: Evidence) -> Figure:
     alternative_text="""A circle with a small pin at the distance A from its centre, at the angle 2 pi f t
     from the upright, between two upright lines. Beside it a sine of height A over one turn.""",
 )
-@style()
 def eccentric_pin(_: Evidence) -> Figure:
     from matplotlib.patches import Circle
 
@@ -113,7 +111,6 @@ def eccentric_pin(_: Evidence) -> Figure:
     alternative_text="""A motor carries a pin between two edges of a load M, with a gap b on either side; a
     damper D ties the load to a wall.""",
 )
-@style()
 def motor_and_load(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 2.1)
     draw.body(axes, (0.3, 0.2), (1.1, 0.6), "motor", draw.MOTOR)

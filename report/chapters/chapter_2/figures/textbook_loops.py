@@ -12,7 +12,7 @@ import numpy as np
 from report.drawing.marks import arrow, beside, few_ticks
 from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels, style
+from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
 from report.evidence import Evidence
 from report.numbers.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
 from report.record import figure
@@ -36,7 +36,6 @@ STEPS: Final = (1.15, 2.0)
     alternative_text="""Left, the locus of G crosses the negative real axis, along which minus one over N
     runs, at K. Right, a falling curve and an upright line cross at omega 1.4142 and amplitude 0.2122.""",
 )
-@style()
 def one_limit_cycle(_: Evidence) -> Figure:
     loop = relay_loop()
     (cycle,) = loop.limit_cycles()
@@ -76,7 +75,6 @@ def one_limit_cycle(_: Evidence) -> Figure:
     unstable, and leaves it at L2, stable, before it ends at minus one. Amplitudes over time fall to zero from
     just below A1, and tend to A2 from just above A1 and from above A2.""",
 )
-@style()
 def two_limit_cycles(_: Evidence) -> Figure:
     loop = backlash_loop()
     figure = new_figure(5.6)

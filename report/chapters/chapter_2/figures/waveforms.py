@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from report.drawing.marks import arrow, beside, few_ticks, span
-from report.drawing.style import BLACK, LINES, new_figure, panels, style
+from report.drawing.style import BLACK, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.record import figure
 from trimmer.elements.contact_equation import steady_motion
@@ -52,7 +52,6 @@ SHADE: Final[dict[str, Any]] = {"color": "#56b4e9", "alpha": 0.18, "linewidth": 
     run round counter-clockwise; the larger is marked B, C, D, E and a dotted line leads to it from O over
     A.""",
 )
-@style()
 def backlash_characteristic(_: Evidence) -> Figure:
     phases = np.linspace(0, 2 * np.pi, 721)
     small, large = AMPLITUDES
@@ -95,7 +94,6 @@ def backlash_characteristic(_: Evidence) -> Figure:
     alternative_text="""Three panels that share their axes: a parallelogram B, C, D, E, below it the sine of
     the input with time downwards, to its right the output, which is flat from B to C and from D to E.""",
 )
-@style()
 def friction_controlled(_: Evidence) -> Figure:
     element, phases = FrictionBacklash(GAP), PHASES + np.pi / 2
     pin, load = np.sin(phases), element.waveform(phases, 1.0)
@@ -163,7 +161,6 @@ def _joined(start: Axes, place: tuple[float, float], end: Axes, other: tuple[flo
     the pin's. The load flies along straight lines from zero to phi and from pi to pi plus phi, with velocity
     plus one and minus one, and jumps to the pin's velocity when it is caught.""",
 )
-@style()
 def inertia_controlled(_: Evidence) -> Figure:
     element = InertiaBacklash(GAP)
     pin, load = np.sin(PHASES), element.waveform(PHASES, 1.0)
@@ -197,7 +194,6 @@ def inertia_controlled(_: Evidence) -> Figure:
     alternative_text="""Positions and velocities of pin and load for gamma 0.3, 1 and 4. With 0.3 the let-go
     load soon stands still, with 4 it keeps most of its velocity.""",
 )
-@style()
 def viscous_controlled(_: Evidence) -> Figure:
     figure, grid = panels(4.4, 2, len(GAMMAS), sharex="col", sharey="row")
     for gamma, (positions, velocities) in zip(GAMMAS, grid.T, strict=True):
@@ -267,7 +263,6 @@ def _turning_sense(axes: Axes, pin: Reals, load: Reals, places: tuple[int, ...])
     displacement; over a period the force is plus one while the velocity is positive and minus one while it is
     negative.""",
 )
-@style()
 def coulomb_friction(_: Evidence) -> Figure:
     phases = np.linspace(0, 2 * np.pi, 721)
     force = CoulombFriction(1.0).waveform(phases, 1.0)

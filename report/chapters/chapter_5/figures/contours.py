@@ -11,10 +11,10 @@ import numpy as np
 from report.drawing import plane
 from report.drawing.marks import beside
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, Look, panels, style
+from report.drawing.style import BLACK, LINES, Look, panels
 from report.evidence import Evidence
-from report.numbers.backlash_listings import friction_listing
 from report.numbers.heavy_loads import cycles_of_constant_gamma
+from report.numbers.independent.listed_describing_functions import friction_listing
 from report.numbers.limit_cycle_numbers import Pair
 from report.numbers.viscous_listing import listing_contour
 from report.record import figure
@@ -50,7 +50,6 @@ RATIOS: Final = np.geomspace(1e-3, 0.9999, 800)
     the large loop of G. Beside it the size of N over the amplitude: zero at half of the gap, rising towards
     one; left of that the dashed line rises again while the squares stay at zero.""",
 )
-@style()
 def second_implementation(known: Evidence) -> Figure:
     library = control.friction_backlash_nonlinearity(LIBRARY_GAP)
     amplitudes = LIBRARY_GAP * (0.5 + np.geomspace(1e-3, 25, 400))
@@ -84,7 +83,6 @@ def second_implementation(known: Evidence) -> Figure:
     alternative_text="""A large loop below the real axis is crossed twice by a curve that ends at minus one;
     an enlargement near minus one shows two nearly parallel loci that meet the curve at different places.""",
 )
-@style()
 def friction_intersections(known: Evidence) -> Figure:
     cycles, numbers, element = known.cycles, known.numbers, FrictionBacklash(1.0)
     figure, (left, right) = panels(3.6, 1, 2)
@@ -104,7 +102,6 @@ def friction_intersections(known: Evidence) -> Figure:
     figure 5.13). Points: predicted limit cycles, amplitudes in gaps.""",
     alternative_text="The curve of minus one over N starts at minus one and meets the locus twice.",
 )
-@style()
 def inertia_intersections(known: Evidence) -> Figure:
     figure, (left, right) = panels(3.6, 1, 2)
     for axes in (left, right):
@@ -141,7 +138,6 @@ def _crossings(
     alternative_text="""A broad shaded band around the dashed curve holds both ends of the thesis's range on
     G, which lie far on both sides of the one intersection at 4716 radians per second.""",
 )
-@style()
 def higher_harmonics(known: Evidence) -> Figure:
     system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
     points = plane.inverse(InertiaBacklash(1.0))
@@ -178,7 +174,6 @@ def higher_harmonics(known: Evidence) -> Figure:
     and once more on the small loop. Below, three curves start away from minus one and bend to the right
     across the small loop; near minus one there is none of them.""",
 )
-@style()
 def viscous_contours(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
     figure, grid = panels(6.4, 2, 2)

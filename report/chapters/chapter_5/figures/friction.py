@@ -8,7 +8,7 @@ import numpy as np
 
 from report.drawing.marks import beside
 from report.drawing.plane import curve, element_curve, frame, locus, mark
-from report.drawing.style import BLACK, DOTTED, LINES, new_figure, panels, style
+from report.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.numbers import equivalent_nonlinearity as model
 from report.numbers.printed_peaks import RELEASED_PEAKS
@@ -41,7 +41,6 @@ NEAR_MODES: Final = (150.0, 850.0)
     alternative_text="""Falling lines of size and rising lines of frequency over time, straight on logarithmic
     scales and parallel in the end; a dotted level lies across each panel.""",
 )
-@style()
 def relay_swings(known: Evidence) -> Figure:
     numbers = known.motion.closed.relay
     figure, (sizes, frequencies) = panels(3.4, 1, 2)
@@ -72,7 +71,6 @@ def relay_swings(known: Evidence) -> Figure:
     alternative_text="""Left, two nearly equal curves with peaks at low frequency that fall as a straight line
     on logarithmic scales. Right, three curves that rise within five microseconds to a constant value.""",
 )
-@style()
 def friction_and_condition(known: Evidence) -> Figure:
     system = pin_model(known.numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
     A, B, C = system.A, system.B, system.C
@@ -105,7 +103,6 @@ def friction_and_condition(known: Evidence) -> Figure:
     alternative_text="""Three panels in which curves from minus one bend from the curve without friction to
     the lower right; a fourth in which they bend to the left and upwards, until they no longer meet G.""",
 )
-@style()
 def three_panels(known: Evidence) -> Figure:
     k2, force, gap = known.numbers.parameters.k2, model.OTHER_FORCE, model.OTHER_GAP
     listing, right = model.listing_element, model.right_element
@@ -139,7 +136,6 @@ def three_panels(known: Evidence) -> Figure:
     alternative_text="""A dashed curve with two marked intersections, at 2.11 and 33.26 micrometres; a
     dash-dotted straight line along the negative real axis meets G nowhere.""",
 )
-@style()
 def without_force(known: Evidence) -> Figure:
     system, friction = known.numbers.displacement_only, known.cycles.friction
     cycles = (friction.unstable, friction.stable)
@@ -169,7 +165,6 @@ def without_force(known: Evidence) -> Figure:
     close to minus one, and one above it, which does not. Below, a spectrum with three rounded peaks at 222,
     370 and 737 hertz, the same for three starts.""",
 )
-@style()
 def one_force(known: Evidence) -> Figure:
     system, k2 = known.numbers.displacement_only, known.numbers.parameters.k2
     (cycle,) = known.cycles.equivalent.listing
@@ -210,7 +205,6 @@ def one_force(known: Evidence) -> Figure:
     each of two loops a falling solid curve and a rising dotted one that end in one point, at 8.1 and 6.3
     kilonewton per metre of gap.""",
 )
-@style()
 def several_forces(known: Evidence) -> Figure:
     numbers, system = known.cycles.equivalent, known.numbers.displacement_only
     figure, (near, branches) = panels(3.8, 1, 2)

@@ -9,7 +9,7 @@ import numpy as np
 from report.drawing.marks import arrow, beside
 from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, panels, style
+from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
 from report.numbers.light_damping import lightly_damped, sum_of_displacements
 from report.numbers.start_from_rest import pin_and_output
@@ -35,7 +35,6 @@ OMEGA = np.geomspace(1e2, 1e5, 3000)
     alternative_text="""Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly
     coincide; a third curve below shows their difference, which starts at 0.3 mm and decays.""",
 )
-@style()
 def linear_time_response(known: Evidence) -> Figure:
     times = np.linspace(0, 0.06, 6001)
     pin, output = pin_and_output(known.numbers.parameters, times)
@@ -57,7 +56,6 @@ def linear_time_response(known: Evidence) -> Figure:
     alternative_text="""Magnitude and phase against frequency for two systems that nearly coincide up to ten
     thousand radians per second. Two sharp peaks near 2221 and 3453; above them the magnitude falls.""",
 )
-@style()
 def bode_plot(known: Evidence) -> Figure:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     figure, (upper, lower) = panels(4.6, 2, sharex=True)
@@ -92,7 +90,6 @@ def bode_plot(known: Evidence) -> Figure:
     alternative_text="""Closed curve with two large loops below the real axis for positive frequency and its
     mirror image; the right half shows that the point minus one lies outside.""",
 )
-@style()
 def nyquist_locus(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
     # Each resonance is followed closely, where the locus moves fastest.
@@ -125,7 +122,6 @@ def nyquist_locus(known: Evidence) -> Figure:
     alternative_text="""Magnitude against frequency; the lightly damped curve has four sharp peaks, the other
     has three rounded ones.""",
 )
-@style()
 def bode_plot_light_damping(known: Evidence) -> Figure:
     light = sum_of_displacements(lightly_damped(known.numbers.parameters))
     full = sum_of_displacements(known.numbers.parameters)

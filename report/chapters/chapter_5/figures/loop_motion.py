@@ -8,7 +8,7 @@ import numpy as np
 
 from report.drawing import plane
 from report.drawing.marks import beside
-from report.drawing.style import DOTTED, LINES, panels, style
+from report.drawing.style import DOTTED, LINES, panels
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import AmplitudeRun
 from report.numbers.impulse_response import GAPS, SHOWN
@@ -55,7 +55,6 @@ FLOOR: Final = 0.1
     nanometres from top to bottom; in the right column the first two do the same and the third shrinks to
     nothing.""",
 )
-@style()
 def three_gaps(known: Evidence) -> Figure:
     figure, grid = panels(4.8, len(GAPS), len(SHOWN), sharex=True, sharey=True)
     for run in known.motion.closed.impulses.runs:
@@ -91,7 +90,6 @@ def _band(axes: Axes, times: Reals, values: Reals) -> None:
     alternative_text="""A sine of 33 micrometres between two dotted lines. Below it a narrow peak at 734 hertz
     and one ten times as wide at 730, on both sides of a dotted line at 733.6.""",
 )
-@style()
 def small_gap(known: Evidence) -> Figure:
     orbit, rounded = known.orbits.friction.stable, known.orbits.friction_listing.stable
     figure, (upper, lower) = panels(5.2, 2)
@@ -129,7 +127,6 @@ def small_gap(known: Evidence) -> Figure:
     553.6 hertz, unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz,
     stable. Below, a band that widens to 0.33 millimetres, and four periods of a sine of that size.""",
 )
-@style()
 def larger_gap(known: Evidence) -> Figure:
     system, pair = known.numbers.displacement_only, known.cycles.friction
     figure, ((whole, near), (start, settled)) = panels(6.4, 2, 2, height_ratios=(5, 4))
@@ -168,7 +165,6 @@ def periodic(orbit: PeriodicOrbit, times: Reals) -> Reals:
     alternative_text="""Above, a sine of 1.48 millimetres that bridge and output share. Below, a wave of one
     millimetre made of a slow and a fast oscillation, the bridge in opposite phase to the fast one.""",
 )
-@style()
 def time_responses(known: Evidence) -> Figure:
     opened, closed = _open_loop(known), known.motion.closed.reference.from_rest.motion
     times = np.linspace(0, 2 / DRIVE_FREQUENCY, opened.output.size, endpoint=False)
@@ -200,7 +196,6 @@ def time_responses(known: Evidence) -> Figure:
     300, 500, 700, 900 and 1100 hertz, none of them there; the third has large lines at 100 and at 733
     hertz.""",
 )
-@style()
 def spectra(known: Evidence) -> Figure:
     orbit, closed, run = known.orbits.friction.stable, known.motion.closed, _open_loop(known)
     figure, (top, middle, bottom) = panels(5.2, 3, sharex=True)
@@ -242,7 +237,6 @@ def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
     100 hertz. Below, a fast oscillation on a slow one, and a spectrum with a hump at 660 hertz beside a line
     at 700.""",
 )
-@style()
 def inertia(known: Evidence) -> Figure:
     block = known.motion.closed.timed_block
     frequency, size = largest_other_line(block)
