@@ -12,17 +12,16 @@ from collections.abc import Callable
 
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 
+from benchmarks.calibration import sentence
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash
+from trimmer.arrays import Reals
 
 VALUES = 1_000_000
 PEER_VALUES = 20
 RUNS = 5
 TARGET = 1.0
 """Upper limit for ``VALUES`` viscous-controlled values on one core, s."""
-
-Reals = NDArray[np.float64]
 
 
 def processor_time(action: Callable[[], object]) -> float:
@@ -64,6 +63,7 @@ def compare(amplitudes: Reals, gammas: Reals) -> None:
 
 def main() -> None:
     """Print the table."""
+    print(sentence())
     amplitudes, gammas = points()
     compare(amplitudes[:PEER_VALUES], gammas[:PEER_VALUES])
     own: dict[str, list[float]] = {}

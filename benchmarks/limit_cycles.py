@@ -19,10 +19,11 @@ import control
 import mpmath
 import numpy as np
 
+from benchmarks.calibration import sentence
 from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -105,6 +106,7 @@ def largest_error(amplitudes: list[float], references: list[mpmath.mpf]) -> floa
 
 def main() -> None:
     """Print times, their ratio and errors."""
+    print(sentence())
     references = [exact(guess) for guess in GUESSES]
     turns = {own: CALLS, peer: 1, unseen: CALLS, certified: CALLS, viscous: CALLS}
     for function in turns:

@@ -16,11 +16,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from benchmarks.calibration import sentence
+from trimmer.arrays import Reals
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.motion import Motion
 from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import TrimmerLoop
@@ -41,8 +42,6 @@ FIRST_CALL = (
     "from benchmarks.motion import own; imported = time.perf_counter(); "
     "own(); print(imported - start, time.perf_counter() - imported)"
 )
-
-Reals = NDArray[np.float64]
 
 
 def own() -> Motion:
@@ -74,9 +73,9 @@ def peer() -> Reals:
     for event in (upper, lower, pushing):
         event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
     while True:
-        guards = [pushing] if side else [upper, lower]
+        event_functions = [pushing] if side else [upper, lower]
         part = solve_ivp(
-            rates, (time_now, DURATION), state, method="DOP853", rtol=1e-9, atol=1e-15, events=guards
+            rates, (time_now, DURATION), state, method="DOP853", rtol=1e-9, atol=1e-15, events=event_functions
         )
         time_now, state = part.t[-1], part.y[:, -1]
         if part.status != 1:
@@ -142,6 +141,7 @@ def print_line() -> None:
 
 def main() -> None:
     """Print times, ratios and the cost per event."""
+    print(sentence())
     print_first_calls()
     count = compare()
     motion, instants = own(), np.linspace(0.0, DURATION, SAMPLES)

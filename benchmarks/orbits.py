@@ -15,9 +15,10 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from benchmarks.calibration import sentence
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.periodic_orbits import periodic_orbits
 from trimmer.parameters import TrimmerParameters
@@ -94,6 +95,7 @@ def seconds(function: Callable[[], object]) -> float:
 
 def main() -> None:
     """Print times, their ratio, and how far the peer is from the exact frequency."""
+    print(sentence())
     orbit = own()
     mine, first, theirs, frequency = [], [], [], 0.0
     for _ in range(ROUNDS):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from derivations.element_quantities import ELEMENT_QUANTITIES
+from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative

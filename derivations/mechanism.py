@@ -20,7 +20,7 @@ class Ground:
 
 
 @dataclass(frozen=True)
-class Body:
+class RigidBody:
     """A rigid body that moves along one line: its mass (kg) and its displacement (m, function of time)."""
 
     name: str
@@ -32,11 +32,11 @@ class Body:
 class Pin:
     """A massless point that is driven by a known displacement (m) relative to the body that carries it."""
 
-    carrier: Body
+    carrier: RigidBody
     displacement: sympy.Expr
 
 
-End = Ground | Body | Pin
+End = Ground | RigidBody | Pin
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Damper:
 class Mechanism:
     """Bodies, springs and dampers, and the pin that drives them."""
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[RigidBody, ...]
     springs: tuple[Spring, ...]
     dampers: tuple[Damper, ...]
     pin: Pin
@@ -72,7 +72,7 @@ def position(end: End) -> sympy.Expr:
     match end:
         case Ground():
             return sympy.Integer(0)
-        case Body():
+        case RigidBody():
             return end.coordinate
         case Pin():
             return end.carrier.coordinate + end.displacement
@@ -93,10 +93,10 @@ def elongation_rate(element: Spring | Damper) -> sympy.Expr:
 
 def trimmer() -> Mechanism:
     """Return the trimmer of the thesis: four bodies, five springs, four dampers, driven by the pin."""
-    motor = Body("motor", symbols.m1, symbols.q1)
-    cutter = Body("cutter", symbols.m2, symbols.q2)
-    housing = Body("guard housing", symbols.m3, symbols.q3)
-    guard = Body("guard", symbols.m4, symbols.q4)
+    motor = RigidBody("motor", symbols.m1, symbols.q1)
+    cutter = RigidBody("cutter", symbols.m2, symbols.q2)
+    housing = RigidBody("guard housing", symbols.m3, symbols.q3)
+    guard = RigidBody("guard", symbols.m4, symbols.q4)
     pin = Pin(motor, symbols.u)
     ground = Ground()
     return Mechanism(

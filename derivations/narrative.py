@@ -29,13 +29,12 @@ class Formula:
 
 @dataclass(frozen=True)
 class Step:
-    """A step of the derivation; ``settles`` are ids of statements of the thesis that it settles."""
+    """A step of the derivation."""
 
     id: str
     title: str
     text: str
     formulas: tuple[Formula, ...]
-    settles: tuple[str, ...] = ()
 
 
 def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:

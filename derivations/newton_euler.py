@@ -9,11 +9,11 @@ from __future__ import annotations
 import sympy
 
 from derivations.mechanism import (
-    Body,
     Damper,
     End,
     Mechanism,
     Pin,
+    RigidBody,
     Spring,
     elongation,
     elongation_rate,
@@ -25,7 +25,7 @@ def newton_accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     return tuple(sympy.expand(_force_on(body, mechanism) / body.mass) for body in mechanism.bodies)
 
 
-def _force_on(body: Body, mechanism: Mechanism) -> sympy.Expr:
+def _force_on(body: RigidBody, mechanism: Mechanism) -> sympy.Expr:
     tensions: list[tuple[Spring | Damper, sympy.Expr]] = [
         *((spring, spring.stiffness * elongation(spring)) for spring in mechanism.springs),
         *((damper, damper.damping * elongation_rate(damper)) for damper in mechanism.dampers),
@@ -39,11 +39,11 @@ def _force_on(body: Body, mechanism: Mechanism) -> sympy.Expr:
     return force
 
 
-def _loaded_body(end: End) -> Body | None:
+def _loaded_body(end: End) -> RigidBody | None:
     match end:
         case Pin():
             return end.carrier
-        case Body():
+        case RigidBody():
             return end
         case _:
             return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from derivations.element_quantities import ELEMENT_QUANTITIES
+from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
@@ -43,6 +43,12 @@ CHAPTERS = {
     "D": "Equations of motion",
     "E": "Further simulations",
 }
+
+SETTLED_BY = {
+    "df-general-backlash": ("eq-B.3", "eq-B.4"),
+    "df-contours": ("txt-5.2.3-contours-bounded",),
+}
+"""Claims that steps of the derivation settle, beside those on the equations that they give the numbers of."""
 
 
 @dataclass(frozen=True)
@@ -132,4 +138,4 @@ def _derivation(steps: tuple[Step, ...], findings: tuple[Finding, ...]) -> tuple
 def _claims(step: Step) -> tuple[str, ...]:
     """Return the ids of the claims that a step bears on, each once."""
     equations = (f"eq-{formula.thesis}" for formula in step.formulas if formula.thesis)
-    return tuple(dict.fromkeys((*equations, *step.settles)))
+    return tuple(dict.fromkeys((*equations, *SETTLED_BY.get(step.id, ()))))

@@ -14,7 +14,7 @@ class FileWriteError(TrimmerError, OSError):
     """A file could not be written; the message says which one and why."""
 
 
-def write_whole(path: Path, content: bytes | str) -> None:
+def write_atomically(path: Path, content: bytes | str) -> None:
     """Write a file so that a reader finds the old content or the new one, never a part of it.
 
     The content goes to a temporary file in the same folder, which then takes the place of ``path``. Parent

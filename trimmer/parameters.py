@@ -15,7 +15,7 @@ class ParameterError(TrimmerError, ValueError):
     """One or more parameters are unusable; the message names each with its value and the reason."""
 
 
-class Quantity(Enum):
+class Dimension(Enum):
     """What a parameter measures, with its SI unit."""
 
     MASS = "kg"
@@ -34,7 +34,7 @@ class Parameter:
 
     symbol: str
     meaning: str
-    quantity: Quantity
+    quantity: Dimension
 
     @property
     def unit(self) -> str:
@@ -43,15 +43,15 @@ class Parameter:
 
 
 def _mass(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Quantity.MASS})
+    return field(metadata={"meaning": meaning, "quantity": Dimension.MASS})
 
 
 def _stiffness(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Quantity.STIFFNESS})
+    return field(metadata={"meaning": meaning, "quantity": Dimension.STIFFNESS})
 
 
 def _damping(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Quantity.DAMPING})
+    return field(metadata={"meaning": meaning, "quantity": Dimension.DAMPING})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,7 +131,7 @@ def _described(entry: Field[Any]) -> Parameter:
     return Parameter(entry.name, entry.metadata["meaning"], entry.metadata["quantity"])
 
 
-def reason_against(value: object, quantity: Quantity) -> str:
+def reason_against(value: object, quantity: Dimension) -> str:
     """Say why a value cannot be used as such a quantity; empty if it can.
 
     NumPy's real scalars count as numbers; truth values, text and complex numbers do not.
@@ -146,7 +146,7 @@ def reason_against(value: object, quantity: Quantity) -> str:
         return f"give a number in {quantity.unit}"
     if not math.isfinite(number):
         return "must be finite"
-    if quantity is Quantity.MASS and number <= 0:
+    if quantity is Dimension.MASS and number <= 0:
         return "a mass must be greater than zero"
     if number < 0:
         return f"{quantity.name.lower()} must not be negative"

@@ -17,7 +17,7 @@ from report.octave.archive import write_files
 from report.rendering.render import render
 from report.rendering.request import WHOLE_REPORT, Format, Request
 from report.rendering.selection import select
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 
 LOG = "build.log"
 CACHE = ".cache"
@@ -50,13 +50,15 @@ def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
     """
     started = time.perf_counter()
     progress = Progress()
-    write_whole(directory / LOG, "a build is under way, or was interrupted\n")  # fails now, not at the end
+    write_atomically(
+        directory / LOG, "a build is under way, or was interrupted\n"
+    )  # fails now, not at the end
     store = StageStore(directory / CACHE)
     document = select(_content(store, progress), request.chapters)
     (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
     write_files(document.programs, directory / OCTAVE)
     log = directory / LOG
-    write_whole(log, progress.log())
+    write_atomically(log, progress.log())
     return Built(document, files, log, time.perf_counter() - started)
 
 

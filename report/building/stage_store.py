@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 
 Result = TypeVar("Result")
 UNREADABLE = (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError, ValueError, TypeError)
@@ -42,7 +42,7 @@ class StageStore:
         """
         content = io.BytesIO()
         _Pickler(content, protocol=pickle.HIGHEST_PROTOCOL).dump((key, result))
-        write_whole(self._file(stage), content.getvalue())
+        write_atomically(self._file(stage), content.getvalue())
 
     def made(self, stage: str, key: str, make: Callable[[], Result]) -> Result:
         """Return what was kept under the key, or make it and keep it."""

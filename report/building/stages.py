@@ -8,7 +8,7 @@ from importlib.metadata import version
 from types import ModuleType
 from typing import Any
 
-from derivations.element_narrative import element_narrative
+from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from report.alterations import Alterations, alter
 from report.answers import answers
@@ -94,7 +94,7 @@ def _tasks(
     key = partial(_key, tree)
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
-        Task("element-steps", "prove", key(["derivations.element_narrative"]), element_narrative),
+        Task("element-steps", "prove", key(["derivations.elements.narrative"]), element_narrative),
         Task(
             "trimmer-steps",
             "prove",

@@ -16,8 +16,8 @@ from trimmer import frequency_response
 if TYPE_CHECKING:
     import control
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
+    from trimmer.arrays import Complexes
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
@@ -43,7 +43,7 @@ def locus(axes: Axes, system: control.lti.LTI) -> None:
     critical_point(axes)
 
 
-def inverse(element: Element) -> NDArray[np.complex128]:
+def inverse(element: Element) -> Complexes:
     """Return -1/N of an element with a gap, over its domain, from large amplitudes on."""
     ratios = SHARES * float(element.domain(1.0))
     return np.asarray(-1 / element.describing_function(element.amplitude_scale / ratios))
@@ -55,7 +55,7 @@ def element_curve(axes: Axes, element: Element, label: str, line: Look) -> None:
     plot_along(axes, inverse(element), Along("A", "gaps", 1 / ratios), label=label, **line)
 
 
-def curve(axes: Axes, points: NDArray[np.complex128], label: str, line: Look) -> None:
+def curve(axes: Axes, points: Complexes, label: str, line: Look) -> None:
     """Draw a curve in the plane of G."""
     axes.plot(points.real, points.imag, label=label, **line)
 

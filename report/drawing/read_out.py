@@ -15,7 +15,8 @@ from matplotlib.lines import Line2D
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
+
+    from trimmer.arrays import Complexes, Reals
 
 SCALES: Final = ("linear", "log")
 _POINTS_PER_INCH = 72
@@ -34,19 +35,19 @@ class Along:
 
     quantity: str
     unit: str
-    values: NDArray[np.float64]
+    values: Reals
 
 
 @final
 class CurveAlong(Line2D):
     """A line that carries a quantity along it into the page."""
 
-    def __init__(self, points: NDArray[np.complex128], along: Along, **keywords: Any) -> None:
+    def __init__(self, points: Complexes, along: Along, **keywords: Any) -> None:
         super().__init__(points.real, points.imag, **keywords)
         self.along = along
 
 
-def plot_along(axes: Axes, points: NDArray[np.complex128], along: Along, **keywords: Any) -> None:
+def plot_along(axes: Axes, points: Complexes, along: Along, **keywords: Any) -> None:
     """Draw a curve in the complex plane that can be read; keywords are those of ``Axes.plot``."""
     axes.add_line(CurveAlong(points, along, **keywords))
     axes.autoscale_view()
@@ -129,7 +130,7 @@ def _curves(line: Line2D, axes: Axes, figure: Figure) -> Iterator[dict[str, obje
             }
 
 
-def _thinned(places: NDArray[np.float64], values: NDArray[np.float64]) -> list[float]:
+def _thinned(places: Reals, values: Reals) -> list[float]:
     kept = [0]
     for index in range(1, len(values)):
         far = np.hypot(*(places[index] - places[kept[-1]])) >= _STEP

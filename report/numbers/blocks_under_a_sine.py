@@ -6,13 +6,11 @@ from typing import Final
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.independent.listed_blocks import DRIVE_GAP, friction_block, inertia_block
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
+from trimmer.arrays import Reals
 from trimmer.elements.inertia_backlash import InertiaBacklash
-
-Reals = NDArray[np.float64]
 
 SAMPLES: Final = 2003
 """Samples of a period, none of which is an instant at which Listing A.8 applies no line."""

@@ -12,7 +12,7 @@ from report.numbers.reference_loop import ReferenceNumbers, solve_reference
 from report.numbers.relay_loop import RelayNumbers, solve_relay
 from report.numbers.released_bodies import ReleasedBodiesNumbers, solve_released_bodies
 from report.numbers.timed_block import TimedBlockNumbers, solve_timed_block
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,15 +10,12 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.linear_numbers import DRIVE_FREQUENCY
+from trimmer.arrays import Reals
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.drive import Drive
-from trimmer.motion.loops import OpenLoop
+from trimmer.motion.loops import Drive, OpenLoop
 from trimmer.motion.simulation import simulate
-
-Reals = NDArray[np.float64]
 
 GAP = 4e-5
 """Total clearance, m."""

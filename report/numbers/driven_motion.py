@@ -10,19 +10,17 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from trimmer.arrays import Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.drive import Drive
+from trimmer.motion.loops import Drive
 from trimmer.motion.motion import Motion
 from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
 from trimmer.parameters import TrimmerParameters
-
-Reals = NDArray[np.float64]
 
 SAMPLE_RATE = 20_000.0
 """That of the experiment's camera, Hz."""

@@ -16,7 +16,7 @@ from report.numbers.orbit_by_durations import orbit_by_durations
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.simulation import simulate
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.periodic_orbits import periodic_orbits

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
+from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -25,8 +25,6 @@ ZOOMS = 4
 HALVINGS = 50
 BEYOND = 0.01
 """Share by which the search for a frequency reaches beyond those of the two limit cycles without friction."""
-
-Reals = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -111,15 +109,15 @@ def _columns(balances: Balances) -> tuple[Reals, Reals, Reals]:
 class _PartialFractions:
     """A strictly proper system with distinct poles, in the form that is quickest to evaluate many times."""
 
-    poles: NDArray[np.complex128]
-    residues: NDArray[np.complex128]
+    poles: Complexes
+    residues: Complexes
 
     @classmethod
     def of(cls, system: control.StateSpace) -> _PartialFractions:
         poles, modes = np.linalg.eig(system.A)
         return cls(poles, (system.C @ modes)[0] * np.linalg.solve(modes, system.B.astype(complex))[:, 0])
 
-    def response(self, omegas: Reals) -> NDArray[np.complex128]:
+    def response(self, omegas: Reals) -> Complexes:
         """Evaluate at jω."""
         return np.asarray((self.residues / (1j * omegas[:, np.newaxis] - self.poles)).sum(axis=1))
 
@@ -145,7 +143,7 @@ class _Loop:
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         return Balances(1 / ratios, low, self._closing_force(ratios, low).real)
 
-    def _closing_force(self, ratios: Reals, omegas: Reals) -> NDArray[np.complex128]:
+    def _closing_force(self, ratios: Reals, omegas: Reals) -> Complexes:
         backlash = BACKLASH.describing_function(1 / ratios)
         loop = 1 + backlash * self.pin.response(omegas)
         return np.asarray(-loop / (4j / math.pi * ratios * self.force.response(omegas)))

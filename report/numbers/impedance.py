@@ -6,12 +6,9 @@ The matrices are written down by hand, as springs and dampers stand in the figur
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from trimmer import TrimmerParameters
-
-Complexes = NDArray[np.complex128]
-Reals = NDArray[np.float64]
+from trimmer.arrays import Complexes, Reals
 
 BY_THE_PIN = np.array([-1.0, 1.0, 0.0, 0.0])
 """Directions of the forces that a displacement of the pin makes on the bodies, per unit of k2."""

@@ -13,14 +13,12 @@ from typing import Final
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from trimmer.arrays import Reals
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.motion.loops import ClosedLoop
 from trimmer.motion.simulation import simulate
-
-Reals = NDArray[np.float64]
 
 GAPS = (1e-8, 2e-8, 3e-8)
 """Gaps of figure 5.7, m."""

@@ -11,7 +11,7 @@ from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.numbers.linear_numbers import LinearNumbers
 from report.numbers.printed_friction import PrintedFriction, solve_printed_friction
 from report.numbers.released_motion import ReleasedNumbers, solve_released
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 
 
 @dataclass(frozen=True, eq=False)

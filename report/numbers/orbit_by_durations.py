@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.optimize import fsolve
 
+from trimmer.arrays import Reals
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
-Reals = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,16 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.driven_motion import FORCES, LARGEST_GAP, difference_energy, driven_loop
+from trimmer.arrays import Reals
 from trimmer.displacement import Body, Displacement
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import BodyFriction
 from trimmer.parameters import TrimmerParameters
-
-Reals = NDArray[np.float64]
 
 CUTTER_RELATIVE_TO_MOTOR = Displacement(Body.CUTTER, Body.MOTOR)
 START = 1e-4

@@ -11,23 +11,19 @@ from typing import final
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from trimmer.arrays import Reals
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.drive import Drive
-from trimmer.motion.interconnection import Interconnection
-from trimmer.motion.loops import Loop, element_around
+from trimmer.motion.interconnection import Interconnection, realized
+from trimmer.motion.loops import Drive, Loop, element_around
 from trimmer.motion.motion import Motion
-from trimmer.motion.realization import realized
 from trimmer.motion.simulation import simulate
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
-
-Reals = NDArray[np.float64]
 
 GAP = 4e-5
 """Gap of figures 5.11 and 5.12b, m."""

@@ -10,19 +10,17 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from report.numbers.time_stepping import last_turn_in_steps
+from trimmer.arrays import Reals
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.motion.loops import ClosedLoop
 from trimmer.motion.motion import Motion
 from trimmer.motion.simulation import simulate
-
-Reals = NDArray[np.float64]
 
 IMPULSES = (1e-6, 1e-3, 1.0)
 """Impulse over force, s."""

@@ -10,19 +10,17 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.driven_motion import rubbing
 from report.numbers.equivalent_nonlinearity import FORCE, GAP
 from report.numbers.record import Record, largest_peaks, line_amplitudes
+from trimmer.arrays import Reals
 from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
-
-Reals = NDArray[np.float64]
 
 DISPLACEMENTS = (0.01, 0.1, 1.0)
 """Displacement that all bodies share at the start, m."""

@@ -9,18 +9,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from report.numbers.driven_motion import GAP, LARGEST_GAP, SAMPLE_RATE, rubbing
+from trimmer.arrays import Reals
 from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear import InputChannels
+from trimmer.linear.model import InputChannels
 from trimmer.motion.motion import Motion
 from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
-
-Reals = NDArray[np.float64]
 
 DURATION = 0.3
 """Length of a run, s."""

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
 from trimmer import InputChannels, TrimmerParameters, pin_model, time_response
-
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
 
 
 def pin_and_output(parameters: TrimmerParameters, times: Reals) -> tuple[Reals, Reals]:

@@ -20,12 +20,10 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.relay import Relay
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
-    Reals = NDArray[np.float64]
 
 GAIN: Final = 7.0
 """Static gain of the triple lag; from 8 on the loop without play would be unstable."""
@@ -47,7 +45,7 @@ class Loop:
         """Return all that harmonic balance predicts, in order of frequency."""
         return tuple(limit_cycles(self.plant, self.element))
 
-    def inverse_element(self, amplitude: float | Reals) -> NDArray[np.complex128]:
+    def inverse_element(self, amplitude: float | Reals) -> Complexes:
         """Return -1/N at amplitudes, in the plane of G."""
         return np.asarray(-1 / self.element.describing_function(amplitude))
 

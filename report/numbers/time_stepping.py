@@ -11,12 +11,10 @@ from collections.abc import Sequence
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from trimmer.arrays import Reals
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
-Reals = NDArray[np.float64]
 
 STEP = 2e-5
 """Step of the loop with backlash, s."""

@@ -12,16 +12,13 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from report.numbers.record import Record
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.motion.drive import Drive
-from trimmer.motion.loops import OpenLoop
+from trimmer.motion.loops import Drive, OpenLoop
 from trimmer.motion.simulation import simulate
-
-Reals = NDArray[np.float64]
 
 GAP, AMPLITUDE, OFFSET = 0.0004, 0.0015, 0.0049
 """Lines 2, 3 and 12 of Listing A.8, m."""
@@ -61,13 +58,13 @@ class TimedBlockNumbers:
 
     times: Reals
     block_in_loop: Reals
-    multipliers: NDArray[np.complex128]
+    multipliers: Complexes
     open_loop: Reals
     harmonics: Reals
     repeat: float
 
     @property
-    def exponents(self) -> NDArray[np.complex128]:
+    def exponents(self) -> Complexes:
         """Floquet exponents, rad/s, their imaginary part up to multiples of the drive's frequency."""
         return np.asarray(np.log(self.multipliers) * FREQUENCY)
 
@@ -93,7 +90,7 @@ def solve_timed_block(system: control.StateSpace) -> TimedBlockNumbers:
     )
 
 
-def _with_block(system: control.StateSpace, times: Reals) -> tuple[Reals, NDArray[np.complex128]]:
+def _with_block(system: control.StateSpace, times: Reals) -> tuple[Reals, Complexes]:
     """Return y of the loop with the block, by the matrix exponential piece by piece, and its multipliers."""
     pieces = _pieces()
     matrices = [_matrix(system, piece) for piece in pieces]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.signal import find_peaks
 
-from report.numbers.driven_motion import SAMPLE_RATE, DrivenRun, Reals
+from report.numbers.driven_motion import SAMPLE_RATE, DrivenRun
+from trimmer.arrays import Reals
 
 PADDED = 2**17
 """Samples of the record with zeros added: a finer grid of frequencies, not a finer resolution."""

@@ -10,17 +10,15 @@ import math
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from trimmer import frequency_response
+from trimmer.arrays import Complexes, Reals
 
 STEPS = 60
 START = complex(math.pi, -0.3)
 RATIOS = np.linspace(0.005, 2.0, 200)
 """b/A over the range that section 5.2.3 states."""
 RESPONSE_OMEGA = 2 * math.pi * np.linspace(200.0, 1000.0, 1601)
-
-Complexes = NDArray[np.complex128]
 
 
 class NoRootError(ArithmeticError):
@@ -89,5 +87,5 @@ def intersections(contour: Complexes, system: control.lti.LTI) -> tuple[float, .
     return tuple(sorted(map(float, omegas)))
 
 
-def _cross(first: Complexes, second: Complexes) -> NDArray[np.float64]:
+def _cross(first: Complexes, second: Complexes) -> Reals:
     return (np.conj(first) * second).imag

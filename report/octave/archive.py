@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from report.document import Program
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _READABLE = 0o100644 << 16
@@ -27,7 +27,7 @@ def write_files(programs: Iterable[Program], folder: Path) -> None:
         FileWriteError: if a file cannot be written.
     """
     for name, text in files(programs).items():
-        write_whole(folder / name, text)
+        write_atomically(folder / name, text)
 
 
 def archive(programs: Iterable[Program]) -> bytes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-BACKLASH = "derivations/backlash.py"
+BACKLASH = "derivations/elements/backlash.py"
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ CONTENTS = (
             "Line 18 adds that term, a stiffness, to a number; here it is divided by a stiffness first.",
             "The faults of Listing A.2, in lines 8 and 12.",
         ),
-        f"{BACKLASH} and derivations/friction.py",
+        f"{BACKLASH} and derivations/elements/friction.py",
     ),
     Content(
         "A.7",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy
 
-from derivations.backlash import (
+from derivations.elements.backlash import (
     CONTACT,
     GAP,
     SEPARATION,
@@ -16,10 +16,10 @@ from derivations.backlash import (
     inertia_contact_ratio,
     inertia_waveform,
 )
-from derivations.friction import friction_waveform as coulomb_waveform
+from derivations.elements.friction import friction_waveform as coulomb_waveform
+from derivations.elements.waveform import THETA, Waveform, segment_integral
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A
-from derivations.waveform import THETA, Waveform, segment_integral
 
 RATIO = sympy.Symbol("beta", positive=True)
 """Total gap over amplitude."""

@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from derivations.backlash import (
+from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
     GAP,
@@ -16,11 +16,11 @@ from derivations.backlash import (
     inertia_contact_ratio,
     separation_angle,
 )
-from derivations.friction import FORCE
+from derivations.elements.friction import FORCE
+from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.state_space import output_row
 from derivations.symbols import PARAMETERS, A
-from derivations.waveform import THETA
 from report.document import Program
 from report.folders import templates
 from report.octave import formulas

@@ -14,7 +14,7 @@ from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
 from report.rendering.pieces import Converter
 from report.rendering.request import WHOLE_REPORT, Format, Request
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 
 NAMES = {Format.HTML: "report.html", Format.PDF: "report.pdf", Format.JSON: "claims.json"}
 """Name of the file of each form."""
@@ -53,5 +53,5 @@ def render(
         contents = {form: made[form].result() for form in NAMES if form in made}
     paths = {form: directory / NAMES[form] for form in contents}
     for form, content in contents.items():
-        write_whole(paths[form], content)
+        write_atomically(paths[form], content)
     return paths

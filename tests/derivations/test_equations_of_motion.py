@@ -7,7 +7,7 @@ from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame
 from derivations import symbols
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import accelerations, motion_matrices
-from derivations.mechanism import Body, Damper, Ground, Mechanism, Pin, Spring, elongation, trimmer
+from derivations.mechanism import Damper, Ground, Mechanism, Pin, RigidBody, Spring, elongation, trimmer
 from derivations.newton_euler import newton_accelerations
 from derivations.power_balance import power_balance
 
@@ -81,8 +81,8 @@ def test_pin_rides_on_the_motor(mechanism):
 
 def test_a_mechanism_of_ones_own():
     """One mass on a spring and a damper, driven through a pin on the mass's own foundation body."""
-    foundation = Body("foundation", symbols.m1, symbols.q1)
-    load = Body("load", symbols.m2, symbols.q2)
+    foundation = RigidBody("foundation", symbols.m1, symbols.q1)
+    load = RigidBody("load", symbols.m2, symbols.q2)
     pin = Pin(foundation, symbols.u)
     mechanism = Mechanism(
         (foundation, load), (Spring(symbols.k2, pin, load),), (Damper(symbols.c2, pin, load),), pin
@@ -96,7 +96,7 @@ def test_a_mechanism_of_ones_own():
 
 
 def test_nonlinear_mechanism_is_refused():
-    body = Body("body", symbols.m1, symbols.q1)
+    body = RigidBody("body", symbols.m1, symbols.q1)
     pin = Pin(body, symbols.u)
     mechanism = Mechanism((body,), (Spring(symbols.k1 * symbols.q1, Ground(), body),), (), pin)
     with pytest.raises(ValueError, match="not linear"):

@@ -23,7 +23,7 @@ def modules_after(statement: str, folder: Path) -> set[str]:
 @pytest.mark.parametrize(
     "statement",
     [
-        "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.write_whole",
+        "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.TrimmerError",
         "from trimmer.command_line.main import main\ntry: main(['--help'])\nexcept SystemExit: pass",
         "from trimmer.command_line.main import main\ntry: main(['linear', '-h'])\nexcept SystemExit: pass",
     ],
@@ -58,12 +58,6 @@ def test_no_module_hides_a_public_name() -> None:
     assert modules.isdisjoint(trimmer.__all__)
 
 
-def test_type_checkers_see_the_public_names() -> None:
-    source = Path(trimmer.__file__).read_text(encoding="utf-8")
-    for name in set(trimmer.__all__) - {"__version__"}:
-        assert f" import {name} as {name}\n" in source
-
-
 def test_star_import_gives_the_public_names() -> None:
     names: dict[str, object] = {}
     exec("from trimmer import *", names)
@@ -71,7 +65,7 @@ def test_star_import_gives_the_public_names() -> None:
 
 
 def test_an_unknown_name_is_told() -> None:
-    with pytest.raises(AttributeError, match="module 'trimmer' has no attribute 'linaer_model'"):
+    with pytest.raises(AttributeError, match="linaer_model"):
         trimmer.linaer_model  # noqa: B018
 
 

@@ -7,19 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.gain_table import GainTable
-from trimmer.balance.outcome import Outcome
-from trimmer.balance.problem import Problem
-from trimmer.balance.search import find_all
+from trimmer.balance.element_curve import GainTable
+from trimmer.balance.search import Problem, Searched, find_all
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.search import SearchResult
 
-    Reals = NDArray[np.float64]
 
 SMALLEST_GAIN = 1e-6
 """|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis."""
@@ -38,7 +33,7 @@ _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequenc
 
 def solve_bounded(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Outcome:
+) -> Searched:
     """Find all solutions with a bounded N."""
     roots = _range_of_roots(response)
     if omega_range is None:
@@ -49,7 +44,7 @@ def solve_bounded(
     smallest_gain = _smallest_gain(response, table)
     result = find_all(Problem(response, curve, table, smallest_gain))
     omegas = omega_range or _range_with_all(result, roots)
-    return Outcome(_METHOD, result, omegas, omega_range is None, smallest_gain)
+    return Searched(_METHOD, result, omegas, omega_range is None, smallest_gain)
 
 
 def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[float, float]:

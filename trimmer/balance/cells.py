@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Reals = NDArray[np.float64]
-    Flags = NDArray[np.bool_]
-    Places = NDArray[np.intp]
+    from trimmer.arrays import Flags, Places, Reals
 
 
 @dataclass(frozen=True)

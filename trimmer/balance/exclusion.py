@@ -1,4 +1,8 @@
-"""Boxes that hold no solution of N + 1/G = 0, because disks that hold N and -1/G lie apart."""
+"""Boxes that hold no solution of N + 1/G = 0, because disks that hold N and -1/G lie apart.
+
+A search begins with a grid, less such boxes. The grid has the rows of a table of N, and columns. The columns
+begin as the blocks of the table; those that may hold a solution are cut until 1/G changes little on each.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +13,13 @@ import numpy as np
 
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainDisks
-from trimmer.balance.response import Enclosure
+from trimmer.balance.inverse_response import Enclosure
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Flags, Places, Reals
     from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.response import Response
-
-    Flags = NDArray[np.bool_]
-    Reals = NDArray[np.float64]
+    from trimmer.balance.inverse_response import Response
+    from trimmer.balance.search import Problem
 
 
 @dataclass(frozen=True)
@@ -67,3 +68,86 @@ def sizes_meet(enclosure: Enclosure, smallest: Reals | float, largest: Reals | f
     """Whether |1/G| can be between the smallest and the largest |N|."""
     # In this form it is true where a bound of 1/G is missing (NaN).
     return ~((enclosure.smallest > largest) | (enclosure.largest < smallest))
+
+
+_SPREAD = 0.05
+"""Relative change of 1/G below which a column is narrow enough."""
+
+_MOST_PARTS = 32
+"""Into how many parts a column is cut at most."""
+
+_MOST_COLUMNS = 50_000
+"""Number of columns above which none is cut; what is left of them is undecided then."""
+
+NARROWEST = 1e-12
+"""Half width in x below which nothing is cut: there a zero and a pole on the axis cancel."""
+
+
+@dataclass(frozen=True)
+class _Columns:
+    """Intervals of x, with 1/G on them and the number of the block that each is a part of."""
+
+    lower: Reals
+    upper: Reals
+    enclosure: Enclosure
+    block: Places
+
+    @property
+    def parts(self) -> Places:
+        """Into how many parts to cut each; 1 where 1/G changes little on it."""
+        excess = np.log1p(self.enclosure.radius / np.abs(self.enclosure.centre)) / _SPREAD
+        parts = np.fmax(np.fmin(np.ceil(excess), _MOST_PARTS), 1.0)
+        if self.lower.size > _MOST_COLUMNS:
+            parts[:] = 1.0
+        parts[self.upper - self.lower <= 2.0 * NARROWEST] = 1.0
+        return parts.astype(int)
+
+
+def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
+    """Find the boxes of the grid that may hold a solution, and count all that were compared."""
+    breaks = problem.table.x_breaks
+    columns = _columns(problem, breaks[:-1], breaks[1:], np.arange(breaks.size - 1))
+    size = 0
+    while True:
+        possible = _possible(problem, columns)
+        size += possible.size
+        parts = np.where(possible.any(axis=0), columns.parts, 0)
+        if parts.max(initial=0) <= 1:
+            break
+        columns = _cut(problem, columns, parts)
+    boxes = _boxes(problem, columns, possible)
+    if problem.curve.depends_on_x:
+        boxes = boxes.refined(problem.curve).open(problem.smallest_gain)
+    return boxes, size
+
+
+def _columns(problem: Problem, lower: Reals, upper: Reals, block: Places) -> _Columns:
+    """Enclose 1/G on columns, and keep those on which it is of the size of N."""
+    enclosure = problem.response.enclose(lower, upper)
+    smallest = max(problem.smallest_gain, problem.table.smallest_gain)
+    which = np.flatnonzero(sizes_meet(enclosure, smallest, problem.table.largest_gain))
+    return _Columns(lower[which], upper[which], enclosure.take(which), block[which])
+
+
+def _possible(problem: Problem, columns: _Columns) -> Flags:
+    """Whether each row (first axis) of each column may hold a solution."""
+    return disks_meet(problem.table.rows_at(columns.block), columns.enclosure)
+
+
+def _boxes(problem: Problem, columns: _Columns, which: Flags) -> EnclosedCells:
+    """Boxes on some rows of some columns."""
+    row, column = np.nonzero(which)
+    table = problem.table
+    return EnclosedCells(
+        table.cells(row, columns.lower[column], columns.upper[column]),
+        table.disks_at(row, columns.block[column]),
+        columns.enclosure.take(column),
+    )
+
+
+def _cut(problem: Problem, columns: _Columns, parts: Places) -> _Columns:
+    """Cut each column into a number of equal parts; none are left of those with 0."""
+    width = np.repeat((columns.upper - columns.lower) / np.maximum(parts, 1), parts)
+    place = np.arange(width.size) - np.repeat(np.cumsum(parts) - parts, parts)
+    lower = np.repeat(columns.lower, parts) + place * width
+    return _columns(problem, lower, lower + width, np.repeat(columns.block, parts))

@@ -8,20 +8,79 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Self, TypeVar
+from typing import TYPE_CHECKING, Protocol, Self, TypeVar
 
 import numpy as np
-
-from trimmer.balance.response import Enclosure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.zero_pole_gain import ZeroPoleGain
+    from trimmer.arrays import Complexes, Flags, Places, Reals
+    from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
-    Flags = NDArray[np.bool_]
+
+@dataclass(frozen=True)
+class Enclosure:
+    """What 1/G does on intervals of x; each field has one entry per interval.
+
+    Attributes:
+        centre: 1/G in the middle of the interval.
+        slope: d(1/G)/dx there.
+        radius: Upper bound of |1/G - centre| on the interval.
+        slope_radius: Upper bound of the change of d(1/G)/dx from its value in the middle.
+        smallest: Lower bound of |1/G| on the interval.
+        largest: Upper bound of |1/G| on the interval.
+    """
+
+    centre: Complexes
+    slope: Complexes
+    radius: Reals
+    slope_radius: Reals
+    smallest: Reals
+    largest: Reals
+
+    def take(self, which: Places) -> Enclosure:
+        """Keep those at some places."""
+        return Enclosure(
+            self.centre[which],
+            self.slope[which],
+            self.radius[which],
+            self.slope_radius[which],
+            self.smallest[which],
+            self.largest[which],
+        )
+
+
+class Response(Protocol):
+    """A complex function of x that stands for 1/G."""
+
+    def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
+        """Evaluate it and its derivative at an array of x of one dimension."""
+
+    def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
+        """Bound it on the intervals [lower, upper]."""
+
+
+@dataclass(frozen=True)
+class ConstantResponse:
+    """The same 1/G at all x, as when the frequency is given and something else is looked for.
+
+    Attributes:
+        inverse: 1/G.
+    """
+
+    inverse: complex
+
+    def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
+        """Give the constant, and no slope."""
+        return np.full(x.shape, self.inverse), np.zeros(x.shape, dtype=complex)
+
+    def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
+        """Give the constant with radius 0."""
+        value, slope = self.value_and_slope(lower)
+        nothing = np.zeros(lower.shape)
+        return Enclosure(value, slope, nothing, nothing, np.abs(value), np.abs(value))
+
 
 _EVEN = 16
 """Equal parts of a range of x."""

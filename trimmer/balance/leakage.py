@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.frequency_domain import frequency_response
+from trimmer.linear.frequency_response import frequency_response
 
 if TYPE_CHECKING:
     import control
@@ -37,7 +37,7 @@ def harmonic_leakage(
         One ratio per harmonic, without unit.
 
     Raises:
-        UnsupportedSystemError: see ``trimmer.frequency_domain.require_siso``.
+        UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.
         ValueError: if a harmonic is not an integer >= 1.
     """
 

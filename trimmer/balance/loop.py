@@ -9,19 +9,18 @@ import control
 import numpy as np
 
 from trimmer.balance.element_curve import ElementCurve
-from trimmer.balance.errors import LinearElementError, UnsupportedElementError
 from trimmer.balance.inverse_response import InverseResponse
-from trimmer.balance.linear_feedback import with_feedback
-from trimmer.balance.linear_part import LinearGain, parted
+from trimmer.balance.linear_part import LinearGain, parted, with_feedback
 from trimmer.elements.element import Element
-from trimmer.frequency_domain import UnsupportedSystemError, require_siso
-from trimmer.zero_pole_gain import ZeroPoleGain
+from trimmer.errors import LinearElementError, UnsupportedElementError
+from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 _NOTHING = LinearGain()
 
 
 @dataclass(frozen=True)
-class Loop:
+class LoopEquation:
     """N + 1/G = 0 with the linear part of N taken over to 1/G.
 
     Attributes:
@@ -35,7 +34,7 @@ class Loop:
     linear: LinearGain = field(default=_NOTHING)
 
 
-def loop_of(G: control.lti.LTI, element: Element) -> Loop:
+def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
     """Take a loop apart.
 
     Raises:
@@ -53,9 +52,9 @@ def loop_of(G: control.lti.LTI, element: Element) -> Loop:
             "nothing sets the amplitude of a limit cycle"
         )
     if linear == _NOTHING:
-        loop = Loop(response, ElementCurve(element))
+        loop = LoopEquation(response, ElementCurve(element))
     else:
-        loop = Loop(with_feedback(response, linear), ElementCurve(rest), linear)
+        loop = LoopEquation(with_feedback(response, linear), ElementCurve(rest), linear)
     if loop.response.poles.size == 0:
         raise UnsupportedSystemError(
             "the system is a constant gain: nothing sets the frequency of a limit cycle"

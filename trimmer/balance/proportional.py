@@ -13,18 +13,14 @@ import numpy as np
 from scipy.optimize import brentq
 
 from trimmer.balance.cells import Cells
-from trimmer.balance.errors import LinearElementError, UnsupportedElementError
-from trimmer.balance.outcome import Outcome
-from trimmer.balance.search import SearchResult
+from trimmer.balance.search import Searched, SearchResult
+from trimmer.errors import LinearElementError, UnsupportedElementError
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
 
-    Reals = NDArray[np.float64]
-    Flags = NDArray[np.bool_]
 
 _FIRST_INTERVALS = 64
 """Intervals of x to begin with."""
@@ -46,7 +42,7 @@ FALLBACK_REACH = 1e6
 
 def solve_proportional(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Outcome:
+) -> Searched:
     """Find all solutions with an N that is proportional to u.
 
     Raises:
@@ -58,7 +54,7 @@ def solve_proportional(
     if omega_range is not None:
         lowest, highest = omega_range
     result = _real_and_negative(response, coefficient, (math.log(lowest), math.log(highest)))
-    return Outcome(_METHOD, result, (lowest, highest), omega_range is None and proven, 0.0)
+    return Searched(_METHOD, result, (lowest, highest), omega_range is None and proven, 0.0)
 
 
 def _coefficient(curve: ElementCurve) -> complex:
@@ -124,7 +120,7 @@ def proportional_range(response: InverseResponse, coefficient: complex) -> tuple
     return float(lowest * response.reference), float(highest * response.reference), proven
 
 
-def _quiet_end(scales: NDArray[np.complex128], exponents: Reals, direction: complex) -> float | None:
+def _quiet_end(scales: Complexes, exponents: Reals, direction: complex) -> float | None:
     """Largest t found such that direction * prod(1 + z)**exponent, |z| = |scale| t, is not real and negative.
 
     The phase of the product is t sum(exponent Re scale), up to a sign, plus at most sum |z|**2 / (2 - 2 |z|).

@@ -12,19 +12,32 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.cell_test import examine
 from trimmer.balance.cells import Cells
-from trimmer.balance.exclusion import EnclosedCells
-from trimmer.balance.first_grid import NARROWEST, first_grid
-from trimmer.balance.newton import solve_in
+from trimmer.balance.exclusion import NARROWEST, EnclosedCells, first_grid
+from trimmer.balance.uniqueness import examine, solve_in
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Flags, Reals
+    from trimmer.balance.element_curve import ElementCurve, GainTable
+    from trimmer.balance.inverse_response import Response
 
-    from trimmer.balance.problem import Problem
 
-    Reals = NDArray[np.float64]
-    Flags = NDArray[np.bool_]
+@dataclass(frozen=True)
+class Problem:
+    """N(u, x) + 1/G(x) = 0 on the box of a table of N.
+
+    Attributes:
+        response: 1/G, or what stands for it.
+        curve: N.
+        table: N on a coarse grid.
+        smallest_gain: Solutions with |N| below this are not looked for.
+    """
+
+    response: Response
+    curve: ElementCurve
+    table: GainTable
+    smallest_gain: float
+
 
 _PARTS = 3
 """Into how many parts a box is cut."""
@@ -123,3 +136,22 @@ def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Soluti
     )
     settled[tried] |= tried_regions.hold(found.u, found.x).any(axis=1)
     return found, settled | cells.lie_within(found.regions)
+
+
+@dataclass(frozen=True)
+class Searched:
+    """Solutions in u and x, and where they were looked for.
+
+    Attributes:
+        method: How, in words.
+        result: What was found.
+        omegas: Range of angular frequency, rad/s.
+        outside_excluded: Whether it is proven that there are none outside that range.
+        smallest_gain: |N| below which none were looked for; 0 if it is proven that there are none either.
+    """
+
+    method: str
+    result: SearchResult
+    omegas: tuple[float, float]
+    outside_excluded: bool
+    smallest_gain: float

@@ -9,19 +9,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.bounded import solve_bounded
-from trimmer.balance.cycles import limit_cycles_at
-from trimmer.balance.errors import FrequencyRangeError, UndecidedWarning
-from trimmer.balance.limit_cycle import Certificate, HarmonicBalance, LimitCycle
-from trimmer.balance.loop import loop_of
+from trimmer.balance.limit_cycle import Certificate, HarmonicBalance, LimitCycle, UndecidedRegion
+from trimmer.balance.loop import loop_equation
 from trimmer.balance.proportional import solve_proportional
-from trimmer.balance.regions import undecided_regions
+from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
+from trimmer.errors import FrequencyRangeError, UndecidedWarning
 
 if TYPE_CHECKING:
     import control
 
-    from trimmer.balance.loop import Loop
-    from trimmer.balance.outcome import Outcome
+    from trimmer.balance.cells import Cells
+    from trimmer.balance.element_curve import ElementCurve
+    from trimmer.balance.loop import LoopEquation
+    from trimmer.balance.search import Searched
     from trimmer.elements.element import Element
 
 
@@ -115,12 +116,12 @@ def _solve(
     element: Element,
     omega_range: tuple[float, float] | None,
     frozen_omega: float | None,
-) -> tuple[Loop, Outcome]:
+) -> tuple[LoopEquation, Searched]:
     given = None if omega_range is None else _checked_range(omega_range)
     if frozen_omega is not None:
         _require_positive(frozen_omega)
         element = element.at(frozen_omega)
-    loop = loop_of(G, element)
+    loop = loop_equation(G, element)
     unbounded = bool(np.isinf(loop.curve.edge(np.zeros(1))).any())
     return loop, (solve_proportional if unbounded else solve_bounded)(loop.response, loop.curve, given)
 
@@ -138,3 +139,28 @@ def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
 def _require_positive(frozen_omega: float) -> None:
     if not 0 < frozen_omega < math.inf:
         raise ValueError(f"frozen_omega must be positive and finite, rad/s, not {frozen_omega!r}")
+
+
+_TOUCHING = 1e-9
+"""Gap in x below which two boxes belong together."""
+
+
+def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegion, ...]:
+    """Join boxes whose ranges of x touch, and give the range of amplitude and frequency of each group."""
+    if len(cells) == 0:
+        return ()
+    order = np.argsort(cells.x_lower)
+    reached = np.maximum.accumulate(cells.x_upper[order])
+    starts = np.flatnonzero(cells.x_lower[order][1:] > reached[:-1] + _TOUCHING) + 1
+    regions = []
+    for group in np.split(order, starts):
+        members = cells.take(group)
+        largest, smallest = members.u_upper.max(), members.u_lower.min()
+        amplitudes = (float(curve.amplitude(largest)), _amplitude_of_lowest(curve, float(smallest)))
+        omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))
+        regions.append(UndecidedRegion(amplitudes, omegas))
+    return tuple(regions)
+
+
+def _amplitude_of_lowest(curve: ElementCurve, u: float) -> float:
+    return float(curve.amplitude(np.asarray(u))) if u > 0 else float("inf")

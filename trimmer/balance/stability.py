@@ -1,4 +1,4 @@
-"""Whether a limit cycle is stable: Loeb's criterion, and the other poles of the loop.
+"""Solutions turned into limit cycles, and whether they are stable: Loeb's criterion, and the other poles.
 
 Let F(A, omega) = 1 + N(A, omega) G(j omega) = X + j Y. A slow change of amplitude makes omega complex: with
 s = sigma + j omega, F(A + dA, omega + d omega - j sigma) = 0 gives sigma = Im(F_A / F_omega) dA. The
@@ -19,16 +19,48 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.closed_loop import closed_loop_poles
+from trimmer.balance.limit_cycle import LimitCycle
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Places, Reals
     from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.loop import Loop
+    from trimmer.balance.loop import LoopEquation
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
+
+def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
+    """Find all poles of 1 + N G(s) at each of some N.
+
+    G is a chain of sections: 1/(s - pole) without, then (s - zero)/(s - pole) with a zero. The eigenvalues of
+    the chain in a loop are the poles; unlike a polynomial's coefficients its entries are of the size of the
+    roots.
+
+    Args:
+        response: 1/G.
+        gains: N, of shape (n,).
+
+    Returns:
+        Poles over ``response.reference``, of shape (n, number of poles).
+    """
+    poles, without = response.poles, response.relative_degree
+    first = max(without - 1, 0)
+    output = np.ones(poles.size, dtype=complex)
+    output[:first] = 0.0
+    output[without:] = poles[without:] - response.zeros
+    # A section with a zero takes all that the ones before it add to the output, one without only the last.
+    place = np.arange(poles.size)
+    chain = (place[:, None] > place) * output
+    chain[place[1:without], place[:first]] = 1.0
+    chain[place, place] = poles
+    feedback = gains / response.gain
+    if without == 0:
+        # Where the difference vanishes a pole is at infinity; far away will do.
+        difference = 1.0 + feedback
+        feedback = feedback / np.where(difference == 0, np.finfo(float).eps, difference)
+    loops: Complexes = np.repeat(chain[None], gains.size, axis=0)
+    reached = slice(1) if without else slice(None)
+    loops[:, reached] -= feedback[:, None, None] * output
+    return np.asarray(np.linalg.eigvals(loops), dtype=complex)
+
 
 _ROUNDING = 1e-9
 """Part of a pole below which its real or imaginary part is taken for rounding."""
@@ -47,7 +79,7 @@ def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:
     return cross / size if size else math.nan
 
 
-def other_unstable_poles(loop: Loop, gains: Complexes, amplitudes: Reals, omegas: Reals) -> NDArray[np.intp]:
+def other_unstable_poles(loop: LoopEquation, gains: Complexes, amplitudes: Reals, omegas: Reals) -> Places:
     """Count the unstable poles of the loop at each limit cycle, without the pair of the limit cycle itself.
 
     They are those of 1 + N G(s), N frozen, with Re s > 0 and Im s > 0, and the real ones of the mean.
@@ -66,7 +98,7 @@ def other_unstable_poles(loop: Loop, gains: Complexes, amplitudes: Reals, omegas
     return np.asarray(swinging + _drifting_poles(loop.response, loop.curve.element.mean_gain(amplitudes)))
 
 
-def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> NDArray[np.intp] | int:
+def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> Places | int:
     """Count the positive real roots of 1/G(s) + N_mean.
 
     Where 1/G has no zero or pole on the positive axis it keeps the sign of its gain; there is no root then if
@@ -79,3 +111,34 @@ def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> NDArray[np.
     sizes = np.abs(poles)
     drifting = (poles.real > _ROUNDING * sizes) & (np.abs(poles.imag) <= _NEARLY_REAL * sizes)
     return np.asarray(drifting.sum(axis=1))
+
+
+def limit_cycles_at(loop: LoopEquation, u: Reals, x: Reals) -> tuple[LimitCycle, ...]:
+    """Describe the solutions at (u, x), in order of frequency, then of amplitude."""
+    if u.size == 0:
+        return ()
+    order = np.lexsort((-u, x))
+    u, x = u[order], x[order]
+    inverse, slope = loop.response.value_and_slope(x)
+    gain, by_u, gain_by_x = loop.curve.expansion(u, x)
+    amplitudes, omegas = loop.curve.amplitude(u), np.exp(x)
+    unstable = other_unstable_poles(loop, gain, amplitudes, omegas)
+    # 1 + N G of the loop as it was given.
+    residuals = np.abs((gain + inverse) / (inverse - loop.linear.value(omegas)))
+    cycles = []
+    for place in range(u.size):
+        # u falls with amplitude, hence the sign.
+        sine = sine_of_crossing(-complex(by_u[place]), complex(slope[place] + gain_by_x[place]))
+        others = int(unstable[place])
+        cycles.append(
+            LimitCycle(
+                amplitude=float(amplitudes[place]),
+                omega=float(omegas[place]),
+                stable=sine > 0 and others == 0,
+                residual=float(residuals[place]),
+                crossing_angle=math.asin(min(1.0, abs(sine))),
+                index=1 if sine > 0 else -1,
+                other_unstable_poles=others,
+            )
+        )
+    return tuple(cycles)

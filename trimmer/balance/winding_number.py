@@ -20,15 +20,11 @@ import numpy as np
 from trimmer.balance.cells import Cells
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Flags, Reals
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.loop import Loop
+    from trimmer.balance.loop import LoopEquation
 
-    Complexes = NDArray[np.complex128]
-    Flags = NDArray[np.bool_]
-    Reals = NDArray[np.float64]
 
 _INSIDE = 1.0 - 1e-13
 """Where the border runs, over the largest u."""
@@ -82,7 +78,7 @@ class _Pieces:
         )
 
 
-def winding_number(loop: Loop, omegas: tuple[float, float]) -> int | None:
+def winding_number(loop: LoopEquation, omegas: tuple[float, float]) -> int | None:
     """Count the turns of N + 1/G along the border of all amplitudes and a range of frequencies.
 
     Args:
@@ -109,7 +105,7 @@ def winding_number(loop: Loop, omegas: tuple[float, float]) -> int | None:
     return None
 
 
-def _turns(loop: Loop, pieces: _Pieces, largest_u: float) -> int | None:
+def _turns(loop: LoopEquation, pieces: _Pieces, largest_u: float) -> int | None:
     """Add the changes of the phase of F from end to end of all pieces."""
     v, x = np.concatenate([pieces.v_start, pieces.v_end]), np.concatenate([pieces.x_start, pieces.x_end])
     residual = loop.curve.value(_u(loop.curve, v, x, largest_u), x) + loop.response.value(x)
@@ -118,7 +114,7 @@ def _turns(loop: Loop, pieces: _Pieces, largest_u: float) -> int | None:
     return round(angle / (2.0 * math.pi)) if math.isfinite(angle) else None
 
 
-def _largest_u(loop: Loop, pieces: _Pieces) -> float | None:
+def _largest_u(loop: LoopEquation, pieces: _Pieces) -> float | None:
     """Find u beyond which an N proportional to u exceeds 1/G everywhere; None if there is none."""
     if np.isfinite(loop.curve.edge(pieces.x_start)).all():
         return math.inf
@@ -158,7 +154,7 @@ def _u(curve: ElementCurve, v: Reals, x: Reals, largest_u: float) -> Reals:
     return np.asarray(v * np.minimum(curve.edge(x), largest_u) * _INSIDE)
 
 
-def _is_seen_narrowly(loop: Loop, pieces: _Pieces, largest_u: float) -> Flags:
+def _is_seen_narrowly(loop: LoopEquation, pieces: _Pieces, largest_u: float) -> Flags:
     """Whether a disk that holds F on the box round each piece is seen from zero within 90 degrees."""
     u_start = _u(loop.curve, pieces.v_start, pieces.x_start, largest_u)
     u_end = _u(loop.curve, pieces.v_end, pieces.x_end, largest_u)

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from trimmer.command_line.command import Command
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 
 DIRECTORY = Path("build") / "derivation"
 
@@ -30,14 +30,14 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.bridge import derive_sources
+    from trimmer.code_generation import derive_sources
     from trimmer.generated import linear_trimmer
 
     installed = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
     print("deriving the linear trimmer and the describing functions ...", file=sys.stderr)
     sources = derive_sources()
-    write_whole(arguments.module, sources.module)
-    write_whole(arguments.latex, sources.latex)
+    write_atomically(arguments.module, sources.module)
+    write_atomically(arguments.latex, sources.latex)
     state = "the same as the one in use" if sources.module == installed else "different from the one in use"
     print(f"{arguments.module}: numeric module, {state}")
     print(f"{arguments.latex}: derivations")

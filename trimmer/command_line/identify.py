@@ -18,8 +18,8 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
+    from trimmer.balance.identification import identify_time_constant
     from trimmer.command_line.limit_cycles_text import identified_as_json, identified_as_text
-    from trimmer.identification import identify_time_constant
 
     G = linear_part(arguments)
     try:

@@ -37,7 +37,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.balance.solve import harmonic_balance
     from trimmer.command_line.limit_cycles_text import as_json, as_text
     from trimmer.command_line.locus_picture import check_format, draw
-    from trimmer.files import write_whole
+    from trimmer.files import write_atomically
 
     element = chosen_element(arguments)
     if arguments.plot is not None:
@@ -45,7 +45,7 @@ def _run(arguments: Namespace) -> int:
     G = linear_part(arguments)
     balance = harmonic_balance(G, element, arguments.omega_range and tuple(arguments.omega_range))
     if arguments.plot is not None:
-        write_whole(arguments.plot, draw(G, element, balance, arguments.plot.suffix[1:].lower()))
+        write_atomically(arguments.plot, draw(G, element, balance, arguments.plot.suffix[1:].lower()))
     print((as_json if arguments.json else as_text)(G, element, balance))
     return 0
 

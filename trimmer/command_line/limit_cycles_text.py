@@ -15,9 +15,9 @@ from trimmer.command_line.table import table
 if TYPE_CHECKING:
     import control
 
+    from trimmer.balance.identification import IdentifiedTimeConstant
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
-    from trimmer.identification import IdentifiedTimeConstant
 
 _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
 

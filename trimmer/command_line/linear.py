@@ -16,8 +16,8 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.linear_text import as_json, as_text
     from trimmer.displacement import Displacement
-    from trimmer.linear import InputChannels
-    from trimmer.linear_summary import summarise
+    from trimmer.linear.model import InputChannels
+    from trimmer.linear.summary import summarise
     from trimmer.parameters import TrimmerParameters
 
     output = Displacement.parse(arguments.output)

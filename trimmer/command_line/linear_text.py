@@ -9,9 +9,9 @@ from dataclasses import asdict
 
 from trimmer.command_line.json_values import finite, pair
 from trimmer.displacement import Body
-from trimmer.linear import InputChannels
-from trimmer.linear_summary import CRITICAL_POINT, LinearSummary
-from trimmer.modal_analysis import Mode
+from trimmer.linear.model import InputChannels
+from trimmer.linear.modes import Mode
+from trimmer.linear.summary import CRITICAL_POINT, LinearSummary
 
 _CHANNELS = {
     InputChannels.DISPLACEMENT_ONLY: "displacement only",
@@ -81,7 +81,7 @@ def as_json(summary: LinearSummary) -> str:
         "bandwidth": finite(summary.low_pass.bandwidth) if summary.low_pass else None,
         "bandwidth_crossings": summary.low_pass.crossings if summary.low_pass else None,
         "peaks": [{"omega": e.omega, "magnitude": finite(e.magnitude)} for e in summary.peaks],
-        "dips": [{"omega": e.omega, "magnitude": e.magnitude} for e in summary.dips],
+        "dips": [{"omega": e.omega, "magnitude": e.magnitude} for e in summary.antiresonances],
         "roll_off": summary.roll_off,
         "encirclements": summary.encirclements,
     }
@@ -118,7 +118,7 @@ def _gain_rows(summary: LinearSummary) -> Rows:
 
 
 def _extremum_rows(summary: LinearSummary) -> Rows:
-    for extremum in sorted(summary.peaks + summary.dips, key=lambda extremum: extremum.omega):
+    for extremum in sorted(summary.peaks + summary.antiresonances, key=lambda extremum: extremum.omega):
         kind = "peak" if extremum in summary.peaks else "dip"
         values = (extremum.omega, _hertz(extremum.omega), extremum.magnitude, _decibels(extremum.magnitude))
         yield (kind, *map(_number, values))

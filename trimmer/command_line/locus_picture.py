@@ -11,13 +11,13 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from trimmer.command_line.loop_options import OptionError
-from trimmer.frequency_domain import frequency_response
+from trimmer.linear.frequency_response import frequency_response
 
 if TYPE_CHECKING:
     import control
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
+    from trimmer.arrays import Complexes
     from trimmer.balance.limit_cycle import HarmonicBalance
     from trimmer.elements.element import Element
 
@@ -74,7 +74,7 @@ def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_fo
     return content.getvalue()
 
 
-def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, NDArray[np.complex128]]]:
+def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, Complexes]]:
     """The curves -1/N over amplitude, from large amplitudes to the smallest the element allows."""
     if not element.depends_on_frequency:
         return [("-1/N(A)", _inverse(element, None))]
@@ -82,14 +82,14 @@ def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[st
     return [(f"-1/N(A) at {omega:.5g} rad/s", _inverse(element, omega)) for omega in omegas]
 
 
-def _inverse(element: Element, omega: float | None) -> NDArray[np.complex128]:
+def _inverse(element: Element, omega: float | None) -> Complexes:
     largest = min(float(element.domain(omega)), 1e6)
     u = largest * np.concatenate([np.geomspace(1e-6, 0.5, _POINTS), 1.0 - np.geomspace(0.5, 1e-9, _POINTS)])
     gain = element.describing_function(element.amplitude_scale / u, omega)
     return np.asarray(-1.0 / gain[gain != 0])
 
 
-def _frame(axes: Axes, response: NDArray[np.complex128]) -> None:
+def _frame(axes: Axes, response: Complexes) -> None:
     """Show G, whatever -1/N does outside."""
     for parts, set_limits in ((response.real, axes.set_xlim), (response.imag, axes.set_ylim)):
         lowest, highest = float(parts.min()), float(parts.max())

@@ -122,7 +122,7 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
         TrimmerError: if the output or the parameter file cannot be used.
     """
     from trimmer.displacement import Displacement
-    from trimmer.linear import InputChannels, pin_model
+    from trimmer.linear.model import InputChannels, pin_model
 
     output, channels = Displacement.parse(arguments.output), InputChannels(arguments.channels)
     return pin_model(chosen_parameters(arguments), output, channels)

@@ -15,7 +15,7 @@ from trimmer.command_line.loop_options import (
 )
 
 if TYPE_CHECKING:
-    from trimmer.motion.drive import Drive
+    from trimmer.motion.loops import Drive
     from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
 
 
@@ -44,7 +44,7 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
         TrimmerError: if options contradict each other or cannot be used.
     """
     from trimmer.displacement import Displacement
-    from trimmer.linear import InputChannels
+    from trimmer.linear.model import InputChannels
     from trimmer.motion.trimmer_loop import TrimmerLoop
 
     drive = _drive(arguments)
@@ -79,7 +79,7 @@ def impulse_of(arguments: Namespace) -> float:
 
 
 def _drive(arguments: Namespace) -> Drive | None:
-    from trimmer.motion.drive import Drive
+    from trimmer.motion.loops import Drive
 
     if (arguments.drive is None) != (arguments.amplitude is None):
         missing = "--amplitude (m)" if arguments.amplitude is None else "--drive (Hz)"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.component import EventKind
+from trimmer.motion.switched_component import EventKind
 
 if TYPE_CHECKING:
     from trimmer.motion.motion import Motion

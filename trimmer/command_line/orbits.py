@@ -24,7 +24,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.balance.solve import harmonic_balance
     from trimmer.command_line.loop_options import OptionError
     from trimmer.command_line.orbits_text import as_json, as_text
-    from trimmer.orbits.errors import OrbitNotFoundWarning
+    from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
 
     element, system = chosen_element(arguments), linear_part(arguments)

@@ -18,7 +18,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.files import FileWriteError, write_whole
+    from trimmer.files import FileWriteError, write_atomically
     from trimmer.parameters import TrimmerParameters
 
     template = TrimmerParameters.thesis().to_toml()
@@ -27,7 +27,7 @@ def _run(arguments: Namespace) -> int:
         return 0
     if arguments.output.is_file():
         raise FileWriteError(f"{arguments.output} is there already: name another file, or remove it first")
-    write_whole(arguments.output, template)
+    write_atomically(arguments.output, template)
     print(f"wrote {arguments.output}")
     return 0
 

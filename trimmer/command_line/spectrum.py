@@ -87,7 +87,7 @@ def _predictions(arguments: Namespace) -> Predictions:
     from trimmer.balance.solve import harmonic_balance
     from trimmer.command_line.spectrum_text import Predictions
     from trimmer.elements.friction_backlash import FrictionBacklash
-    from trimmer.modal_analysis import modes
+    from trimmer.linear.modes import modes
 
     cycles: tuple[LimitCycle, ...] = ()
     if arguments.gap is not None:
@@ -117,9 +117,9 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
     if arguments.plot is not None:
         from trimmer.command_line.spectrum_picture import draw
-        from trimmer.files import write_whole
+        from trimmer.files import write_atomically
 
-        write_whole(arguments.plot, draw(analysis, arguments.plot.suffix[1:].lower()))
+        write_atomically(arguments.plot, draw(analysis, arguments.plot.suffix[1:].lower()))
 
 
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:

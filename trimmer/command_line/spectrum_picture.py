@@ -12,8 +12,7 @@ from matplotlib.figure import Figure
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.spectra.analysis import SpectrumAnalysis
     from trimmer.spectra.spectrum import Spectrum
 
@@ -67,7 +66,7 @@ def _origin(classified: ClassifiedPeak) -> object:
     return classified.explanation.origin if classified.explanation else None
 
 
-def _outline(analysis: SpectrumAnalysis) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _outline(analysis: SpectrumAnalysis) -> tuple[Reals, Reals]:
     """Give the spectrum as a line of not too many points: the largest of as many bins as it takes."""
     spectrum = analysis.spectrum
     last = _last_bin(spectrum, max((each.peak.frequency for each in analysis.peaks), default=np.inf))

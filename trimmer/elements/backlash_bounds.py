@@ -16,9 +16,8 @@ import numpy as np
 from trimmer.elements.backlash_motion import SLOPE_BY_RATIO
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
 
 ROUNDED_UP = 1.0 + 1e-9
 """Factor that outweighs the rounding errors of a bound."""

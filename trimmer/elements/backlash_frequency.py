@@ -9,12 +9,9 @@ import numpy as np
 from trimmer.elements.backlash_motion import complex_of
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.backlash_motion import BacklashMotion
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
 """Gauss-Legendre quadrature for a flight of at most half a period at gamma >= 1."""

@@ -17,12 +17,9 @@ from trimmer.elements.short_flight import relative_velocity
 from trimmer.elements.small_arguments import SMALL
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes
     from trimmer.elements.backlash_motion import BacklashMotion
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 NODES_BESIDE_HARMONIC = 14
 """Nodes for a quarter of the pin's period; each multiple of the fundamental takes one more."""

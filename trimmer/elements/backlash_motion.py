@@ -4,7 +4,7 @@ The pin moves as A sin θ; the load M v' + D v = 0 lies in a gap g, with gamma =
 y = A sin θ - g/2 up to the separation phase θ_s = atan(1/gamma), where the contact would have to pull; flies
 freely for the angle ``flight`` until it meets the other side, y = A sin θ + g/2; impact is plastic, and it is
 pushed for the angle ``contact`` = π - ``flight`` to the separation on that side, θ_s + π. The symbolic
-derivation is in derivations/backlash.py; Gelb and Vander Velde (1968) treat the two limits.
+derivation is in derivations/elements/backlash.py; Gelb and Vander Velde (1968) treat the two limits.
 """
 
 from __future__ import annotations
@@ -17,10 +17,8 @@ import numpy as np
 from trimmer.elements.small_arguments import argument_less_sine, damped_excess_of_sinh
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Complexes, Reals
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 GAMMA_LIMITS = (1e-150, 1e150)
 """Beyond these gamma, no double can tell the motion from friction- or inertia-controlled backlash."""

@@ -9,11 +9,8 @@ import numpy as np
 from trimmer.elements.expansion import Sensitivity, Variation
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.elements.element import Range
-
-    Reals = NDArray[np.float64]
 
 
 def unlimited_domain(omega: Reals) -> Reals:

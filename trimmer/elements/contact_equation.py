@@ -19,9 +19,8 @@ from trimmer.elements.small_arguments import SMALL
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
     Residual = tuple[Reals, Reals, Reals]
 
 STEPS = 3

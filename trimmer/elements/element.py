@@ -13,13 +13,12 @@ from trimmer.elements.expansion import Derivatives, Expansion
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element_at_frequency import ElementAtFrequency
     from trimmer.elements.expansion import Sensitivity, Variation
     from trimmer.elements.scaled_element import ScaledElement
     from trimmer.elements.sum_of_elements import SumOfElements
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
     Range = tuple[ArrayLike, ArrayLike]
 
 

@@ -8,11 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
+    from trimmer.arrays import Complexes, Reals
 
 
 class Derivatives(NamedTuple):

@@ -21,12 +21,11 @@ from trimmer.elements.expansion import Expansion, Variation
 from trimmer.elements.small_arguments import argument_less_sine
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 _LARGEST = np.finfo(float).max
 

@@ -11,9 +11,7 @@ from trimmer.elements.backlash import Backlash
 from trimmer.elements.backlash_motion import GAMMA_LIMITS
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Reals = NDArray[np.float64]
+    from trimmer.arrays import Reals
 
 
 @final

@@ -11,9 +11,9 @@ from trimmer.elements.arguments import require_positive
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    Reals = NDArray[np.float64]
+    from trimmer.arrays import Reals
 
 
 @final

@@ -19,9 +19,7 @@ from trimmer.elements.small_arguments import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Reals = NDArray[np.float64]
+    from trimmer.arrays import Reals
 
 
 def short_residual(flight: Reals, ratio: Reals, gamma: Reals, cosine: Reals) -> tuple[Reals, Reals, Reals]:

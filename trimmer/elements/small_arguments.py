@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
 
 SMALL = 0.25
 """Below it the series are used: the first term they leave out is less than 1e-17 of their first one."""

@@ -12,13 +12,12 @@ from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
     from trimmer.elements.expansion import Sensitivity, Variation
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 _FUNDAMENTAL = 4.0 / np.pi
 """First Fourier coefficient of a square wave between -1 and 1."""

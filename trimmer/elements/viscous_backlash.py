@@ -12,9 +12,7 @@ from trimmer.elements.backlash import Backlash
 from trimmer.elements.backlash_motion import GAMMA_LIMITS
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Reals = NDArray[np.float64]
+    from trimmer.arrays import Reals
 
 
 @final
@@ -25,7 +23,8 @@ class ViscousBacklash(Backlash):
     Domain: gap/amplitude < (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²), which rises from 2 to π with
     gamma; below that amplitude the load cannot be pushed in every half period. For an amplitude up to gap/2 a
     load at rest in the middle of the gap is never touched; N is that of the load that is. Source: the contact
-    and separation conditions of derivations/backlash.py; thesis, section 2.3.4 (equations 2.44 to 2.47).
+    and separation conditions of derivations/elements/backlash.py; thesis, section 2.3.4 (equations 2.44 to
+    2.47).
 
     Attributes:
         gap: Total clearance, > 0, in the unit of the input (m).

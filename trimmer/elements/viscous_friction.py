@@ -13,12 +13,10 @@ from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
-
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 
 @final

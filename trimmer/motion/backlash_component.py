@@ -8,12 +8,19 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.motion.component import Component, EventKind, Explicit, Guard, OutputLaw, Signals, Transition
+from trimmer.motion.switched_component import (
+    Component,
+    EventFunction,
+    EventKind,
+    Explicit,
+    OutputLaw,
+    Signals,
+    Transition,
+)
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
 
 FREE, UPPER, LOWER, RESTING = range(4)
 SETTLED = 2.0**-60
@@ -28,7 +35,7 @@ class BacklashComponent(Component):
     In contact the load is at pin -+ gap/2, as long as the pin need not pull: tau a + v >= 0 on the upper
     side, with the pin's velocity v, acceleration a and tau = M/D. Free, the load slows down with tau, stops
     at once for tau = 0 (friction-controlled), or keeps its velocity for tau = oo (inertia-controlled). It is
-    the motion that derivations/backlash.py derives the describing function from.
+    the motion that derivations/elements/backlash.py derives the describing function from.
 
     A load that has slowed down to rounding, after 42 tau, rests in a mode of its own, where tau no longer
     limits the steps: so the motion costs the same for any tau, however small.
@@ -61,16 +68,6 @@ class BacklashComponent(Component):
         """Position of a free load, its velocity if it has one, and the share that is left of the first."""
         return 3 if self.slows_down else 2 if self.time_constant > 0 else 1
 
-    @property
-    def output_jumps(self) -> bool:
-        """False: impacts change the velocity of the load only."""
-        return False
-
-    @property
-    def continuous_rates(self) -> int:
-        """None: a jump of the contact force leads to separation."""
-        return 0
-
     def mirrored(self, mode: int) -> int:
         """Return the mode on the other side."""
         return (FREE, LOWER, UPPER, RESTING)[mode]
@@ -102,7 +99,7 @@ class BacklashComponent(Component):
             return signals.input_curvature + signals.input_rate / self.time_constant
         return self.time_constant * signals.input_curvature + signals.input_rate
 
-    def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
         """Return the clearances in the gap, the contact force in contact."""
         if mode == RESTING:
             return self._clearances(signals)
@@ -119,26 +116,26 @@ class BacklashComponent(Component):
             Transition(EventKind.SEPARATION, FREE, resets, (zeros, 0) if upper else (0, zeros))
             for zeros in (reached, jumped)
         )
-        return (Guard(force, leave, leave_at_once),)
+        return (EventFunction(force, leave, leave_at_once),)
 
-    def _clearances(self, signals: Signals) -> tuple[Guard, ...]:
+    def _clearances(self, signals: Signals) -> tuple[EventFunction, ...]:
         half_gap = 0.5 * self.gap * signals.one
         play = signals.input - signals.output
         nothing = 0.0 * signals.one
         stop = (signals.states[0], nothing, nothing) if self.slows_down else ()
         meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, stop, (0,)) for side in (UPPER, LOWER))
         return (
-            Guard(half_gap - play, meet_upper, meet_upper, continuous=1),
-            Guard(half_gap + play, meet_lower, meet_lower, continuous=1),
+            EventFunction(half_gap - play, meet_upper, meet_upper, continuous=1),
+            EventFunction(half_gap + play, meet_lower, meet_lower, continuous=1),
         )
 
-    def _rest(self, signals: Signals) -> tuple[Guard, ...]:
-        """Return the guard that ends a flight where the velocity is lost in rounding."""
+    def _rest(self, signals: Signals) -> tuple[EventFunction, ...]:
+        """Return the event function that ends a flight where the velocity is lost in rounding."""
         position, velocity, share = signals.states
         nothing = 0.0 * signals.one
         resets = (position + self.time_constant * velocity, nothing, nothing)
         rest = Transition(EventKind.REST, RESTING, resets, (0, 0))
-        return (Guard(share - SETTLED * signals.one, rest, rest),)
+        return (EventFunction(share - SETTLED * signals.one, rest, rest),)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start at rest in the gap, or in contact where the wished output would lie outside the gap."""

@@ -9,20 +9,18 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.displacement import Body
+from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
-from trimmer.linear import InputChannels
-from trimmer.motion.components import components_of
-from trimmer.motion.errors import UnsupportedMotionError
+from trimmer.linear.model import InputChannels
+from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.taylor import DEGREE
 from trimmer.motion.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from trimmer.motion.mode import Mode
+    from trimmer.arrays import Reals
+    from trimmer.motion.mode import SwitchedMode
     from trimmer.motion.motion import Motion
 
-    Reals = NDArray[np.float64]
 
 NODES = DEGREE + 1
 """Points of Gauss and Legendre in a step: exact for products of two polynomials of that degree."""
@@ -134,10 +132,10 @@ def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
     first = len(system.element_factors)
     velocity_gain = np.zeros(BODIES)
     if loop.channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
-        # The states are then the velocities less their rows of B2 u (``trimmer.linear.pin_model``).
+        # The states are then the velocities less their rows of B2 u (``trimmer.linear.model.pin_model``).
         velocity_gain = np.array(linear_trimmer.input_matrix(*loop.parameters.values()))[BODIES:, 1]
 
-    def rows_of(mode: Mode) -> Reals:
+    def rows_of(mode: SwitchedMode) -> Reals:
         states = np.eye(2 * BODIES, layout.size)
         bridge = np.array(system.element_factors) @ [each.output for each in mode.signals[:first]]
         between = mode.signals[first:]

@@ -1,19 +1,149 @@
-"""The first event within one step: the guard that falls to zero first, compiled."""
+"""The first event within a step: which event function falls to zero first, and where. Compiled.
+
+Event functions are polynomials over the step.
+
+Bernstein coefficients decide: where all are positive there is no zero, where their signs vary once there is
+exactly one, and otherwise the interval is halved (Descartes' rule of signs; Farouki 2012). So no zero is
+missed, however short the excursion, down to the rounding of the coefficients.
+"""
 
 from __future__ import annotations
 
-from trimmer.motion.compiled import inlined
-from trimmer.motion.first_root import NOWHERE, first_root
+from trimmer.arrays import Reals
+from trimmer.motion.compilation import compiled, inlined
 from trimmer.motion.linear_combination import (
     all_positive,
     any_below,
     combine,
     combine_moduli,
     combine_polynomials,
+    copy,
     within,
 )
-from trimmer.motion.tables import Reals, Tables, Work
+from trimmer.motion.tables import Tables, Work
 from trimmer.motion.taylor import DEGREE, MOST_ZEROS
+
+DEEPEST = 48
+"""Halvings after which a dip that does not show its sign is taken as touching, not crossing."""
+NARROWEST = 2.0**-DEEPEST
+"""Width of an interval after as many halvings."""
+CLOSE = 2.0**-10
+"""Width of an interval from which on its polynomial counts as near its smallest value."""
+NOWHERE = 2.0
+"""A fraction of the step that lies beyond it: there is no such point."""
+
+
+@compiled
+def sign_variations(coefficients: Reals, count: int) -> tuple[int, bool]:
+    """Count the changes of sign, and tell whether the first sign is a minus; zeros do not count."""
+    variations, begins_negative = 0, False
+    previous = 0.0
+    for i in range(count):
+        value = coefficients[i]
+        if value != 0.0:
+            if previous == 0.0:
+                begins_negative = value < 0.0
+            elif (value < 0.0) != (previous < 0.0):
+                variations += 1
+            previous = value
+    return variations, begins_negative
+
+
+@compiled
+def halve(coefficients: Reals, count: int, left: Reals, right: Reals) -> None:
+    """Split Bernstein coefficients at the middle of the interval (de Casteljau)."""
+    copy(coefficients, count, right)
+    left[0] = right[0]
+    for level in range(1, count):
+        for i in range(count - level):
+            right[i] = 0.5 * (right[i] + right[i + 1])
+        left[level] = right[0]
+
+
+@compiled
+def polished(bernstein: Reals, taylor: Reals, count: int, low: float, width: float) -> float:
+    """Find the zero of a polynomial that falls through zero once in an interval, by Newton's method.
+
+    Args:
+        bernstein: Bernstein coefficients on the interval, which give the first guess.
+        taylor: Coefficients of s^k.
+        count: Degree plus one.
+        low: Start of the interval.
+        width: Its width.
+    """
+    high, place = low + width, 1
+    while place < count - 1 and bernstein[place] > 0.0:
+        place += 1
+    drop = bernstein[place - 1] - bernstein[place]
+    share = bernstein[place - 1] / drop if drop > 0.0 else 0.5
+    point = low + width * (place - 1 + share) / (count - 1)
+    for _ in range(100):
+        value = 0.0
+        slope = 0.0
+        for k in range(count - 1, -1, -1):
+            slope = slope * point + value
+            value = value * point + taylor[k]
+        if value > 0.0:
+            low = point
+        elif value < 0.0:
+            high = point
+        else:
+            return point
+        following = point - value / slope if slope < 0.0 else -1.0
+        if abs(following - point) <= 2.0**-52 * point:
+            return min(max(following, low), high)
+        if not (low < following < high):
+            following = 0.5 * (low + high)
+            if not (low < following < high):
+                return following
+        point = following
+    return point
+
+
+@compiled
+def first_root(
+    bernstein: Reals, taylor: Reals, count: int, rounding: float, pieces: Reals
+) -> tuple[float, float]:
+    """Find where a polynomial that begins positive first falls through zero on [0, 1].
+
+    Args:
+        bernstein: Its Bernstein coefficients, ``count`` of them; the first one is positive.
+        taylor: Its coefficients of s^k.
+        count: Degree plus one.
+        rounding: Value below which rounding decides whether there is a zero.
+        pieces: Room for DEEPEST + 3 intervals: coefficients, start and width of each.
+
+    Returns:
+        The zero, and where before it the polynomial first dips to less than ``rounding`` without a zero;
+        NOWHERE for what there is not.
+    """
+    begin, wide = pieces.shape[1] - 2, pieces.shape[1] - 1
+    piece = pieces[DEEPEST + 2]
+    copy(bernstein, count, pieces[0])
+    pieces[0, begin], pieces[0, wide] = 0.0, 1.0
+    top, touch = 1, NOWHERE
+    while top > 0:
+        top -= 1
+        copy(pieces[top], piece.size, piece)
+        start, width = piece[begin], piece[wide]
+        variations, begins_negative = sign_variations(piece, count)
+        root = NOWHERE
+        if begins_negative or (width <= NARROWEST and piece[count - 1] < 0.0):
+            root = start
+        elif variations == 1:
+            root = polished(piece, taylor, count, start, width)
+        if root < NOWHERE:
+            return root, touch if touch < root - CLOSE else NOWHERE
+        if variations == 0 or width <= NARROWEST:
+            if width <= CLOSE and any_below(piece, count, rounding):
+                touch = min(touch, start)
+            continue
+        halve(piece, count, pieces[top + 1], pieces[top])
+        pieces[top + 1, begin], pieces[top, begin] = start, start + 0.5 * width
+        pieces[top + 1, wide] = pieces[top, wide] = 0.5 * width
+        top += 2
+    return NOWHERE, touch
+
 
 ROUNDING = 64 * 2.0**-53
 """A coefficient below this share of the moduli of its terms, or of those of the value, is zero."""
@@ -23,35 +153,36 @@ ROUNDING = 64 * 2.0**-53
 def first_event(
     tables: Tables, work: Work, mode: int, at_start: bool, recent: int
 ) -> tuple[int, float, bool]:
-    """Find which guard falls to zero first during the step that begins at ``work.state``.
+    """Find which event function falls to zero first during the step that begins at ``work.state``.
 
     Where several are negative at once, the component that has just changed its mode comes first: while it is
     in a mode that cannot hold, such as stick beyond its limit, what the others would do means nothing.
 
     Args:
         tables: The modes.
-        work: ``state`` and ``known_zeros`` are read, the rest is written; ``touch`` becomes where each guard
-            touches zero without crossing.
+        work: ``state`` and ``known_zeros`` are read, the rest is written; ``touch`` becomes where each event
+            function touches zero without crossing.
         mode: Number of the mode.
-        at_start: Whether the step begins the stretch, so that guards may be zero.
-        recent: Number of the component whose transition began the stretch, -1 for none.
+        at_start: Whether the step begins the segment, so that event functions may be zero.
+        recent: Number of the component whose transition began the segment, -1 for none.
 
     Returns:
-        Guard (-1 for none), fraction of the step at which it does, and whether it was negative at once.
+        The event function (-1 for none), the fraction of the step at which it falls to zero, and whether it
+        was negative at once.
     """
     count = DEGREE + 1
     fired, fraction, jumped = -1, NOWHERE, False
     # Each use of an array in a tuple counts references, which costs as much as ten products.
     state, bernstein, touch, known_zeros = work.state, work.bernstein, work.touch, work.known_zeros
-    for guard in range(tables.guard_count[mode]):
-        touch[guard] = NOWHERE
-        combine_polynomials(state, tables.bernstein[mode, guard], bernstein)
-        known = known_zeros[guard] if at_start else 0
+    for event_function in range(tables.event_count[mode]):
+        touch[event_function] = NOWHERE
+        combine_polynomials(state, tables.bernstein[mode, event_function], bernstein)
+        known = known_zeros[event_function] if at_start else 0
         if known == 0 and all_positive(bernstein):
             continue
         taylor, sizes = work.taylor, work.sizes
-        combine_polynomials(state, tables.taylor[mode, guard], taylor)
-        combine_moduli(state, tables.sizes[mode, guard], sizes)
+        combine_polynomials(state, tables.taylor[mode, event_function], taylor)
+        combine_moduli(state, tables.sizes[mode, event_function], sizes)
         rounding = ROUNDING * sizes[0]
         zeros = _leading_zeros(taylor, sizes, known)
         if zeros == count or within(bernstein, rounding):
@@ -61,14 +192,16 @@ def first_event(
             # Without s^zeros, whose coefficients would drown the others in their rounding.
             combine(taylor[zeros:], tables.bernstein_from_taylor[zeros], count - zeros, bernstein)
         if bernstein[0] < 0.0:
-            if fraction > 0.0 or tables.component[mode, guard] == recent:
-                fired, fraction, jumped = guard, 0.0, at_start and zeros == 0
+            if fraction > 0.0 or tables.component[mode, event_function] == recent:
+                fired, fraction, jumped = event_function, 0.0, at_start and zeros == 0
             continue
         if not any_below(bernstein, count - zeros, 0.0):
             continue
-        root, touch[guard] = first_root(bernstein, taylor[zeros:], count - zeros, rounding, work.pieces)
+        root, touch[event_function] = first_root(
+            bernstein, taylor[zeros:], count - zeros, rounding, work.pieces
+        )
         if root < fraction:
-            fired, fraction, jumped = guard, root, False
+            fired, fraction, jumped = event_function, root, False
     return fired, fraction, jumped
 
 

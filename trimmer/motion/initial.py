@@ -10,16 +10,15 @@ import numpy as np
 from trimmer.motion.interconnection import acts
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from trimmer.arrays import Reals
     from trimmer.motion.loops import Loop
-    from trimmer.motion.mode import Mode
+    from trimmer.motion.mode import SwitchedMode
     from trimmer.motion.mode_tables import ModeTables
 
-    Reals = NDArray[np.float64]
 
-
-def initial_stretch(
+def initial_segment(
     loop: Loop, modes: ModeTables, initial_state: ArrayLike | None, impulse: float, element_output: float
 ) -> tuple[int, Reals]:
     """Return the mode and the extended state at t = 0.
@@ -70,7 +69,7 @@ def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) ->
     return started
 
 
-def _leading_value(row: Reals, mode: Mode, modes: ModeTables, k: int, state: Reals) -> float:
+def _leading_value(row: Reals, mode: SwitchedMode, modes: ModeTables, k: int, state: Reals) -> float:
     """Return a row's value, or its first derivative in time that is not zero before the output acts on it."""
     push = np.zeros(state.size)
     push[: modes.layout.order] = modes.system.B[:, k]

@@ -1,21 +1,58 @@
-"""A linear system whose inputs are the outputs of switched components, and whose outputs are their inputs."""
+"""A linear system whose inputs are the outputs of switched components, and whose outputs are their inputs.
+
+The extended state holds the states of the plant and of the components, sine and cosine of the drive, and one.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import control
 import numpy as np
+import scipy.signal
 
-from trimmer.motion.errors import IllPosedLoopError
+from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
+    from trimmer.motion.loops import Drive
+    from trimmer.motion.switched_component import Component
 
-    from trimmer.motion.component import Component
-    from trimmer.motion.drive import Drive
 
-    Reals = NDArray[np.float64]
+def realized(system: control.LTI) -> control.StateSpace:
+    """Return a state-space model with one input and one output, which is the system itself if it is one.
+
+    Raises:
+        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
+            models in continuous time, has several inputs or outputs, or is improper.
+        ValueError: if a coefficient is not finite.
+    """
+    if not isinstance(system, control.StateSpace | control.TransferFunction):
+        raise UnsupportedMotionError(
+            f"give a control.StateSpace or control.TransferFunction, not {type(system).__name__}"
+        )
+    if system.isdtime(strict=True):
+        raise UnsupportedMotionError("the system must be continuous in time, not sampled")
+    if (system.ninputs, system.noutputs) != (1, 1):
+        raise UnsupportedMotionError(
+            f"the system must have one input and one output, not {system.ninputs} and {system.noutputs}"
+        )
+    if isinstance(system, control.StateSpace):
+        _require_finite(A=system.A, B=system.B, C=system.C, D=system.D)
+        return system
+    numerator, denominator = system.num[0][0], system.den[0][0]
+    _require_finite(numerator=numerator, denominator=denominator)
+    if len(numerator) > len(denominator):
+        raise UnsupportedMotionError("the transfer function has more zeros than poles")
+    return control.ss(*scipy.signal.tf2ss(numerator, denominator))
+
+
+def _require_finite(**parts: Reals) -> None:
+    for name, values in parts.items():
+        if not np.isfinite(values).all():
+            raise ValueError(f"{name} of the system must be finite, not {values.tolist()!r}")
+
 
 NEGLIGIBLE = 1e-12
 """A product of a row and a column below this share of the product of their moduli is rounding."""
@@ -77,3 +114,39 @@ def effect(row: Reals, column: Reals) -> float:
     terms = row * (column / abs(column).max(initial=np.finfo(float).tiny))
     total, size = float(terms.sum()), float(abs(terms).sum())
     return total / size if abs(total) > NEGLIGIBLE * size else 0.0
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Positions in the extended state.
+
+    Attributes:
+        order: States of the plant, which come first.
+        first_states: For each component, where its own states begin.
+        sine: Where the drive's sine stands; its cosine follows.
+        size: Number of entries; the last one is one.
+    """
+
+    order: int
+    first_states: tuple[int, ...]
+    sine: int
+    size: int
+
+    @classmethod
+    def of(cls, interconnection: Interconnection) -> Layout:
+        """Lay out an interconnection."""
+        counts = [component.state_count for component in interconnection.components]
+        ends = np.cumsum([interconnection.order, *counts])
+        sine = int(ends[-1])
+        return cls(interconnection.order, tuple(int(end) for end in ends[:-1]), sine, sine + 3)
+
+    def unit(self, position: int) -> Reals:
+        """Return the row that picks one entry."""
+        row = np.zeros(self.size)
+        row[position] = 1.0
+        return row
+
+    @property
+    def one(self) -> Reals:
+        """The row that gives one."""
+        return self.unit(self.size - 1)

@@ -7,9 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from trimmer.motion.compiled import compiled, inlined, kept, sources
-from trimmer.motion.first_event import first_event
-from trimmer.motion.first_root import DEEPEST
+from trimmer.motion.compilation import compiled, inlined, kept, sources
+from trimmer.motion.first_event import DEEPEST, first_event
 from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
 from trimmer.motion.tables import Log, Tables, Work
 from trimmer.motion.taylor import DEGREE, LEVELS
@@ -17,7 +16,7 @@ from trimmer.motion.taylor import DEGREE, LEVELS
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
 """Why the march stopped."""
 NO_EVENT, TOO_LARGE, TOO_MANY_STEPS = -1, -2, -3
-"""Instead of a guard: why a stretch ended without event."""
+"""Instead of a event_function: why a segment ended without event."""
 LONGEST_CASCADE = 40
 """Events at one instant, after which the march gives up."""
 AN_INSTANT = 2.0**-51
@@ -32,51 +31,51 @@ LARGEST_COUNT = 2**62
 
 def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int], tuple[int, int, float]]:
     def entry(
-        tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int
+        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _march(tables, log, first, end, most_stretches, most_steps)
+        return _march(tables, log, first, end, most_segments, most_steps)
 
     return kept(entry)
 
 
 @inlined
 def _march(
-    tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int
+    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
 ) -> tuple[int, int, float]:
     work = _work(tables)
-    stretch, cascade, steps_left = first, 0, most_steps
+    segment, cascade, steps_left = first, 0, most_steps
     late = 0.0  # The exact time is by so much later than the rounded time in the log.
     while True:
-        mode, begin = log.mode[stretch], log.start[stretch]
+        mode, begin = log.mode[segment], log.start[segment]
         if not tables.known[mode]:
-            return UNKNOWN_MODE, stretch, begin
-        copy(log.state[stretch], work.state.size, work.state)
-        recent = _know_zeros(tables, log, stretch, work)
-        fired, steps, fraction, jumped, log.touches[stretch] = _follow(
+            return UNKNOWN_MODE, segment, begin
+        copy(log.state[segment], work.state.size, work.state)
+        recent = _know_zeros(tables, log, segment, work)
+        fired, steps, fraction, jumped, log.touches[segment] = _follow(
             tables, work, mode, recent, (end - begin) - late, steps_left
         )
         elapsed = late + (steps + fraction) * tables.step[mode]
         time = begin + elapsed
         if fired == NO_EVENT:
-            return REACHED_END, stretch, end
+            return REACHED_END, segment, end
         if fired < 0:
-            return (DIVERGED if fired == TOO_LARGE else STEP_LIMIT), stretch, time
-        if stretch + 1 >= most_stretches:
-            return EVENT_LIMIT, stretch, time
-        if stretch + 1 >= log.start.size:
-            return FULL, stretch, begin
+            return (DIVERGED if fired == TOO_LARGE else STEP_LIMIT), segment, time
+        if segment + 1 >= most_segments:
+            return EVENT_LIMIT, segment, time
+        if segment + 1 >= log.start.size:
+            return FULL, segment, begin
         cascade = cascade + 1 if time == begin else 0
         late = _rounding(begin, elapsed, time)
         steps_left -= steps
-        stretch += 1
-        combine(work.state, tables.reset[mode, fired], work.state.size, log.state[stretch])
-        log.start[stretch] = time
-        log.mode[stretch] = tables.target[mode, fired, 1 if jumped else 0]
-        log.guard[stretch] = fired
-        log.jumped[stretch] = jumped
+        segment += 1
+        combine(work.state, tables.reset[mode, fired], work.state.size, log.state[segment])
+        log.start[segment] = time
+        log.mode[segment] = tables.target[mode, fired, 1 if jumped else 0]
+        log.event_function[segment] = fired
+        log.jumped[segment] = jumped
         if cascade > LONGEST_CASCADE:
-            return CYCLING, stretch, time
+            return CYCLING, segment, time
 
 
 @compiled
@@ -90,13 +89,13 @@ def _rounding(first: float, second: float, total: float) -> float:
 def _follow(
     tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
 ) -> tuple[int, int, float, bool, int]:
-    """Follow one stretch for a duration, s; ``work.state`` becomes the state at its end.
+    """Follow one segment for a duration, s; ``work.state`` becomes the state at its end.
 
     ``recent`` is the component whose transition began it.
 
     Returns:
-        Guard that ends it (or why there is none), whole steps until then, fraction of a step after them,
-        whether the guard was negative at once, and how many times a guard touched zero without crossing.
+        The event function that ends it (or why there is none), whole steps until then, fraction of a step
+        after them, whether it was negative at once, and how many times one touched zero without crossing.
     """
     state, touch, step = work.state, work.touch, tables.step[mode]
     steps, touches = 0, 0
@@ -105,8 +104,8 @@ def _follow(
             return TOO_LARGE, max(steps - 1, 0), 0.0, False, touches
         left = duration / step - steps
         fired, fraction, jumped = first_event(tables, work, mode, steps == 0, recent)
-        for guard in range(tables.guard_count[mode]):
-            touches += touch[guard] < min(fraction, left)
+        for event_function in range(tables.event_count[mode]):
+            touches += touch[event_function] < min(fraction, left)
         if fired >= 0 and fraction <= left:
             if fraction > 0.0:
                 terms = tables.terms[mode, min(-math.frexp(fraction)[1] // 2, LEVELS - 1)]
@@ -125,7 +124,7 @@ def _follow(
 @compiled
 def _work(tables: Tables) -> Work:
     size, count = tables.whole.shape[1], DEGREE + 1
-    guards = tables.guard_rows.shape[1]
+    event_functions = tables.event_rows.shape[1]
     return Work(
         np.empty(size),
         np.empty(size),
@@ -134,34 +133,34 @@ def _work(tables: Tables) -> Work:
         np.empty(count),
         np.empty(count),
         np.empty((DEEPEST + 3, count + 2)),
-        np.zeros(guards, dtype=np.int64),
-        np.empty(guards),
+        np.zeros(event_functions, dtype=np.int64),
+        np.empty(event_functions),
     )
 
 
 @inlined
-def _know_zeros(tables: Tables, log: Log, stretch: int, work: Work) -> int:
-    """Write how many derivatives of each guard are known to vanish at the start of a stretch.
+def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
+    """Write how many derivatives of each event function are known to vanish at the start of a segment.
 
     What the last transition of a component makes zero is so until time goes on, as far as it does not jump
     with the outputs of others that have their transitions at the same instant. Returns the component of the
     last transition, -1 for none.
     """
     unknown, recent = -1, -1
-    mode, event, known = log.mode[stretch], stretch, work.known_zeros
+    mode, event, known = log.mode[segment], segment, work.known_zeros
     owners, numbers, continuous = tables.component[mode], tables.number[mode], tables.continuous[mode]
     for each in range(known.size):
         known[each] = unknown
-    while log.guard[event] >= 0 and stretch - event < LONGEST_CASCADE:
-        before, guard = log.mode[event - 1], log.guard[event]
-        zeros = tables.zeros[before, guard, 1 if log.jumped[event] else 0]
-        owner = tables.component[before, guard]
-        if event == stretch:
+    while log.event_function[event] >= 0 and segment - event < LONGEST_CASCADE:
+        before, event_function = log.mode[event - 1], log.event_function[event]
+        zeros = tables.zeros[before, event_function, 1 if log.jumped[event] else 0]
+        owner = tables.component[before, event_function]
+        if event == segment:
             recent = owner
-        for each in range(tables.guard_count[mode]):
+        for each in range(tables.event_count[mode]):
             if owners[each] == owner and known[each] == unknown:
                 found = zeros[numbers[each]]
-                known[each] = found if event == stretch else min(found, continuous[each])
+                known[each] = found if event == segment else min(found, continuous[each])
         if log.start[event] - log.start[event - 1] > AN_INSTANT * log.start[event]:
             break
         event -= 1
@@ -174,14 +173,14 @@ _compiled_march = _entry(sources())
 
 
 def march(
-    tables: Tables, log: Log, first: int, end: float, most_stretches: int, most_steps: int = MOST_STEPS
+    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int = MOST_STEPS
 ) -> tuple[int, int, float]:
-    """Follow the motion from the stretch ``first`` of the log until a time, s.
+    """Follow the motion from the segment ``first`` of the log until a time, s.
 
     Returns:
-        Reason to stop, number of the last stretch, and time reached, s. The march can go on from there,
+        Reason to stop, number of the last segment, and time reached, s. The march can go on from there,
         once the mode is tabulated or the log has more room.
     """
     # Of one type each, since the march is compiled for every combination of types.
-    most = (min(int(most_stretches), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
+    most = (min(int(most_segments), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
     return _compiled_march(tables, log, int(first), float(end), *most)

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
-from trimmer.motion.compiled import compiled
+from trimmer.arrays import Reals
+from trimmer.motion.compilation import compiled
 from trimmer.motion.taylor import DEGREE
-
-Reals = NDArray[np.float64]
 
 
 @compiled

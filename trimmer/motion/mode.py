@@ -1,4 +1,4 @@
-"""One mode of an interconnection: its flow Z' = M Z, the signals of its components, and its guards."""
+"""One mode of an interconnection: its flow Z' = M Z, its components' signals, and its event functions."""
 
 from __future__ import annotations
 
@@ -7,17 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.component import Constrained, Explicit, Guard, RateProportional, Signals
-from trimmer.motion.errors import IllPosedLoopError
-from trimmer.motion.interconnection import acts, effect
-from trimmer.motion.layout import Layout
+from trimmer.errors import IllPosedLoopError
+from trimmer.motion.interconnection import Layout, acts, effect
+from trimmer.motion.switched_component import Constrained, EventFunction, Explicit, RateProportional, Signals
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.motion.interconnection import Interconnection
-
-    Reals = NDArray[np.float64]
 
 
 DEPENDENT = 1e-10
@@ -25,29 +21,29 @@ DEPENDENT = 1e-10
 
 
 @dataclass(frozen=True)
-class ComponentGuard:
-    """A guard with the component that it belongs to and its number among that component's guards."""
+class ComponentEventFunction:
+    """An event function, the component that it belongs to, and its number among those of that component."""
 
     component: int
     number: int
-    guard: Guard
+    event_function: EventFunction
 
 
 @dataclass(frozen=True)
-class Mode:
+class SwitchedMode:
     """A mode with everything as rows and matrices over the extended state.
 
     Attributes:
         component_modes: The mode of each component.
         matrix: M.
         signals: Of each component.
-        guards: Of all components.
+        event functions: Of all components.
     """
 
     component_modes: tuple[int, ...]
     matrix: Reals
     signals: tuple[Signals, ...]
-    guards: tuple[ComponentGuard, ...]
+    event_functions: tuple[ComponentEventFunction, ...]
 
 
 @dataclass(frozen=True)
@@ -66,7 +62,7 @@ class _Open:
     implicit: tuple[int, ...]
 
 
-def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> Mode:
+def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> SwitchedMode:
     """Build a mode.
 
     Raises:
@@ -83,14 +79,14 @@ def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> Mode:
         _signals(layout, matrix, inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
-    guards = tuple(
-        ComponentGuard(k, number, guard)
+    event_functions = tuple(
+        ComponentEventFunction(k, number, event_function)
         for k, component in enumerate(system.components)
-        for number, guard in enumerate(
-            component.guards(component_modes[k], signals[k], _attracting(system, signals[k], k))
+        for number, event_function in enumerate(
+            component.event_functions(component_modes[k], signals[k], _attracting(system, signals[k], k))
         )
     )
-    return Mode(component_modes, matrix, signals, guards)
+    return SwitchedMode(component_modes, matrix, signals, event_functions)
 
 
 def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> _Open:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.errors import UnsupportedMotionError
-from trimmer.motion.layout import Layout
-from trimmer.motion.mode import ComponentGuard, Mode, assemble
+from trimmer.errors import UnsupportedMotionError
+from trimmer.motion.interconnection import Layout
+from trimmer.motion.mode import ComponentEventFunction, SwitchedMode, assemble
 from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,
@@ -23,14 +23,11 @@ from trimmer.motion.taylor import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from trimmer.motion.interconnection import Interconnection
 
-    Reals = NDArray[np.float64]
 
-GUARDS_OF_COMPONENT = 3
-"""No component has more guards in a mode."""
+EVENTS_OF_COMPONENT = 3
+"""No component has more event functions in a mode."""
 MOST_MODES = 4 * 3**6
 """A backlash and six frictions."""
 FORCING = 3
@@ -48,7 +45,7 @@ class ModeTables:
     """
 
     system: Interconnection
-    _modes: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
+    _modes: dict[int, SwitchedMode] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         if np.prod(self.shape, dtype=float) > MOST_MODES:
@@ -74,7 +71,7 @@ class ModeTables:
         """Return the mode of each component."""
         return tuple(int(mode) for mode in np.unravel_index(number, self.shape))
 
-    def mode(self, number: int) -> Mode:
+    def mode(self, number: int) -> SwitchedMode:
         """Return a mode, assembled when first asked for."""
         if number not in self._modes:
             self._modes[number] = assemble(self.system, self.component_modes(number))
@@ -84,24 +81,24 @@ class ModeTables:
     def tables(self) -> Tables:
         """Empty tables for all modes."""
         modes, size = int(np.prod(self.shape)), self.layout.size
-        guards = GUARDS_OF_COMPONENT * len(self.system.components)
+        event_functions = EVENTS_OF_COMPONENT * len(self.system.components)
         return Tables(
             known=np.zeros(modes, dtype=np.bool_),
             step=np.zeros(modes),
             whole=np.empty((modes, size, size)),
             series=np.empty((modes, size, (DEGREE + 1) * size)),
             terms=np.zeros((modes, LEVELS), dtype=np.int64),
-            bernstein=np.zeros((modes, guards, size, DEGREE + 1)),
-            taylor=np.zeros((modes, guards, size, DEGREE + 1)),
-            sizes=np.zeros((modes, guards, size, DEGREE + 1)),
-            guard_rows=np.zeros((modes, guards, size)),
-            guard_count=np.zeros(modes, dtype=np.int64),
-            component=np.zeros((modes, guards), dtype=np.int64),
-            target=np.zeros((modes, guards, 2), dtype=np.int64),
-            reset=np.zeros((modes, guards, size, size)),
-            zeros=np.zeros((modes, guards, 2, GUARDS_OF_COMPONENT), dtype=np.int64),
-            continuous=np.zeros((modes, guards), dtype=np.int64),
-            number=np.zeros((modes, guards), dtype=np.int64),
+            bernstein=np.zeros((modes, event_functions, size, DEGREE + 1)),
+            taylor=np.zeros((modes, event_functions, size, DEGREE + 1)),
+            sizes=np.zeros((modes, event_functions, size, DEGREE + 1)),
+            event_rows=np.zeros((modes, event_functions, size)),
+            event_count=np.zeros(modes, dtype=np.int64),
+            component=np.zeros((modes, event_functions), dtype=np.int64),
+            target=np.zeros((modes, event_functions, 2), dtype=np.int64),
+            reset=np.zeros((modes, event_functions, size, size)),
+            zeros=np.zeros((modes, event_functions, 2, EVENTS_OF_COMPONENT), dtype=np.int64),
+            continuous=np.zeros((modes, event_functions), dtype=np.int64),
+            number=np.zeros((modes, event_functions), dtype=np.int64),
             bernstein_from_taylor=bernstein_from_taylor(),
         )
 
@@ -114,26 +111,28 @@ class ModeTables:
         tables.series[number] = series.terms.transpose(2, 0, 1).reshape(size, -1)
         moduli = StepSeries(series.step, abs(series.terms))
         tables.terms[number] = sufficient_terms(series)
-        tables.guard_count[number] = len(mode.guards)
-        for place, entry in enumerate(mode.guards):
-            tables.guard_rows[number, place] = entry.guard.row
-            tables.taylor[number, place] = along(entry.guard.row, series)
+        tables.event_count[number] = len(mode.event_functions)
+        for place, entry in enumerate(mode.event_functions):
+            tables.event_rows[number, place] = entry.event_function.row
+            tables.taylor[number, place] = along(entry.event_function.row, series)
             tables.bernstein[number, place] = tables.taylor[number, place] @ bernstein_from_taylor()[0]
-            tables.sizes[number, place] = along(abs(entry.guard.row), moduli)
+            tables.sizes[number, place] = along(abs(entry.event_function.row), moduli)
             self._tabulate_guard(number, place, mode, entry)
         tables.known[number] = True
 
-    def _tabulate_guard(self, number: int, place: int, mode: Mode, entry: ComponentGuard) -> None:
+    def _tabulate_guard(
+        self, number: int, place: int, mode: SwitchedMode, entry: ComponentEventFunction
+    ) -> None:
         tables = self.tables
         tables.component[number, place] = entry.component
         tables.number[number, place] = entry.number
-        tables.continuous[number, place] = entry.guard.continuous
+        tables.continuous[number, place] = entry.event_function.continuous
         reset = np.eye(self.layout.size)
         first = self.layout.first_states[entry.component]
-        for each, row in enumerate(entry.guard.reached.resets):
+        for each, row in enumerate(entry.event_function.reached.resets):
             reset[first + each] = row
         tables.reset[number, place] = reset.T
-        for flavour, transition in enumerate((entry.guard.reached, entry.guard.jumped)):
+        for flavour, transition in enumerate((entry.event_function.reached, entry.event_function.jumped)):
             after = list(mode.component_modes)
             after[entry.component] = transition.target
             tables.target[number, place, flavour] = self.number(tuple(after))

@@ -10,18 +10,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.component import EventKind
 from trimmer.motion.sampling import sample
+from trimmer.motion.switched_component import EventKind
 from trimmer.motion.tables import Log
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
+    from trimmer.arrays import Reals
     from trimmer.motion.loops import Loop
-    from trimmer.motion.mode import Mode
-
-    Reals = NDArray[np.float64]
+    from trimmer.motion.mode import SwitchedMode
 
 
 class Outcome(Enum):
@@ -64,7 +63,7 @@ class Motion:
         loop: What moved.
         duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
         outcome: How the simulation ended.
-        log: The stretches between events, as the compiled march wrote them.
+        log: The segments between events, as the compiled march wrote them.
     """
 
     loop: Loop
@@ -79,8 +78,8 @@ class Motion:
         That a load in the gap has come to rest, to rounding, is no event.
         """
         listed: list[Event] = []
-        for stretch in range(1, len(self.log.start)):
-            event = self._event(stretch)
+        for segment in range(1, len(self.log.start)):
+            event = self._event(segment)
             if event.kind is EventKind.REST:
                 continue
             if listed and _is_reversal(listed[-1], event):
@@ -96,7 +95,7 @@ class Motion:
 
     @property
     def touches(self) -> int:
-        """How many times a guard dipped to zero, to rounding, without falling below it (grazing contact)."""
+        """How many times an event function came to zero, to rounding, without crossing (grazing contact)."""
         return int(self.log.touches.sum())
 
     def state(self, times: ArrayLike) -> Reals:
@@ -135,7 +134,7 @@ class Motion:
         """
         return self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
 
-    def values(self, times: ArrayLike, rows_of: Callable[[Mode], Reals]) -> Reals:
+    def values(self, times: ArrayLike, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
         """Return rows of the extended state, which may differ from mode to mode, at times (s).
 
         At an event they are those just after it.
@@ -168,12 +167,12 @@ class Motion:
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
-    def _element_output(self, mode: Mode) -> Reals:
+    def _element_output(self, mode: SwitchedMode) -> Reals:
         factors = np.array(self.loop.modes.system.element_factors)
         row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
         return row
 
-    def _polynomials(self, number: int, rows_of: Callable[[Mode], Reals]) -> Reals:
+    def _polynomials(self, number: int, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
         """Return the coefficients of rows over a step as functionals of its initial state: (n, p (K + 1))."""
         size = self.loop.modes.layout.size
         terms = self.loop.modes.tables.series[number].reshape(size, DEGREE + 1, size)
@@ -181,14 +180,14 @@ class Motion:
         functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
         return functionals
 
-    def _event(self, stretch: int) -> Event:
+    def _event(self, segment: int) -> Event:
         log, modes = self.log, self.loop.modes
-        before = modes.mode(int(log.mode[stretch - 1]))
-        entry = before.guards[int(log.guard[stretch])]
-        transition = entry.guard.jumped if log.jumped[stretch] else entry.guard.reached
+        before = modes.mode(int(log.mode[segment - 1]))
+        entry = before.event_functions[int(log.event_function[segment])]
+        transition = entry.event_function.jumped if log.jumped[segment] else entry.event_function.reached
         component = modes.system.components[entry.component]
         return Event(
-            time=float(log.start[stretch]),
+            time=float(log.start[segment]),
             kind=transition.kind,
             component=modes.system.labels[entry.component],
             mode=component.mode_names[transition.target],

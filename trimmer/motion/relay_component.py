@@ -7,21 +7,20 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.motion.component import (
+from trimmer.motion.switched_component import (
     Component,
     Constrained,
+    EventFunction,
     EventKind,
     Explicit,
-    Guard,
     OutputLaw,
     Signals,
     Transition,
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
 
 PLUS, MINUS, HELD = range(3)
 
@@ -53,11 +52,6 @@ class RelayComponent(Component):
         return ("plus", "minus", "held")
 
     @property
-    def state_count(self) -> int:
-        """None."""
-        return 0
-
-    @property
     def output_jumps(self) -> bool:
         """True."""
         return True
@@ -77,15 +71,11 @@ class RelayComponent(Component):
             return Constrained()
         return Explicit(0.0, (), self.level if mode == PLUS else -self.level)
 
-    def state_rates(self, mode: int) -> Reals:
-        """Return an empty matrix."""
-        return np.zeros((0, 0))
-
     def switching_function(self, signals: Signals) -> Reals:
         """Return s."""
         return signals.input_rate if self.of_rate else signals.input
 
-    def guards(self, mode: int, signals: Signals, attracting: bool) -> tuple[Guard, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
         """Return s with its sign, or the distances of the holding output from its limits."""
         if mode == HELD:
             return self._limits(signals)
@@ -93,16 +83,18 @@ class RelayComponent(Component):
         reverse, jump = (Transition(EventKind.SWITCH, other, (), (zeros,)) for zeros in (1, 0))
         stick = Transition(EventKind.STICK, HELD, (), (0, 0))
         switching = side * self.switching_function(signals)
-        return (Guard(switching, stick if attracting else reverse, jump, continuous=1),)
+        return (EventFunction(switching, stick if attracting else reverse, jump, continuous=1),)
 
-    def _limits(self, signals: Signals) -> tuple[Guard, Guard]:
+    def _limits(self, signals: Signals) -> tuple[EventFunction, EventFunction]:
         """Return the distances of the holding output from its limits; at a located slip s' is zero too."""
         level = self.level * signals.one
         forwards, backwards = (
             (Transition(EventKind.SLIP, target, (), (2,)), Transition(EventKind.SLIP, target, (), (1,)))
             for target in (PLUS, MINUS)
         )
-        return Guard(level - signals.output, *forwards), Guard(level + signals.output, *backwards)
+        return EventFunction(level - signals.output, *forwards), EventFunction(
+            level + signals.output, *backwards
+        )
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start with the sign of s; held where s is zero."""

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from trimmer.motion.compiled import compiled, kept, sources
+from trimmer.arrays import Integers, Reals
+from trimmer.motion.compilation import compiled, kept, sources
 from trimmer.motion.linear_combination import combine, evaluate_polynomial
 from trimmer.motion.tables import Log, Tables
 from trimmer.motion.taylor import DEGREE
-
-Reals = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 BLOCK = 512
 """Samples that are evaluated together."""
@@ -27,7 +24,7 @@ def _entry(sources: bytes) -> Callable[[Tables, Log, Integers, Reals, Reals, Rea
 
         Args:
             tables: The modes.
-            log: The stretches of the motion.
+            log: The segments of the motion.
             place: For each mode the first index into ``functionals``.
             functionals: Polynomials over a step, transposed and side by side: (visited modes, n, p (K + 1)).
             times: Instants, s, none after the end of the motion.
@@ -45,11 +42,11 @@ def _sample(
 ) -> None:
     state, following = np.empty(log.state.shape[1]), np.empty(log.state.shape[1])
     done = 0
-    for stretch in range(log.start.size):
-        limit = log.start[stretch + 1] if stretch + 1 < log.start.size else np.inf
-        mode, begin = log.mode[stretch], log.start[stretch]
+    for segment in range(log.start.size):
+        limit = log.start[segment + 1] if segment + 1 < log.start.size else np.inf
+        mode, begin = log.mode[segment], log.start[segment]
         step = tables.step[mode]
-        state[:] = log.state[stretch]
+        state[:] = log.state[segment]
         steps = 0
         while done < times.size and times[done] < limit:
             if (times[done] - begin) / step - steps > 1.0:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.initial import initial_stretch
+from trimmer.motion.initial import initial_segment
 from trimmer.motion.kernel import (
     CYCLING,
     DIVERGED,
@@ -35,7 +35,7 @@ OUTCOMES = {
     STEP_LIMIT: Outcome.STEP_LIMIT,
 }
 FIRST_ROWS = 1024
-"""Stretches of motion that the log has room for at first; it doubles when it is full."""
+"""Segmentes of motion that the log has room for at first; it doubles when it is full."""
 
 
 def simulate(
@@ -85,18 +85,18 @@ def simulate(
         if not (limit >= 1 and limit % 1 == 0):
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
-    mode, state = initial_stretch(loop, modes, initial_state, impulse, element_output)
+    mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
     log = _log(FIRST_ROWS, state.size)
-    log.mode[0], log.state[0], log.guard[0] = mode, state, -1
-    stretch = 0
+    log.mode[0], log.state[0], log.event_function[0] = mode, state, -1
+    segment = 0
     while True:
-        reason, stretch, reached = march(modes.tables, log, stretch, duration, event_limit + 1, step_limit)
+        reason, segment, reached = march(modes.tables, log, segment, duration, event_limit + 1, step_limit)
         if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[stretch]))
+            modes.tabulate(int(log.mode[segment]))
         elif reason == FULL:
             log = _longer(log)
         else:
-            used = Log._make(column[: stretch + 1].copy() for column in log)
+            used = Log._make(column[: segment + 1].copy() for column in log)
             return Motion(loop, float(reached), OUTCOMES[reason], used)
 
 
@@ -105,7 +105,7 @@ def _log(rows: int, size: int) -> Log:
         start=np.zeros(rows),
         mode=np.zeros(rows, dtype=np.int64),
         state=np.zeros((rows, size)),
-        guard=np.zeros(rows, dtype=np.int64),
+        event_function=np.zeros(rows, dtype=np.int64),
         jumped=np.zeros(rows, dtype=np.bool_),
         touches=np.zeros(rows, dtype=np.int64),
     )

@@ -1,4 +1,4 @@
-"""The flow of a mode over one step as a polynomial, and its guards in Bernstein form."""
+"""The flow of a mode over one step as a polynomial, and its event functions in Bernstein form."""
 
 from __future__ import annotations
 
@@ -11,16 +11,15 @@ import numpy as np
 import scipy.linalg
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Integers, Reals
 
-    Reals = NDArray[np.float64]
 
 DEGREE = 24
 """Degree of the polynomials; with the step below, what follows is less than rounding."""
 REMAINDER = 2.0**-56
 """Bound of the next term of the series of exp(M h), in balanced coordinates."""
 MOST_ZEROS = 3
-"""No guard is known to vanish with more than its first three derivatives, the zeroth included."""
+"""No event function is known to vanish with more than its first three derivatives, the zeroth included."""
 LEVELS = 6
 """Fractions 4^-level of a step for which it is known how many terms do."""
 LONGEST_STEP = 1e6
@@ -76,7 +75,7 @@ def _growth(matrix: Reals) -> float:
     return float(size * float(np.linalg.norm(power, 1)) ** (1 / (DEGREE + 1)))
 
 
-def sufficient_terms(series: StepSeries) -> NDArray[np.int64]:
+def sufficient_terms(series: StepSeries) -> Integers:
     """Return how many terms give every entry of the flow to rounding, up to fractions 4^-level of a step."""
     powers = 4.0 ** -np.outer(np.arange(LEVELS), np.arange(DEGREE + 1))
     sizes = powers[..., None] * abs(series.terms.reshape(DEGREE + 1, -1))

@@ -10,8 +10,8 @@ import numpy as np
 import scipy.linalg
 
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
-from trimmer.linear import InputChannels, pin_model
-from trimmer.motion.components import components_of
+from trimmer.linear.model import InputChannels, pin_model
+from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.interconnection import Interconnection
 from trimmer.motion.loops import Loop, element_around
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import control
 
     from trimmer.elements.element import Element
-    from trimmer.motion.drive import Drive
+    from trimmer.motion.loops import Drive
     from trimmer.parameters import TrimmerParameters
 
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.errors import OrbitNotFoundError
 from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
-from trimmer.orbits.errors import OrbitNotFoundError
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.steady_response import Flight, flight_of, steady_response
@@ -18,13 +18,10 @@ from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from numpy.typing import NDArray
-
-    from trimmer.motion.component import Component
+    from trimmer.arrays import Complexes, Reals
     from trimmer.motion.loops import ClosedLoop
+    from trimmer.motion.switched_component import Component
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 ORDERS = (1, 3, 5, 7, 9, 11, 13, 15)
 """Harmonics that are balanced, one after the other."""

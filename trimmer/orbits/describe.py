@@ -12,13 +12,10 @@ from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.return_map import arcs, follow
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.motion.loops import Loop
     from trimmer.orbits.shooting import Return, Shot
-
-    Complexes = NDArray[np.complex128]
 
 
 def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | None) -> PeriodicOrbit:

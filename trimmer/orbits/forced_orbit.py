@@ -6,19 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.initial import initial_stretch
+from trimmer.errors import OrbitNotFoundError
+from trimmer.motion.initial import initial_segment
 from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.errors import OrbitNotFoundError
 from trimmer.orbits.return_map import arcs, flow, follow
 from trimmer.orbits.shooting import Return, solve
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.motion.loops import Loop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
-    Reals = NDArray[np.float64]
 
 SETTLING = (8, 64, 512)
 """Periods after which Newton's method is tried, one after the other, unless told otherwise."""
@@ -47,7 +45,7 @@ def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     if settling is not None and settling < 0:
         raise ValueError(f"settling must not be negative, not {settling!r}")
-    mode, state = initial_stretch(loop, loop.modes, None, 0.0, 0.0)
+    mode, state = initial_segment(loop, loop.modes, None, 0.0, 0.0)
     followed = 0
     for periods in SETTLING if settling is None else (settling,):
         mode, state = _later(loop, mode, state, (periods - followed) * drive.period)

@@ -13,13 +13,11 @@ from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashCompon
 from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.elements.element import Element
-    from trimmer.motion.component import Component
     from trimmer.motion.loops import ClosedLoop
+    from trimmer.motion.switched_component import Component
 
-    Reals = NDArray[np.float64]
 
 PHASES = 720
 """Phases among which the one to start from is chosen."""

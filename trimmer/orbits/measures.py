@@ -12,13 +12,10 @@ from trimmer.orbits.return_map import flow
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Reals
     from trimmer.motion.mode_tables import ModeTables
     from trimmer.orbits.return_map import Arc
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 HARMONICS = 15
 """Harmonics that an orbit lists."""

@@ -10,19 +10,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.optimize
 
-from trimmer.orbits.errors import OrbitNotFoundError
+from trimmer.errors import OrbitNotFoundError
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
 
 if TYPE_CHECKING:
     import control
-    from numpy.typing import NDArray
 
+    from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""

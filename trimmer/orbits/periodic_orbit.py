@@ -12,13 +12,10 @@ from trimmer.orbits.measures import harmonics
 from trimmer.orbits.return_map import arcs
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.motion.motion import Motion
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 NEUTRAL = 1e-6
 """Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""

@@ -12,10 +12,10 @@ import numpy as np
 
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
+from trimmer.errors import OrbitNotFoundWarning
 from trimmer.motion.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.errors import OrbitNotFoundWarning
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.shooting import Return, Shot, solve

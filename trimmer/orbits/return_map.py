@@ -12,11 +12,9 @@ from trimmer.motion.tables import Log
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.motion.mode_tables import ModeTables
 
-    Reals = NDArray[np.float64]
 
 FIRST_ROWS = 64
 MOST_EVENTS = 10_000
@@ -25,13 +23,13 @@ MOST_EVENTS = 10_000
 
 @dataclass(frozen=True)
 class Arc:
-    """A stretch of motion of positive length with what ends it.
+    """A segment of motion of positive length with what ends it.
 
     Attributes:
         duration: s.
         mode: Its mode.
         state: Extended state at its start.
-        guard: Guard that ends it; -1 if time does.
+        event_function: The one that ends it; -1 if time does.
         reset: The state after all that happens at its end from the state before, n x n.
         following: Mode afterwards.
     """
@@ -39,7 +37,7 @@ class Arc:
     duration: float
     mode: int
     state: Reals
-    guard: int
+    event_function: int
     reset: Reals
     following: int
 
@@ -47,39 +45,39 @@ class Arc:
 def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log | None:
     """March from a state for a time, s; return what happened, or None if events accumulate."""
     log = _log(FIRST_ROWS, mode, state)
-    stretch = 0
+    segment = 0
     while True:
-        reason, stretch, _ = march(modes.tables, log, stretch, duration, MOST_EVENTS)
+        reason, segment, _ = march(modes.tables, log, segment, duration, MOST_EVENTS)
         if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[stretch]))
+            modes.tabulate(int(log.mode[segment]))
         elif reason == FULL:
             log = Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
         elif reason == REACHED_END:
-            return Log._make(column[: stretch + 1].copy() for column in log)
+            return Log._make(column[: segment + 1].copy() for column in log)
         else:
             return None
 
 
 def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
-    """Return the stretches of positive length; what happens at one instant is taken together.
+    """Return the segments of positive length; what happens at one instant is taken together.
 
-    The last stretch ends at ``end``, s, by time.
+    The last segment ends at ``end``, s, by time.
     """
     stops = np.append(log.start[1:], end)
     lasting = [each for each in range(len(stops)) if stops[each] > log.start[each]]
     chain = []
-    for stretch, following in zip(lasting, [*lasting[1:], None], strict=True):
+    for segment, following in zip(lasting, [*lasting[1:], None], strict=True):
         reset = np.eye(modes.layout.size)
-        for event in range(stretch + 1, (len(stops) if following is None else following + 1)):
-            reset = modes.tables.reset[log.mode[event - 1], log.guard[event]].T @ reset
+        for event in range(segment + 1, (len(stops) if following is None else following + 1)):
+            reset = modes.tables.reset[log.mode[event - 1], log.event_function[event]].T @ reset
         chain.append(
             Arc(
-                duration=float(stops[stretch] - log.start[stretch]),
-                mode=int(log.mode[stretch]),
-                state=log.state[stretch],
-                guard=-1 if following is None else int(log.guard[stretch + 1]),
+                duration=float(stops[segment] - log.start[segment]),
+                mode=int(log.mode[segment]),
+                state=log.state[segment],
+                event_function=-1 if following is None else int(log.event_function[segment + 1]),
                 reset=reset,
-                following=int(log.mode[stretch if following is None else following]),
+                following=int(log.mode[segment if following is None else following]),
             )
         )
     return chain
@@ -100,16 +98,16 @@ def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
     """Return how the state at the end of a chain of arcs depends on that at its start, and that state.
 
     An event that comes later by dt lets the old flow act for dt longer and the new one shorter, which is the
-    saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the guard g and the flows f
-    (Leine and Nijmeijer 2004, section 7).
+    saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the event function g
+    and the flows f (Leine and Nijmeijer 2004, section 7).
     """
     total = np.eye(modes.layout.size)
     for arc in chain:
         transition = flow(modes, arc.mode, arc.duration)
         before = transition @ arc.state
         total = transition @ total
-        if arc.guard >= 0:
-            row = modes.tables.guard_rows[arc.mode, arc.guard]
+        if arc.event_function >= 0:
+            row = modes.tables.event_rows[arc.mode, arc.event_function]
             rate = modes.mode(arc.mode).matrix @ before
             rate_after = modes.mode(arc.following).matrix @ (arc.reset @ before)
             jump = np.outer(rate_after - arc.reset @ rate, row) / (row @ rate)
@@ -122,7 +120,7 @@ def _log(rows: int, mode: int, state: Reals) -> Log:
         start=np.zeros(rows),
         mode=np.zeros(rows, dtype=np.int64),
         state=np.zeros((rows, state.size)),
-        guard=np.full(rows, -1, dtype=np.int64),
+        event_function=np.full(rows, -1, dtype=np.int64),
         jumped=np.zeros(rows, dtype=np.bool_),
         touches=np.zeros(rows, dtype=np.int64),
     )

@@ -11,12 +11,10 @@ import numpy as np
 from trimmer.orbits.return_map import arcs, derivative, follow
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Reals
     from trimmer.motion.mode_tables import ModeTables
     from trimmer.motion.tables import Log
 
-    Reals = NDArray[np.float64]
 
 MOST_ITERATIONS = 40
 MOST_HALVINGS = 8

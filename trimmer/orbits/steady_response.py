@@ -8,24 +8,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.components import components_of
-from trimmer.motion.errors import UnsupportedMotionError
+from trimmer.motion.components_of_elements import components_of
+from trimmer.motion.linear_components import ViscousComponent
 from trimmer.motion.relay_component import RelayComponent
-from trimmer.motion.viscous_component import ViscousComponent
 from trimmer.orbits.trigonometric import falls_through_zero
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Element
-    from trimmer.motion.component import Component
+    from trimmer.motion.switched_component import Component
     from trimmer.orbits.trigonometric import OddPolynomial
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
 """Gauss-Legendre quadrature; each piece of an output is smooth, so it is exact to rounding."""

@@ -11,10 +11,8 @@ import scipy.optimize
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from numpy.typing import NDArray
+    from trimmer.arrays import Complexes, Integers, Reals
 
-    Reals = NDArray[np.float64]
-    Complexes = NDArray[np.complex128]
 
 POINTS = 721
 """Points of half a period among which the sign of a function is seen to change."""
@@ -31,7 +29,7 @@ class OddPolynomial:
     coefficients: Complexes
 
     @property
-    def numbers(self) -> NDArray[np.int64]:
+    def numbers(self) -> Integers:
         """1, 3, 5 ..."""
         return 2 * np.arange(len(self.coefficients)) + 1
 

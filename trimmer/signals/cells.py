@@ -7,8 +7,8 @@ import re
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from trimmer.arrays import Reals
 from trimmer.signals.csv_layout import COMMENT, DecimalSign
 from trimmer.signals.text_file import SignalFileError
 
@@ -45,9 +45,7 @@ def shown(cell: str) -> str:
     return text if len(text) <= _SHOWN_LENGTH else f"{text[: _SHOWN_LENGTH - 3]}..."
 
 
-def numbers_in(
-    cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign | None, place: str
-) -> NDArray[np.float64]:
+def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign | None, place: str) -> Reals:
     """Read a column of numbers.
 
     Args:
@@ -81,7 +79,7 @@ def numbers_in(
     return numbers
 
 
-def _plain_numbers(cells: Sequence[str], decimal: DecimalSign | None) -> NDArray[np.float64] | None:
+def _plain_numbers(cells: Sequence[str], decimal: DecimalSign | None) -> Reals | None:
     """Read a column at once, several times faster; None if it holds anything but finite numbers."""
     text = "\n".join(cells)
     if decimal is not DecimalSign.POINT and "," in text and "." not in text:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from trimmer.arrays import Reals
 from trimmer.signals.text_file import SignalFileError
 
 LARGEST_SHARE = 0.1
@@ -30,12 +30,12 @@ class MissingValues(Enum):
 class Filled:
     """Samples without gaps: those from place ``begin`` on, of which ``interpolated`` are not measured."""
 
-    values: NDArray[np.float64]
+    values: Reals
     begin: int
     interpolated: int
 
 
-def fill(values: NDArray[np.float64], lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
+def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
     """Deal with the missing values (NaN) of a column.
 
     Args:

@@ -16,8 +16,7 @@ from trimmer.signals.time_stamps import agreed_rate, rate_of
 from trimmer.signals.units import SECONDS
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
 _FOUND_OUT = CsvLayout()
 
@@ -77,7 +76,7 @@ def read_signal(
     return Signal(filled.values, rate, name, unit, start, filled.interpolated)
 
 
-def _times(table: CsvTable, columns: Columns, layout: CsvLayout) -> NDArray[np.float64] | None:
+def _times(table: CsvTable, columns: Columns, layout: CsvLayout) -> Reals | None:
     if columns.time is None:
         return None
     unit = split_heading(table.headings[columns.time])[1] if table.headings else ""

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
 
@@ -40,7 +40,7 @@ class Signal:
         SignalError: if any of these does not hold.
     """
 
-    values: NDArray[np.float64]
+    values: Reals
     sample_rate: float
     name: str = "signal"
     unit: str = ""
@@ -64,7 +64,7 @@ class Signal:
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
     @property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Reals:
         """Times of the samples, s, shape (n,)."""
         return np.asarray(self.start + np.arange(self.values.size) / self.sample_rate)
 
@@ -87,7 +87,7 @@ def split_heading(heading: str) -> tuple[str, str]:
     return (match["name"], unit.strip()) if match["name"] else (text, "")
 
 
-def checked_samples(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def checked_samples(values: Reals) -> Reals:
     """Copy samples into an array that cannot be written to.
 
     Raises:

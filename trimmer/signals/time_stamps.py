@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from trimmer.arrays import Reals
 from trimmer.signals.text_file import SignalFileError
 
 STAMP_TOLERANCE = 0.05
@@ -18,7 +18,7 @@ RATE_TOLERANCE = 1e-3
 _DIGITS = 15
 
 
-def rate_of(times: NDArray[np.float64], lines: Sequence[int], place: str) -> float:
+def rate_of(times: Reals, lines: Sequence[int], place: str) -> float:
     """Find the sample rate from time stamps at equal distances.
 
     If a rate of at most 15 digits gives just these stamps as start + k/rate, to the last bit, it is that one;
@@ -66,7 +66,7 @@ def rate_of(times: NDArray[np.float64], lines: Sequence[int], place: str) -> flo
     return _rate_with_fewest_digits(times, float(1.0 / mean_step))
 
 
-def _rate_with_fewest_digits(times: NDArray[np.float64], rate: float) -> float:
+def _rate_with_fewest_digits(times: Reals, rate: float) -> float:
     counts = np.arange(times.size)
     for digits in range(1, _DIGITS + 1):
         candidate = float(f"{rate:.{digits}g}")

@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.arrays import Reals
 
 SUITED_RATES = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 88200, 96000, 176400, 192000)
 """Sample rates that sound devices play, Hz; a signal at one of them is not resampled."""
@@ -117,7 +119,7 @@ def write_wav(
     sound = _resampled(vibration, used)
     loudest = float(np.abs(sound).max())
     samples = np.rint(sound * (peak * bit_depth.full_scale / loudest if loudest else 0.0)).astype("<i4")
-    write_whole(Path(path), _content(samples, wav_rate, bit_depth))
+    write_atomically(Path(path), _content(samples, wav_rate, bit_depth))
     return WavFile(
         sample_rate=wav_rate,
         samples=samples.size,
@@ -128,7 +130,7 @@ def write_wav(
     )
 
 
-def _without_mean(values: NDArray[np.float64]) -> tuple[float, float, NDArray[np.float64]]:
+def _without_mean(values: Reals) -> tuple[float, float, Reals]:
     """Give scale, mean, and the vibration in units of scale, so that no sum is too large for a number."""
     scale = float(np.abs(values).max()) or 1.0
     relative = values / scale
@@ -162,7 +164,7 @@ def _simple(ratio: Fraction) -> Fraction:
     return ratio.limit_denominator(max(_LARGEST_FACTOR, math.ceil(1 / ratio)))
 
 
-def _resampled(vibration: NDArray[np.float64], ratio: Fraction) -> NDArray[np.float64]:
+def _resampled(vibration: Reals, ratio: Fraction) -> Reals:
     if ratio == 1:
         return vibration
     from scipy.signal import resample_poly

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trimmer.files import write_whole
+from trimmer.files import write_atomically
 from trimmer.signals.columns import TIME_NAMES
 from trimmer.signals.signal import Signal, SignalError
 
@@ -47,7 +47,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal) -> None:
     csv.writer(text, lineterminator="\n").writerow([TIME_HEADING, *(each.heading for each in signals)])
     columns = [map(repr, each.tolist()) for each in (times, *(each.values for each in signals))]
     text.write("\n".join(map(",".join, zip(*columns, strict=True))) + "\n")
-    write_whole(Path(path), text.getvalue())
+    write_atomically(Path(path), text.getvalue())
 
 
 def _check_names(signals: tuple[Signal, ...]) -> None:

@@ -13,7 +13,9 @@ from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Complexes, Reals
 
 MOST_HARMONICS = 20
 """Highest harmonic that is fitted if no number is given."""
@@ -36,7 +38,7 @@ class HarmonicFit:
 
     drive: float
     mean: float
-    coefficients: NDArray[np.complex128]
+    coefficients: Complexes
     residual: float
     explained: float
 
@@ -46,11 +48,11 @@ class HarmonicFit:
         return range(1, self.coefficients.size + 1)
 
     @property
-    def amplitudes(self) -> NDArray[np.float64]:
+    def amplitudes(self) -> Reals:
         """Amplitude of each harmonic, in the signal's unit, shape (count,)."""
         return np.asarray(np.abs(self.coefficients))
 
-    def at(self, times: ArrayLike) -> NDArray[np.float64]:
+    def at(self, times: ArrayLike) -> Reals:
         """Evaluate the fit at times after the first sample (s), in their shape."""
         cycles = self.drive * np.asarray(times, dtype=np.float64)
         vibration = self.coefficients @ _powers(cycles.ravel(), self.coefficients.size)[1:]
@@ -132,9 +134,7 @@ def _checked_count(samples: int, rate: float, drive: float, count: int | None, w
     return wanted
 
 
-def _least_squares(
-    values: NDArray[np.float64], cycles_per_sample: float, count: int, window: Window
-) -> NDArray[np.complex128]:
+def _least_squares(values: Reals, cycles_per_sample: float, count: int, window: Window) -> Complexes:
     """Solve for the coefficients of exp(j n theta), n = -count .. count, shape (2 count + 1,).
 
     The normal matrix holds weighted sums of exp(j m theta) over the samples: they depend on the difference m
@@ -153,16 +153,14 @@ def _least_squares(
     return np.asarray(np.linalg.lstsq(normal, right, rcond=None)[0])
 
 
-def _turned(
-    samples: int, cycles_per_sample: float, count: int
-) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
+def _turned(samples: int, cycles_per_sample: float, count: int) -> Iterator[tuple[slice, Complexes]]:
     """Evaluate exp(j n theta), n = 0 .. count, a block of samples at a time, shape (count + 1, block)."""
     for begin in range(0, samples, _BLOCK):
         block = slice(begin, min(begin + _BLOCK, samples))
         yield block, _powers(np.asarray(cycles_per_sample * np.arange(block.start, block.stop)), count)
 
 
-def _powers(cycles: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
+def _powers(cycles: Reals, count: int) -> Complexes:
     powers = np.empty((count + 1, cycles.size), np.complex128)
     powers[0] = 1.0
     powers[1] = np.exp(2j * np.pi * np.mod(cycles, 1.0))

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import median_filter
+
+from trimmer.arrays import Reals
 
 NEIGHBOURHOOD = 401
 """Number of bins over which noise is taken as white."""
 
 
-def noise_threshold(amplitude: NDArray[np.float64], false_alarm: float) -> NDArray[np.float64]:
+def noise_threshold(amplitude: Reals, false_alarm: float) -> Reals:
     """Find the amplitude that noise alone exceeds with a given probability, in any bin of a spectrum.
 
     The amplitude of Gaussian noise in a bin has a Rayleigh distribution with median s sqrt(2 ln 2), and

@@ -11,8 +11,7 @@ from trimmer.signals.signal import SignalError
 from trimmer.spectra.noise import noise_threshold
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
+    from trimmer.arrays import Complexes, Places, Reals
     from trimmer.spectra.spectrum import Spectrum
 
 MOST_PEAKS = 200
@@ -45,9 +44,9 @@ class Peak:
 class _Lines:
     """Sines that add up to a spectrum: bin of each, place in bins, complex amplitude; shape (number,)."""
 
-    bins: NDArray[np.intp]
-    places: NDArray[np.float64]
-    amplitudes: NDArray[np.complex128]
+    bins: Places
+    places: Reals
+    amplitudes: Complexes
 
 
 def peaks(
@@ -112,9 +111,7 @@ def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
         raise SignalError(f"false_alarm is {false_alarm}: it is a probability, 0 < false_alarm < 1")
 
 
-def _candidates(
-    spectrum: Spectrum, smallest: float, false_alarm: float
-) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+def _candidates(spectrum: Spectrum, smallest: float, false_alarm: float) -> tuple[Places, Reals]:
     """Find local maxima above the noise, the largest first, and the threshold of each."""
     amplitude = spectrum.amplitude
     first, last = spectrum.window.half_width + 1, amplitude.size - 2
@@ -129,20 +126,20 @@ def _candidates(
     return bins, threshold[bins]
 
 
-def _leakage(spectrum: Spectrum, lines: _Lines, bins: NDArray[np.intp]) -> NDArray[np.complex128]:
+def _leakage(spectrum: Spectrum, lines: _Lines, bins: Places) -> Complexes:
     """Add up what lines show at bins of any shape, with their mirror images at negative frequency."""
     if lines.bins.size == 0:
         return np.zeros(bins.shape, np.complex128)
     return np.asarray(_shown(spectrum, lines, bins[..., None]).sum(axis=-1))
 
 
-def _shown(spectrum: Spectrum, lines: _Lines, bins: NDArray[np.intp]) -> NDArray[np.complex128]:
+def _shown(spectrum: Spectrum, lines: _Lines, bins: Places) -> Complexes:
     window, count = spectrum.window, spectrum.samples
     itself = lines.amplitudes * window.transform(bins - lines.places, count)
     return itself + lines.amplitudes.conj() * window.transform(bins + lines.places, count)
 
 
-def _added(spectrum: Spectrum, lines: _Lines, bins: NDArray[np.intp]) -> _Lines:
+def _added(spectrum: Spectrum, lines: _Lines, bins: Places) -> _Lines:
     """Add lines at bins, fitted to what is left there when the others are taken off."""
     around = _around(bins)
     left = spectrum.lines[around] - _leakage(spectrum, lines, around)
@@ -169,12 +166,12 @@ def _relaxed(spectrum: Spectrum, lines: _Lines) -> _Lines:
     return lines
 
 
-def _around(bins: NDArray[np.intp]) -> NDArray[np.intp]:
+def _around(bins: Places) -> Places:
     """List each bin with its two neighbours, shape (number, 3)."""
     return np.asarray(bins[:, None] + np.arange(-1, 2))
 
 
-def _fitted(spectrum: Spectrum, lines: _Lines, left: NDArray[np.complex128]) -> _Lines:
+def _fitted(spectrum: Spectrum, lines: _Lines, left: Complexes) -> _Lines:
     """Take a Gauss-Newton step of the least-squares fit of each line to its bins.
 
     Args:
@@ -196,9 +193,9 @@ def _fitted(spectrum: Spectrum, lines: _Lines, left: NDArray[np.complex128]) -> 
     return _Lines(lines.bins, places, _product(shape, left) / _product(shape, shape))
 
 
-def _shape(spectrum: Spectrum, bins: NDArray[np.intp], places: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _shape(spectrum: Spectrum, bins: Places, places: Reals) -> Complexes:
     return spectrum.window.transform(bins - places[..., None], spectrum.samples)
 
 
-def _product(first: NDArray[np.complex128], second: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _product(first: Complexes, second: Complexes) -> Complexes:
     return np.asarray((first.conj() * second).sum(axis=1))

@@ -12,7 +12,9 @@ from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Complexes, Reals
 
 FEWEST_SAMPLES = 16
 """Fewest samples of which a spectrum is made: the main lobe of the widest window has 10 bins."""
@@ -31,7 +33,7 @@ class Spectrum:
         mean: Mean of the signal, in its unit, which was taken off before windowing.
     """
 
-    lines: NDArray[np.complex128]
+    lines: Complexes
     window: Window
     sample_rate: float
     samples: int
@@ -43,12 +45,12 @@ class Spectrum:
         return self.sample_rate / self.samples
 
     @cached_property
-    def frequency(self) -> NDArray[np.float64]:
+    def frequency(self) -> Reals:
         """Frequency of each bin, Hz, from 0 to half the sample rate."""
         return np.asarray(np.arange(self.lines.size) * self.bin_width)
 
     @cached_property
-    def amplitude(self) -> NDArray[np.float64]:
+    def amplitude(self) -> Reals:
         """Amplitude at each bin, in the signal's unit."""
         return np.asarray(np.abs(self.lines))
 

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Complexes, Reals
 
 
 class Window(Enum):
@@ -35,13 +37,13 @@ class Window(Enum):
         """Half the width of the main lobe, in bins: farther from a sine there is only leakage."""
         return len(self.value)
 
-    def samples(self, count: int) -> NDArray[np.float64]:
+    def samples(self, count: int) -> Reals:
         """Evaluate the window at ``count`` samples, as one period of a periodic window."""
         from scipy.signal.windows import general_cosine
 
         return np.asarray(general_cosine(count, self.value, sym=False))
 
-    def transform(self, bins: ArrayLike, count: int) -> NDArray[np.complex128]:
+    def transform(self, bins: ArrayLike, count: int) -> Complexes:
         """Evaluate the window's Fourier transform relative to its value at 0.
 
         That is sum(w_n exp(-2 pi j x n / N)) / sum(w_n) at x bins, in closed form: a cosine-sum window is a
@@ -57,7 +59,7 @@ class Window(Enum):
         return np.asarray(_dirichlet(shifted, count) @ (sizes * (-1.0) ** orders / self.value[0]))
 
 
-def _dirichlet(x: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
+def _dirichlet(x: Reals, count: int) -> Complexes:
     """Evaluate sum(exp(-2 pi j x n / N), n = 0 .. N - 1) / N for N = ``count``, in the shape of ``x``."""
     whole = np.round(x / count)
     turn = x - count * whole  # the kernel has period N

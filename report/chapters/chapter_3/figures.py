@@ -12,12 +12,13 @@ import numpy as np
 from report.drawing.marks import beside
 from report.drawing.style import BLACK, FAINT, LINES, panels
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun, Reals
+from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
 from report.numbers.printed_peaks import FRAMES_OF_TABLES, TABLE_2
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
 from report.numbers.transient_spectrum import transient_spectrum
 from report.record import figure
 from report.thesis import MEASURED_DRIVE_FREQUENCY
+from trimmer.arrays import Reals
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 

@@ -6,12 +6,17 @@ import math
 
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 
-from derivations.backlash import CONTACT, GAMMA, inertia_contact_ratio, inertia_waveform, separation_angle
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.elements.backlash import (
+    CONTACT,
+    GAMMA,
+    inertia_contact_ratio,
+    inertia_waveform,
+    separation_angle,
+)
+from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
-from derivations.waveform import THETA
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
 from report.claim import Impact
 from report.comparisons.digits import PrintedDigits
@@ -23,11 +28,10 @@ from report.parts import assertion, close, digits, expression, made_here, repeat
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
 from trimmer import FrictionBacklash, InertiaBacklash
-
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
 
 SOURCE, BLOCKS = (
-    "derivations/backlash.py",
+    "derivations/elements/backlash.py",
     "report/chapters/appendix_a/claims/listings_a_7_and_a_8_over_time.py",
 )
 b = sympy.Symbol("b", positive=True)

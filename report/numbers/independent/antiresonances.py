@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 
 from trimmer import TrimmerParameters, linear_model
-
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
 
 
 def antiresonances(system: control.TransferFunction) -> Reals:

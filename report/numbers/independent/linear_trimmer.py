@@ -8,12 +8,12 @@ from fractions import Fraction
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
 from trimmer import TrimmerParameters, filtering_ratio, linear_model
+from trimmer.arrays import Complexes
 
 ROUNDING = 1e-10
 """Singular value below which a matrix with entries of order one has no full rank."""
@@ -48,7 +48,7 @@ def states_in_use(system: control.StateSpace) -> int:
     return sum(_full_rank(np.hstack([each, b])) and _full_rank(np.vstack([each, c])) for each in shifted)
 
 
-def _full_rank(matrix: NDArray[np.complex128]) -> bool:
+def _full_rank(matrix: Complexes) -> bool:
     return float(np.linalg.svd(matrix, compute_uv=False).min()) > ROUNDING
 
 

@@ -7,11 +7,11 @@ import math
 import control
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from derivations.backlash import CONTACT, inertia_contact_ratio
+from derivations.elements.backlash import CONTACT, inertia_contact_ratio
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
+from trimmer.arrays import Reals
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 DRIVE_GAP = 0.0004
@@ -21,7 +21,6 @@ PRINTED_CONTACT, PRINTED_OFFSET = "0.00190662", "0.0049"
 """Constants of Listing A.8: time of contact, s, and offset of line 12, m."""
 PERIODS, POINTS = 20, 4000
 """Periods, and points of each, over which block and waveform are compared."""
-Reals = NDArray[np.float64]
 
 
 def friction_block(pin: float, gap: float, load: float) -> float:

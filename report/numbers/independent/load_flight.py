@@ -11,9 +11,9 @@ import sympy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from derivations.backlash import CONTACT, GAMMA, SEPARATION, contact_force, contact_ratio
+from derivations.elements.backlash import CONTACT, GAMMA, SEPARATION, contact_force, contact_ratio
+from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from derivations.waveform import THETA
 
 
 def zero_of_force(load: float) -> float:

@@ -8,11 +8,10 @@ from collections.abc import Callable
 import control
 import numpy as np
 import sympy
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
 
 
 def stepped(block: Callable[[float, float, float], float], pins: Reals, gap: float) -> Reals:

@@ -8,7 +8,7 @@ import control
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Complexes
 
 
 def decays(plant: control.TransferFunction) -> bool:
@@ -16,6 +16,6 @@ def decays(plant: control.TransferFunction) -> bool:
     return bool((plant.poles().real < 0).all())
 
 
-def feedback_poles(plant: control.TransferFunction) -> NDArray[np.complex128]:
+def feedback_poles(plant: control.TransferFunction) -> Complexes:
     """Return the poles of a plant in negative unit feedback, rad/s."""
     return np.asarray(control.feedback(plant, 1).poles())

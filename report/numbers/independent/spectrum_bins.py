@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
 
 HALF_DIGIT = 0.0005 * (1 + 1e-9)
 """Half a unit of the third decimal, Hz."""

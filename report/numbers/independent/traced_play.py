@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
-    Reals = NDArray[np.float64]
 
 STEPS = 20_000
 """Steps per period."""

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from trimmer.arrays import Reals
 
 SAMPLES = 512
 
@@ -16,11 +16,11 @@ SAMPLES = 512
 def third_harmonic(damping: float) -> float:
     """Return the third harmonic of the limit cycle's position, as a share of the first, for α = damping."""
 
-    def flow(_: float, state: NDArray[np.float64]) -> list[float]:
+    def flow(_: float, state: Reals) -> list[float]:
         position, velocity = state
         return [velocity, -damping * (position**2 - 1) * velocity - position]
 
-    def upwards(_: float, state: NDArray[np.float64]) -> float:
+    def upwards(_: float, state: Reals) -> float:
         return float(state[0])
 
     upwards.direction = 1  # type: ignore[attr-defined]

@@ -9,8 +9,8 @@ import mpmath
 import numpy as np
 import sympy
 
-from derivations.backlash import CONTACT, inertia_contact_ratio
-from derivations.waveform import THETA, Segment, Waveform
+from derivations.elements.backlash import CONTACT, inertia_contact_ratio
+from derivations.elements.waveform import THETA, Segment, Waveform
 from trimmer import frequency_response
 from trimmer.elements.element import Element
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.patches import Circle, Rectangle
 
-from derivations.mechanism import Body, Ground, Pin, trimmer
+from derivations.mechanism import Ground, Pin, RigidBody, trimmer
 from report.chapters.chapter_1 import figures as chapter_1
 from report.chapters.chapter_2.figures import mechanisms
 
@@ -55,7 +55,7 @@ def declared(end):
             return "surroundings"
         case Pin():
             return "pin"
-        case Body():
+        case RigidBody():
             return f"${end.mass}$"
 
 

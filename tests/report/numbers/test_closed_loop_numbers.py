@@ -17,9 +17,8 @@ from report.numbers.relay_loop import STEP, output_at_jump
 from report.numbers.released_bodies import RECORD
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.linear import InputChannels, pin_model
-from trimmer.motion.drive import Drive
-from trimmer.motion.loops import ClosedLoop
+from trimmer.linear.model import InputChannels, pin_model
+from trimmer.motion.loops import ClosedLoop, Drive
 from trimmer.motion.simulation import simulate
 from trimmer.parameters import TrimmerParameters
 

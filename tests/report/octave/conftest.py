@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from derivations.linear_trimmer import derive_linear_trimmer
 from report.document import Program
@@ -19,6 +18,7 @@ from report.octave.archive import write_files
 from report.octave.listings import corrected_programs
 from tests.report.octave import points
 from trimmer import TrimmerParameters
+from trimmer.arrays import Complexes
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ def run(octave: str, driver: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 
-def complexes(pair: Mapping[str, Any]) -> NDArray[np.complex128]:
+def complexes(pair: Mapping[str, Any]) -> Complexes:
     """Return what Octave gave as real and imaginary parts; its NaN is JSON's null."""
     real, imaginary = (np.array(pair[part], dtype=float) for part in ("real", "imaginary"))
     return real + 1j * imaginary

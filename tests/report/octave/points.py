@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from trimmer import ViscousBacklash
+from trimmer.arrays import Reals
 
 GAP = 3e-5
 FRICTION_RATIOS = np.array([1e-6, 1e-3, 0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 2.0, 2.5, 7.0])
@@ -25,7 +25,7 @@ WALK = 1e-5 * np.cumsum(np.random.default_rng(5).normal(size=300))
 VISCOUS_RATIOS = VISCOUS_SHARES[:, None] * ViscousBacklash(gap=1.0, time_constant=1.0).domain(GAMMAS)
 
 
-def column(values: NDArray[np.float64]) -> str:
+def column(values: Reals) -> str:
     """Return an array of one dimension as an Octave column, to the last bit."""
     return f"[{'; '.join(repr(float(value)) for value in values.ravel())}]"
 

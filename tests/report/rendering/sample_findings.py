@@ -201,7 +201,7 @@ def chapter_five() -> tuple[Finding, ...]:
             "roll-off of −60 dB per decade",
             [part(Verdict.ERRATUM, Number("-60", "dB/decade"), Number("-40", "dB/decade"))],
             "The numerator has degree 5, the denominator 7.",
-            source="trimmer/low_pass.py",
+            source="trimmer/linear/low_pass.py",
         ),
         finding(
             "fig-5.1",

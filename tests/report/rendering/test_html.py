@@ -150,7 +150,7 @@ def test_the_programs_can_be_taken_out_of_the_page(text: str, document: Document
 def test_the_sources_stand_at_the_end_as_they_are(text: str, project_folder: Path) -> None:
     chapter = text[text.index('<h2 id="code">') : text.index("</main>")]
     names = re.findall(r'<pre [^>]*aria-label="([^"]+)"', chapter)
-    assert names == ["derivations/mechanism.py", "trimmer/low_pass.py"]
+    assert names == ["derivations/mechanism.py", "trimmer/linear/low_pass.py"]
     for name, code in zip(names, re.findall(r"<code>([^<]*)</code></pre>", chapter), strict=True):
         assert html.unescape(code) == (project_folder / name).read_text(encoding="utf-8")
 

@@ -15,7 +15,7 @@ CLAIM, PLACE = "txt-5.1.2-roll-off", "code-trimmer-low_pass"
 
 
 def link(page: Page) -> Locator:
-    return page.locator(f"[id='{CLAIM}']").get_by_role("link", name="trimmer/low_pass.py")
+    return page.locator(f"[id='{CLAIM}']").get_by_role("link", name="trimmer/linear/low_pass.py")
 
 
 def is_open(page: Page) -> bool:
@@ -48,7 +48,7 @@ def test_a_source_is_read_by_keyboard(visit: Callable[..., Visit]) -> None:
     link(page).focus()
     page.keyboard.press("Enter")
     page.wait_for_function(f"document.getElementById('{PLACE}').open")
-    code = page.get_by_role("group", name="trimmer/low_pass.py")
+    code = page.get_by_role("group", name="trimmer/linear/low_pass.py")
     for _ in range(3):  # past the name of the file and the link to the card
         page.keyboard.press("Tab")
     expect(code).to_be_focused()

@@ -49,7 +49,7 @@ def test_every_claim_and_section_is_in_the_text(text: str, document: Document) -
 
 @pytest.mark.poppler
 def test_a_source_is_named_without_a_link(text: str, document: Document) -> None:
-    assert "trimmer/low_pass.py" in text
+    assert "trimmer/linear/low_pass.py" in text
     assert "code-trimmer" not in typst_of(select(document, ["ch5"]))
 
 

@@ -11,7 +11,7 @@ from report.rendering.markdown import to_markdown
 from report.rendering.selection import select
 from report.rendering.sources import identifier, sources
 
-MECHANISM, LOW_PASS = "derivations/mechanism.py", "trimmer/low_pass.py"
+MECHANISM, LOW_PASS = "derivations/mechanism.py", "trimmer/linear/low_pass.py"
 
 
 def test_each_file_that_a_finding_names_is_there_once_with_its_text_and_its_findings(

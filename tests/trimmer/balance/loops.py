@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from trimmer.arrays import Complexes
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.frequency_domain import frequency_response
-from trimmer.linear import InputChannels, pin_model
+from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 
 GAP = 4e-5
@@ -36,7 +36,7 @@ def count_on_grid(G: control.lti.LTI, element: Element, omegas: tuple[float, flo
     return sum(_crossings(start, side, gain) for start, side in zip(starts, sides, strict=True))
 
 
-def _crossings(start: complex, side: complex, curve: NDArray[np.complex128]) -> int:
+def _crossings(start: complex, side: complex, curve: Complexes) -> int:
     steps, offset = np.diff(curve), start - curve[:-1]
     determinant = (steps.conj() * side).imag
     along_curve = (offset.conj() * side).imag / determinant

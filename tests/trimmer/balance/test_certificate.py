@@ -8,13 +8,13 @@ import mpmath
 import pytest
 
 from tests.trimmer.balance.loops import s
-from trimmer.balance.errors import UndecidedWarning
 from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.errors import UndecidedWarning
 
 
 def test_a_continuum_is_reported_and_not_enumerated() -> None:

@@ -10,11 +10,10 @@ from hypothesis import strategies as st
 
 from tests.trimmer.balance.loops import THESIS_LOOP, THIRD_ORDER, s
 from tests.trimmer.trimmers import stable_systems
-from trimmer.balance.closed_loop import closed_loop_poles
 from trimmer.balance.inverse_response import InverseResponse
-from trimmer.balance.linear_feedback import with_feedback
-from trimmer.balance.linear_part import LinearGain
-from trimmer.zero_pole_gain import ZeroPoleGain
+from trimmer.balance.linear_part import LinearGain, with_feedback
+from trimmer.balance.stability import closed_loop_poles
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 SYSTEMS = (
     THESIS_LOOP,

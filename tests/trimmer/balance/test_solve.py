@@ -27,7 +27,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_backlash import ViscousBacklash
-from trimmer.frequency_domain import frequency_response
+from trimmer.linear.frequency_response import frequency_response
 
 
 @pytest.mark.parametrize("guess", [(1.897, 3478.0), (0.1203, 4609.0)])

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from tests.trimmer.balance.loops import FRICTION, LOOP_WITH_BOTH_CHANNELS, THESIS_LOOP, THIRD_ORDER, s
 from tests.trimmer.trimmers import stable_systems
-from trimmer.balance.loop import loop_of
+from trimmer.balance.loop import loop_equation
 from trimmer.balance.solve import harmonic_balance
 from trimmer.balance.winding_number import winding_number
 from trimmer.elements.coulomb_friction import CoulombFriction
@@ -53,7 +53,7 @@ def test_a_missing_limit_cycle_is_noticed() -> None:
 
 
 def test_it_counts_what_is_in_the_range_only() -> None:
-    loop = loop_of(THESIS_LOOP, FRICTION)
+    loop = loop_equation(THESIS_LOOP, FRICTION)
     unstable, stable = harmonic_balance(THESIS_LOOP, FRICTION).limit_cycles
     between = (unstable.omega * stable.omega) ** 0.5
     assert winding_number(loop, (1e3, between)) == -1
@@ -64,7 +64,7 @@ def test_it_counts_what_is_in_the_range_only() -> None:
 
 def test_it_is_not_told_where_a_solution_lies_on_the_border() -> None:
     (cycle,) = harmonic_balance(THIRD_ORDER, Relay(1.0)).limit_cycles
-    assert winding_number(loop_of(THIRD_ORDER, Relay(1.0)), (cycle.omega, 10.0)) is None
+    assert winding_number(loop_equation(THIRD_ORDER, Relay(1.0)), (cycle.omega, 10.0)) is None
 
 
 def test_it_is_not_told_where_the_system_has_a_zero_on_the_axis() -> None:

@@ -7,8 +7,8 @@ import pytest
 
 from trimmer.command_line.main import main
 from trimmer.displacement import Body, Displacement
-from trimmer.linear import InputChannels
-from trimmer.linear_summary import summarise
+from trimmer.linear.model import InputChannels
+from trimmer.linear.summary import summarise
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()

@@ -12,8 +12,8 @@ from trimmer.command_line.main import main
 from trimmer.command_line.signal_options import DECIMAL_SIGNS, DELIMITERS, MISSING_VALUES
 from trimmer.command_line.spectrum import BIT_DEPTHS, WINDOWS
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear import pin_model
-from trimmer.modal_analysis import modes
+from trimmer.linear.model import pin_model
+from trimmer.linear.modes import modes
 from trimmer.parameters import TrimmerParameters
 from trimmer.signals.csv_layout import DecimalSign, Delimiter
 from trimmer.signals.missing import MissingValues

@@ -19,8 +19,8 @@ from tests.trimmer.motion.exact_flight import (
     Moment,
     Trimmer,
     contact_force,
+    event_functions,
     flight,
-    guards,
     moved,
     sliding_rate,
 )
@@ -92,7 +92,7 @@ def _instants(trimmer: Trimmer, start: Moment) -> Iterator[tuple[str, mpf]]:
     now = settled(trimmer, replace(start, sliding=sliding), at_zero, None)
     while True:
         motion = flight(trimmer, now)
-        event = first_event(guards(trimmer, now, motion), LONGEST_FLIGHT)
+        event = first_event(event_functions(trimmer, now, motion), LONGEST_FLIGHT)
         if event is None:
             return
         (kind, index), now = event[1], _after(trimmer, now, motion, *event)

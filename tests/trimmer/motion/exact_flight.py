@@ -175,7 +175,7 @@ def contact_force(trimmer: Trimmer, now: Moment, motion: Flight) -> Signal:
     return now.side * (mpf(trimmer.time_constant) * rate.derivative() + rate)
 
 
-def guards(trimmer: Trimmer, now: Moment, motion: Flight) -> dict[tuple[str, int], Signal]:
+def event_functions(trimmer: Trimmer, now: Moment, motion: Flight) -> dict[tuple[str, int], Signal]:
     """Return signals that are positive until an event, by what happens then."""
     found = {}
     if now.side:

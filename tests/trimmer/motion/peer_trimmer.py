@@ -8,17 +8,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from trimmer.arrays import Reals
 from trimmer.parameters import TrimmerParameters
 
-Reals = NDArray[np.float64]
-Guard = Callable[[float, Reals], float]
+EventFunction = Callable[[float, Reals], float]
 
 TOLERANCES = {"method": "DOP853", "rtol": 1e-11, "atol": 1e-16, "max_step": 2e-4}
 PUSH = np.array([-1.0, 1.0, 0.0, 0.0])
-"""How the force of the bridge acts on motor, cutter, housing and guard."""
+"""How the force of the bridge acts on motor, cutter, housing and event function."""
 
 
 @dataclass(frozen=True)
@@ -110,9 +109,9 @@ class Course:
         tau = self.trimmer.tau
         return self.side * (curvature if math.isinf(tau) else tau * curvature + rate)
 
-    def guards(self) -> list[tuple[str, int, Guard]]:
+    def event_functions(self) -> list[tuple[str, int, EventFunction]]:
         """Return what can happen next: what, to which friction or on which side, and what falls to zero."""
-        found: list[tuple[str, int, Guard]] = []
+        found: list[tuple[str, int, EventFunction]] = []
         gap = self.trimmer.gap
         if gap is not None and self.side:
             found.append(("separation", 0, self.contact_force))
@@ -157,8 +156,8 @@ class Course:
             return np.concatenate([z[4:8], self.forces(t, z)[0], load])
 
         while True:
-            possible = self.guards()
-            terminal = [_terminal(guard) for _, _, guard in possible]
+            possible = self.event_functions()
+            terminal = [_terminal(event_function) for _, _, event_function in possible]
             part = solve_ivp(
                 rates, (self.time, end), self.z, events=terminal, dense_output=True, **TOLERANCES
             )
@@ -194,9 +193,9 @@ class Course:
         return np.asarray(dense(time))[:4]
 
 
-def _terminal(guard: Guard) -> Guard:
+def _terminal(event_function: EventFunction) -> EventFunction:
     def event(time: float, z: Reals) -> float:
-        return guard(time, z)
+        return event_function(time, z)
 
     event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
     return event

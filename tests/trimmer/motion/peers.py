@@ -7,10 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-Reals = NDArray[np.float64]
+from trimmer.arrays import Reals
+
 Signal = Callable[[float, Reals], float]
 
 TOLERANCES = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-13, "max_step": 0.05}
@@ -62,13 +62,13 @@ def _until(
     begin: float,
     start: Reals,
     end: float,
-    *guards: Signal,
+    *event_functions: Signal,
 ) -> tuple[float, Reals, int]:
-    """Follow a mode until a guard falls through zero; return time, state, and the guard (-1: the end)."""
+    """Follow a mode until an event function falls through zero; return time, state, and which (-1: none)."""
 
-    def terminal(guard: Signal) -> Signal:
+    def terminal(event_function: Signal) -> Signal:
         def event(time: float, state: Reals) -> float:
-            return guard(time, state)
+            return event_function(time, state)
 
         event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
         return event
@@ -77,7 +77,7 @@ def _until(
         rates,
         (begin, end),
         start,
-        events=[terminal(guard) for guard in guards],
+        events=[terminal(event_function) for event_function in event_functions],
         dense_output=True,
         **TOLERANCES,
     )

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.motion.compiled import kept, sources
-from trimmer.motion.first_root import DEEPEST, NOWHERE, first_root, sign_variations
+from trimmer.motion.compilation import kept, sources
+from trimmer.motion.first_event import DEEPEST, NOWHERE, first_root, sign_variations
 from trimmer.motion.taylor import DEGREE, bernstein_from_taylor
 
 COUNT = DEGREE + 1

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.linear import pin_model
+from trimmer.linear.model import pin_model
 from trimmer.motion.taylor import (
     DEGREE,
     MOST_ZEROS,

@@ -9,10 +9,10 @@ import control
 import numpy as np
 import sympy
 
+from derivations.elements.waveform import THETA, Segment
 from derivations.latex import latex
 from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
-from derivations.waveform import THETA, Segment
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.chapters.chapter_5.claims.section_5_1_2 import LIMIT_CYCLE_OMEGA
@@ -98,7 +98,7 @@ third_integral = integral("eq-A.1.3", BACK, 3 * PI / 2, 2 * PI - CONTACT, HOLD)
 fourth_integral = integral("eq-A.1.4", LOWER, 2 * PI - CONTACT, 5 * PI / 2, sympy.Integer(0))
 
 
-@claim("lst-A.1", source="trimmer/linear.py", impact=Impact.DOWNSTREAM)
+@claim("lst-A.1", source="trimmer/linear/model.py", impact=Impact.DOWNSTREAM)
 def linear_listing(known: Evidence) -> Record:
     space, numbers = known.derivation.space, known.numbers
     states, rates = (*coordinates, *velocities), (*velocities, *known.derivation.newton)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.backlash import (
+from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
     GAP,
@@ -15,10 +15,10 @@ from derivations.backlash import (
     inertia_waveform,
     separation_angle,
 )
-from derivations.friction import FORCE
-from derivations.friction import friction_waveform as coulomb_waveform
+from derivations.elements.friction import FORCE
+from derivations.elements.friction import friction_waveform as coulomb_waveform
+from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
 from derivations.symbols import A, omega
-from derivations.waveform import THETA, describing_function, simplified_describing_function
 from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     general_describing_function,
     in_phase_part,
@@ -38,7 +38,7 @@ from report.parts import assertion, close, expression, made_here
 from report.record import ClaimRecord, Record, claim, text
 from report.text import filled
 
-BACKLASH = "derivations/backlash.py"
+BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
 REPEATED = "the listing, repeated line by line"
 
@@ -183,7 +183,7 @@ def viscous_controlled(_: Evidence) -> Record:
     """)
 
 
-@claim("lst-A.6", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
+@claim("lst-A.6", source="derivations/elements/friction.py", impact=Impact.DOWNSTREAM)
 def equivalent(_: Evidence) -> Record:
     relay = 4 * FORCE / (sympy.pi * A)
     printed = relay / (sympy.I * omega)

@@ -8,9 +8,9 @@ import re
 import numpy as np
 import sympy
 
-from derivations.backlash import GAP, inertia_waveform
+from derivations.elements.backlash import GAP, inertia_waveform
+from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from derivations.waveform import THETA
 from report.claim import Impact, Mathematics, Part
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -34,7 +34,7 @@ from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
-SOURCE, ELEMENT = "derivations/backlash.py", "trimmer/elements/inertia_backlash.py"
+SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"
 REPEATED = "the listing, repeated line by line"
 FRICTION_LINES = (
     *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.backlash import friction_waveform as backlash_waveform
-from derivations.friction import FORCE, friction_waveform
+from derivations.elements.backlash import friction_waveform as backlash_waveform
+from derivations.elements.friction import FORCE, friction_waveform
+from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import A, omega
-from derivations.waveform import THETA, describing_function
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient

@@ -22,7 +22,7 @@ from report.thesis import DRIVE_OMEGA
 from trimmer import frequency_response
 
 SOURCE = "derivations/laplace.py"
-IN_TIME = "trimmer/time_domain.py"
+IN_TIME = "trimmer/linear/time_response.py"
 IN_MANY_DIGITS = "exact coefficients, 40 digits"
 
 

@@ -91,7 +91,7 @@ def closed_loop_fraction(_: Evidence) -> Record:
 closed_loop_diagram = claim("fig-2.4", source=SOURCE)(closed_loop_fraction.items)
 
 
-@claim("txt-2.2.3-nyquist-statement", source="trimmer/nyquist.py", impact=Impact.LOCAL)
+@claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", impact=Impact.LOCAL)
 def nyquist_statement(_: Evidence) -> Record:
     critical, example = stability_examples.critical_point(), stability_examples.unstable_plant()
     yield digits(

@@ -6,9 +6,9 @@ import control
 import numpy as np
 import sympy
 
-from derivations.backlash import GAMMA, separation_angle
+from derivations.elements.backlash import GAMMA, separation_angle
+from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from derivations.waveform import THETA, Segment, Waveform
 from report.claim import Confirmation, Impact, Mathematics
 from report.comparisons.assertion import Assertion
 from report.comparisons.expression import SameExpression
@@ -72,7 +72,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.26", source="trimmer/low_pass.py")
+@claim("eq-2.26", source="trimmer/linear/low_pass.py")
 def filtering_hypothesis(known: Evidence) -> Record:
     at, system = 4607.7, known.numbers.displacement_only
     second, third, *others = (float(filtering_ratio(system, at, n)) for n in range(2, 20))
@@ -144,7 +144,7 @@ def van_der_pol(_: Evidence) -> Record:
     )
 
 
-@claim("txt-2.3.3-amplitude-only", source="derivations/backlash.py", impact=Impact.LOCAL)
+@claim("txt-2.3.3-amplitude-only", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def amplitude_only(_: Evidence) -> Record:
     near_limit_cycle = 4609.5
     element, separation = ViscousBacklash(1.0, 1e-3), separation_angle()

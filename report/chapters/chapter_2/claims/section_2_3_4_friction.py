@@ -10,9 +10,9 @@ from collections.abc import Iterator
 import numpy as np
 import sympy
 
-from derivations.backlash import GAP, friction_waveform, limits
+from derivations.elements.backlash import GAP, friction_waveform, limits
+from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
-from derivations.waveform import THETA, Segment, Waveform, segment_integral
 from report.claim import Confirmation, Impact, Mathematics, Part
 from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
@@ -26,7 +26,7 @@ from report.record import Record, claim, text
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
-SOURCE = "derivations/backlash.py"
+SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
 REACHED = sympy.Gt(A, b)
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import control
 import sympy
 
-from derivations.backlash import (
+from derivations.elements.backlash import (
     CONTACT,
     GAP,
     friction_waveform,
@@ -13,8 +13,8 @@ from derivations.backlash import (
     inertia_waveform,
     limits,
 )
+from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
-from derivations.waveform import THETA, simplified_describing_function
 from report.chapters.chapter_2.claims.section_2_3_4_friction import COSINE, LINES, SINE, continuous
 from report.claim import Confirmation, Impact
 from report.comparisons.expression import SameExpression
@@ -25,7 +25,7 @@ from report.parts import assertion, expression, made_here, so
 from report.record import Record, claim, text
 from report.text import filled
 
-SOURCE = "derivations/backlash.py"
+SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
 WAVEFORM, IN_GAP = inertia_waveform(b), inertia_waveform()
 ANGLE = sympy.Rational(8, 5)

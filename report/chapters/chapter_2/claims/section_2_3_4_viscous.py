@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 import sympy
 
-from derivations.backlash import (
+from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
     GAP,
@@ -17,9 +18,8 @@ from derivations.backlash import (
     general_waveform,
     separation_angle,
 )
-from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
+from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
-from derivations.waveform import THETA, describing_function
 from report.claim import Confirmation, Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
@@ -33,7 +33,7 @@ from report.record import Record, claim, text
 from report.text import filled
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
-SOURCE = "derivations/backlash.py"
+SOURCE = "derivations/elements/backlash.py"
 SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)
 ROOT = sympy.sqrt(1 + GAMMA**2)
 # A flight has to last: contact after separation, within half a turn.

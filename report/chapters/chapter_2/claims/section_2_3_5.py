@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.friction import FORCE, friction_waveform, relay_waveform
+from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
+from derivations.elements.waveform import THETA, segment_integral
+from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
-from derivations.waveform import THETA, segment_integral
-from derivations.waveform import describing_function as derived_function
 from report.claim import Impact, Mathematics
 from report.comparisons.printed import total
 from report.comparisons.quadrature import coefficient, confirm
@@ -20,7 +20,7 @@ from report.text import filled
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
 
-SOURCE = "derivations/friction.py"
+SOURCE = "derivations/elements/friction.py"
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 SPEED = sympy.Symbol("v", real=True)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.backlash import friction_waveform
 from derivations.dimensions import FORCE, LENGTH, TIME, dimension_of
-from derivations.friction import FORCE as COULOMB
-from derivations.friction import relay_waveform
+from derivations.elements.backlash import friction_waveform
+from derivations.elements.friction import FORCE as COULOMB
+from derivations.elements.friction import relay_waveform
+from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
 from derivations.symbols import DIMENSIONS, A, omega
-from derivations.waveform import THETA, describing_function, simplified_describing_function
 from report.chapters.chapter_2.claims.section_2_3_4_friction import printed_sine_terms
 from report.claim import Impact, Part
 from report.comparisons.printed import product, total
@@ -70,7 +70,7 @@ def printed_backlash_part(label: str) -> Part:
     )
 
 
-@claim("eq-2.59", source="derivations/backlash.py", impact=Impact.LOCAL)
+@claim("eq-2.59", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def backlash_part(_: Evidence) -> Record:
     yield printed_backlash_part("")
     yield text(r"""

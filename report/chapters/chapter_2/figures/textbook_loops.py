@@ -21,7 +21,8 @@ from trimmer import frequency_response
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
+
+    from trimmer.arrays import Complexes, Reals
 
 STEPS: Final = (1.15, 2.0)
 """Factors from each limit cycle's amplitude to those of the operating points beside it."""
@@ -121,14 +122,14 @@ def _operating_points(axes: Axes, loop: Loop, index: int) -> None:
         beside(axes, text, point, (8, -4))
 
 
-def _both(axes: Axes, loop: Loop, omega: NDArray[np.float64], amplitude: NDArray[np.float64]) -> None:
+def _both(axes: Axes, loop: Loop, omega: Reals, amplitude: Reals) -> None:
     """Draw G for rising frequency and -1/N for rising amplitude."""
     response, inverse = frequency_response(loop.plant, omega), loop.inverse_element(amplitude)
     _directed(axes, response, Along("ω", "rad/s", omega), r"$G(j\omega)$", LINES[0])
     _directed(axes, inverse, Along("A", "", amplitude), "$-1/N(A)$", LINES[1])
 
 
-def _directed(axes: Axes, curve: NDArray[np.complex128], along: Along, label: str, line: Look) -> None:
+def _directed(axes: Axes, curve: Complexes, along: Along, label: str, line: Look) -> None:
     """Draw a curve with arrows of rising parameter, each a sixth of its samples after the one before."""
     plot_along(axes, curve, along, label=label, **line)
     for place in range(len(curve) // 12, len(curve) - 2, len(curve) // 6):

@@ -23,11 +23,10 @@ from trimmer.elements.viscous_backlash import ViscousBacklash
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
+    from trimmer.arrays import Flags, Reals
     from trimmer.elements.backlash import Backlash
 
-    Reals = NDArray[np.float64]
 
 AMPLITUDES: Final = (2.0, 3.5)
 """Amplitudes of the two loops of figure 2.8, in half gaps b."""
@@ -227,12 +226,12 @@ def _motion(positions: Axes, velocities: Axes, load: Reals) -> None:
     few_ticks(positions.yaxis, velocities.yaxis)
 
 
-def _in_contact(pin: Reals, load: Reals) -> NDArray[np.bool_]:
+def _in_contact(pin: Reals, load: Reals) -> Flags:
     """Say where the load touches the pin: half of the gap away from it."""
     return np.isclose(np.abs(pin - load), GAP / 2, rtol=0, atol=1e-9)
 
 
-def _load(axes: Axes, across: Reals, up: Reals, contact: NDArray[np.bool_]) -> None:
+def _load(axes: Axes, across: Reals, up: Reals, contact: Flags) -> None:
     """Draw the load's line, thick where it is in contact."""
     free = ~contact
     joined = free | np.roll(free, 1) | np.roll(free, -1)
@@ -240,7 +239,7 @@ def _load(axes: Axes, across: Reals, up: Reals, contact: NDArray[np.bool_]) -> N
     axes.plot(across, np.where(contact, up, np.nan), label="load, in contact", **CONTACT)
 
 
-def _velocity(load: Reals, contact: NDArray[np.bool_]) -> Reals:
+def _velocity(load: Reals, contact: Flags) -> Reals:
     """Return the load's velocity; differences are taken on one side only, so that none bridges an impact."""
     slope = np.diff(load) / np.diff(PHASES)
     forward, backward = np.append(slope, slope[0]), np.insert(slope, 0, slope[-1])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derivations.incremental_dissipation import incremental_dissipation
+from derivations.elements.incremental_dissipation import incremental_dissipation
 from report.claim import Confirmation
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, DrivenRun
@@ -12,7 +12,7 @@ from report.numbers.independent.driven_harmonics import harmonic_of_friction, ha
 from report.parts import close, so
 from report.text import filled
 
-SOURCE = "derivations/incremental_dissipation.py"
+SOURCE = "derivations/elements/incremental_dissipation.py"
 METHOD = filled(
     """
     energy of the difference of two motions, derived for every positive mass, stiffness and damping, every gap

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.coulomb_contact import friction_forces, power, relative_velocity
-from derivations.friction import FORCE
+from derivations.elements.coulomb_contact import friction_forces, power, relative_velocity
+from derivations.elements.friction import FORCE
 from derivations.identity import prove_equal
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
@@ -23,7 +23,7 @@ from report.parts import assertion, close, digits, expression, made_here, so, un
 from report.record import Record, claim, text
 from report.thesis import MEASURED_DRIVE_FREQUENCY
 
-CONTACT, RELEASED = "derivations/coulomb_contact.py", "report/numbers/released_motion.py"
+CONTACT, RELEASED = "derivations/elements/coulomb_contact.py", "report/numbers/released_motion.py"
 PRINTED_RATE = velocities[1] - velocities[0]
 PRINTED_FRICTION = product(FORCE, sympy.sign(total(velocities[1], -velocities[0])))
 PRINTED_SIGNS = (-1, 1, 0, 0)

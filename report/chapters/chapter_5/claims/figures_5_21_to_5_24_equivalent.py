@@ -7,11 +7,11 @@ import math
 import numpy as np
 import sympy
 
-from derivations.backlash import GAP as TOTAL_GAP
-from derivations.backlash import friction_waveform
-from derivations.friction import FORCE as COULOMB
+from derivations.elements.backlash import GAP as TOTAL_GAP
+from derivations.elements.backlash import friction_waveform
+from derivations.elements.friction import FORCE as COULOMB
+from derivations.elements.waveform import simplified_describing_function
 from derivations.symbols import A, omega
-from derivations.waveform import simplified_describing_function
 from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import (
     REACHED,
     friction_expression,

@@ -307,7 +307,7 @@ def band(known: Evidence) -> Record:
     )
 
 
-@claim("fig-5.18", source="trimmer/crossings.py")
+@claim("fig-5.18", source="trimmer/linear/crossings.py")
 def coulomb(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))

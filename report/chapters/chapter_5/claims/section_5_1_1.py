@@ -14,7 +14,7 @@ from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from trimmer import steady_state
 
-SOURCE = "trimmer/time_domain.py"
+SOURCE = "trimmer/linear/time_response.py"
 SMALL_DEVIATION = 0.01
 
 

@@ -36,7 +36,7 @@ from trimmer import (
     resonance_peaks,
 )
 
-TRANSFER_FUNCTION, LOW_PASS = "derivations/transfer_function.py", "trimmer/low_pass.py"
+TRANSFER_FUNCTION, LOW_PASS = "derivations/transfer_function.py", "trimmer/linear/low_pass.py"
 PRINTED_NUMERATOR = ("1e7", "1.233e10", "5.939e14", "1.655e17", "4.079e21", "3.71e23", "5.79e27")
 PRINTED_DENOMINATOR = (
     *("1", "1378", "7.0767", "3.878e10", "1.069e15"),
@@ -127,7 +127,7 @@ def no_encirclement_part(numbers: LinearNumbers) -> Part:
     return digits("encirclements of $-1$", "0", turns, second=second)
 
 
-@claim("txt-5.1.2-nyquist", source="trimmer/nyquist.py", impact=Impact.LOCAL)
+@claim("txt-5.1.2-nyquist", source="trimmer/linear/nyquist.py", impact=Impact.LOCAL)
 def nyquist(known: Evidence) -> Record:
     unstable = control.tf([0.5], [1, -1])
     silent = encirclements(unstable, -1.0) == 0
@@ -154,7 +154,7 @@ def nyquist(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-5.3", source="trimmer/nyquist.py")
+@claim("fig-5.3", source="trimmer/linear/nyquist.py")
 def nyquist_locus(known: Evidence) -> Record:
     yield no_encirclement_part(known.numbers)
     yield text("""
@@ -223,7 +223,7 @@ def filtering(known: Evidence) -> Record:
     )
 
 
-@claim("fig-5.2", source="trimmer/extrema.py")
+@claim("fig-5.2", source="trimmer/linear/extrema.py")
 def bode_plot(known: Evidence) -> Record:
     numbers = known.numbers
     peaks = resonance_peaks(numbers.displacement_only)

@@ -32,9 +32,9 @@ from trimmer import (
     resonance_peaks,
     transfer_function,
 )
-from trimmer.extrema import Extremum
+from trimmer.linear.extrema import Extremum
 
-MODES, DAMPING = "trimmer/modal_analysis.py", "report/numbers/light_damping.py"
+MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/light_damping.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -84,7 +84,7 @@ def nearest(peaks: Sequence[Extremum], omega: float) -> Extremum:
     return min(peaks, key=lambda each: abs(each.omega - omega))
 
 
-@claim("txt-5.1.3-hidden-peak", source="trimmer/extrema.py", impact=Impact.LOCAL)
+@claim("txt-5.1.3-hidden-peak", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
 def hidden_peak(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     peaks = resonance_peaks(system)
@@ -128,7 +128,7 @@ def hidden_peak(known: Evidence) -> Record:
     )
 
 
-@claim("txt-5.1.3-first-resonance", source="trimmer/low_pass.py", impact=Impact.DOWNSTREAM)
+@claim("txt-5.1.3-first-resonance", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
 def first_resonance(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     frequency, measured = numbers.modes[0].frequency, TURN * MEASURED_DRIVE_FREQUENCY

@@ -7,9 +7,9 @@ import math
 import control
 import sympy
 
-from derivations.backlash import GAP, friction_waveform
+from derivations.elements.backlash import GAP, friction_waveform
+from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import A
-from derivations.waveform import THETA, describing_function
 from report.claim import Impact
 from report.comparisons.printed import power_of
 from report.comparisons.quadrature import coefficient

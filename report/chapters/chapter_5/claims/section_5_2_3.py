@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.backlash import GAMMA, limits, separation_angle
-from derivations.element_steps import contours, general_backlash, slopes
-from derivations.element_steps.limits import step as limits_step
+from derivations.elements.backlash import GAMMA, limits, separation_angle
+from derivations.elements.proven_step import ProvenStep
+from derivations.elements.steps import contours, general_backlash, slopes
+from derivations.elements.steps.limits import step as limits_step
 from derivations.identity import UnprovenError
-from derivations.proven_step import ProvenStep
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
@@ -140,7 +140,7 @@ def identify(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-5.9", source="derivations/backlash.py")
+@claim("eq-5.9", source="derivations/elements/backlash.py")
 def separation(_: Evidence) -> Record:
     mass, damping, omega = sympy.symbols("M D omega", positive=True)
     derived = separation_angle().subs(GAMMA, mass * omega / damping)
@@ -151,7 +151,7 @@ def separation(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.3-limits", source="derivations/backlash.py")
+@claim("txt-5.2.3-limits", source="derivations/elements/backlash.py")
 def limits_of_the_load(_: Evidence) -> Record:
     delay, ratio = sympy.Symbol("tau", positive=True), r"\frac{b}{A}"
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
@@ -174,7 +174,7 @@ def proven(*steps: ProvenStep) -> bool:
     return True
 
 
-@claim("txt-5.2.3-contours-bounded", source="derivations/element_steps/contours.py")
+@claim("txt-5.2.3-contours-bounded", source="derivations/elements/steps/contours.py")
 def contours_bounded(_: Evidence) -> Record:
     statement = "every viscous contour lies between those of friction and inertia"
     computed = Assertion(

@@ -8,9 +8,9 @@ import sympy
 
 from derivations.dimensions import FORCE as DIMENSION_OF_FORCE
 from derivations.dimensions import LENGTH, NUMBER, dimension_of
-from derivations.friction import FORCE, friction_waveform, relay_waveform
+from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
+from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
-from derivations.waveform import THETA, describing_function
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power_of
 from report.comparisons.quadrature import coefficient, confirm
@@ -50,7 +50,7 @@ def limit_of_response(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-5.13", source="derivations/friction.py", impact=Impact.DOWNSTREAM)
+@claim("eq-5.13", source="derivations/elements/friction.py", impact=Impact.DOWNSTREAM)
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
     for_friction, wave = sympy.simplify(-1 / FRICTION), friction_waveform()
@@ -74,7 +74,7 @@ def inverse(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.4-no-crossing", source="trimmer/crossings.py")
+@claim("txt-5.2.4-no-crossing", source="trimmer/linear/crossings.py")
 def no_crossing(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     crossings = real_axis_crossings(system)

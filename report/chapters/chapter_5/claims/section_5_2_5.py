@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import sympy
 
-from derivations.friction import FORCE as COULOMB
+from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
@@ -28,7 +28,7 @@ from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import frequency_response
 
-OPERATOR, BODIES = "derivations/friction.py", "report/numbers/released_bodies.py"
+OPERATOR, BODIES = "derivations/elements/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 LINE_18 = "line 18 of Listing A.6 is used for the friction term"

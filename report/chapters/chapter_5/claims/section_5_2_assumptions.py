@@ -6,11 +6,11 @@ import control
 import numpy as np
 import sympy
 
-from derivations.backlash import CONTACT, friction_waveform, inertia_contact_ratio, inertia_waveform
-from derivations.backlash import GAP as TOTAL_GAP
-from derivations.friction import FORCE, relay_waveform
+from derivations.elements.backlash import CONTACT, friction_waveform, inertia_contact_ratio, inertia_waveform
+from derivations.elements.backlash import GAP as TOTAL_GAP
+from derivations.elements.friction import FORCE, relay_waveform
+from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
-from derivations.waveform import THETA, Waveform
 from report.claim import Impact
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence

@@ -19,9 +19,9 @@ from trimmer import bandwidth_crossings, frequency_response, gain_crossings, res
 if TYPE_CHECKING:
     import control
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
-    Reals = NDArray[np.float64]
+    from trimmer.arrays import Reals
+
 
 OMEGA = np.geomspace(1e2, 1e5, 3000)
 """Frequencies of the Bode plots, rad/s; peaks are added to them."""

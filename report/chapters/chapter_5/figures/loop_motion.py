@@ -25,11 +25,10 @@ from trimmer.spectra.window import Window
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
 
+    from trimmer.arrays import Reals
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
-    Reals = NDArray[np.float64]
 
 READINGS: Final = (33.03, -32.961)
 """Printed readings of figure 5.9a, µm."""

@@ -7,9 +7,15 @@ import math
 import numpy as np
 import sympy
 
-from derivations.backlash import GAMMA, free_flight, friction_waveform, general_waveform, inertia_waveform
+from derivations.elements.backlash import (
+    GAMMA,
+    free_flight,
+    friction_waveform,
+    general_waveform,
+    inertia_waveform,
+)
+from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
 from derivations.symbols import A
-from derivations.waveform import THETA, Segment, Waveform, describing_function
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.independent import cubic_spring
@@ -32,7 +38,7 @@ WELL_PREDICTED = 0.05
 """Share by which a predicted frequency may be off and still show that the method applies."""
 
 
-@claim("txt-6.1-piecewise", source="derivations/backlash.py", impact=Impact.LOCAL)
+@claim("txt-6.1-piecewise", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def piecewise_linear(known: Evidence) -> Record:
     for side, slope in zip(("first", "second"), slopes_in_contact(friction_waveform()), strict=True):
         label = f"friction-controlled, {side} contact: slope of output against input"
@@ -90,7 +96,7 @@ def slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
     return [sympy.simplify(value.diff(THETA) / pin.diff(THETA)) for value in following]
 
 
-@claim("txt-6.1-hard-nonlinearities", source="derivations/waveform.py", impact=Impact.LOCAL)
+@claim("txt-6.1-hard-nonlinearities", source="derivations/elements/waveform.py", impact=Impact.LOCAL)
 def hard_nonlinearities(_: Evidence) -> Record:
     period = Segment(sympy.Integer(0), 2 * sympy.pi, (A * sympy.sin(THETA)) ** 3)
     gain = describing_function(Waveform((period,)), A)

@@ -6,8 +6,8 @@ import math
 
 import sympy
 
-from derivations.friction import FORCE, relay_waveform
-from derivations.waveform import THETA
+from derivations.elements.friction import FORCE, relay_waveform
+from derivations.elements.waveform import THETA
 from report.claim import Impact
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
@@ -24,7 +24,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 HIGH_OMEGA = 1e8
 
 
-@claim("txt-6.2-filter-order", source="trimmer/low_pass.py", impact=Impact.DOWNSTREAM)
+@claim("txt-6.2-filter-order", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
 def filter_order(known: Evidence) -> Record:
     order = -asymptotic_roll_off(known.numbers.displacement_only) / 20
     slope = -math.log10(float(gain(known.numbers, 10 * HIGH_OMEGA) / gain(known.numbers, HIGH_OMEGA)))

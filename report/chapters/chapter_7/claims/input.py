@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.backlash import (
+from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
     GAP,
@@ -13,9 +13,9 @@ from derivations.backlash import (
     inertia_contact_ratio,
     inertia_waveform,
 )
-from derivations.friction import FORCE
+from derivations.elements.friction import FORCE
+from derivations.elements.waveform import describing_function
 from derivations.symbols import A, omega
-from derivations.waveform import describing_function
 from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import friction_expression
 from report.chapters.chapter_5.claims.driven_open_loop import (
     REPEATS,
@@ -101,7 +101,7 @@ def input_amplitude(known: Evidence) -> Record:
     )
 
 
-@claim("txt-7-input-frequency", source="derivations/backlash.py", impact=Impact.LOCAL)
+@claim("txt-7-input-frequency", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def input_frequency(known: Evidence) -> Record:
     friction = describing_function(friction_waveform(), A)
     inertia = describing_function(inertia_waveform(), A).subs(GAP, A * inertia_contact_ratio())

@@ -19,7 +19,7 @@ THIRD = 3
 EXACTLY = "exact coefficients, 40 digits"
 
 
-@claim("txt-7-damping", source="trimmer/extrema.py", impact=Impact.LOCAL)
+@claim("txt-7-damping", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
 def damping(known: Evidence) -> Record:
     numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
     light = transfer_function(lightly_damped(numbers.parameters), channels=InputChannels.DISPLACEMENT_ONLY)
@@ -41,7 +41,7 @@ def damping(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-7-operating-frequency", source="trimmer/modal_analysis.py", impact=Impact.LOCAL)
+@claim("txt-7-operating-frequency", source="trimmer/linear/modes.py", impact=Impact.LOCAL)
 def operating_frequency(known: Evidence) -> Record:
     lowest = min(mode.frequency for mode in known.numbers.modes)
     undamped = min(mode.omega for mode in known.numbers.undamped) / TURN
@@ -61,7 +61,7 @@ def operating_frequency(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-7-resonance", source="trimmer/extrema.py", impact=Impact.LOCAL)
+@claim("txt-7-resonance", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
 def resonance(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     peaks = resonance_peaks(numbers.displacement_only)

@@ -1,0 +1,101 @@
+"""Ideal relay, Coulomb friction and viscous friction."""
+
+from __future__ import annotations
+
+import sympy
+
+from derivations.elements.friction import (
+    DAMPING,
+    FORCE,
+    LEVEL,
+    friction_waveform,
+    relay_waveform,
+    viscous_waveform,
+)
+from derivations.elements.harmonics import HARMONIC, odd_harmonic
+from derivations.elements.proven_step import Equality, ProvenStep, cases, integral_over
+from derivations.latex import latex
+from derivations.narrative import Formula
+from derivations.symbols import A, omega
+from derivations.unevaluated import product, total
+
+ONE = sympy.Integer(1)
+VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)
+"""Amplitude of a velocity, m/s."""
+COUNT = sympy.Symbol("m", integer=True, nonnegative=True)
+
+
+def relay() -> ProvenStep:
+    """Return the step on the ideal relay."""
+    waveform = relay_waveform(LEVEL)
+    first = waveform.segments[0]
+    return ProvenStep(
+        "df-relay",
+        "Ideal relay",
+        "The output is $L$ while the input is positive and $-L$ while it is negative.",
+        (
+            cases("y", waveform.segments),
+            integral_over(first, HARMONIC, -2 * sympy.I * LEVEL / HARMONIC),
+            Equality("N_n", 4 * LEVEL / (sympy.pi * HARMONIC * A), odd_harmonic(waveform, A, HARMONIC)),
+        ),
+    )
+
+
+def coulomb_friction() -> ProvenStep:
+    """Return the step on Coulomb friction of a velocity and of a displacement."""
+    of_velocity, of_displacement = relay_waveform(FORCE), friction_waveform()
+    first = of_displacement.segments[0]
+    fourfold = tuple(total(4 * COUNT, rest) for rest in (1, 3))
+    integrals = (2 * FORCE / fourfold[0], -2 * FORCE / fourfold[1])
+    harmonics = tuple(
+        sign * sympy.I * 4 * FORCE / (sympy.pi * harmonic * A)
+        for sign, harmonic in zip((1, -1), fourfold, strict=True)
+    )
+    return ProvenStep(
+        "df-coulomb-friction",
+        "Coulomb friction",
+        "The force has the sign of the velocity. For a velocity $A_v\\sin\\theta$ as input it is a relay, "
+        "and $N_n$ is in N s/m. For a displacement $A\\sin\\theta$ as input the velocity is proportional to "
+        "$\\cos\\theta$: the force leads by a quarter period, $N_n$ is imaginary, in N/m, and its sign "
+        "changes from one odd harmonic to the next ($m = 0, 1, 2, \\dots$).",
+        (
+            Formula(rf"y = {latex(FORCE)} \operatorname{{sign}} \dot{{x}}", "2.48"),
+            Equality("a_1", sympy.Integer(0), of_velocity.cosine_coefficient(), "2.50"),
+            Equality("b_1", 4 * FORCE / sympy.pi, of_velocity.sine_coefficient(), "2.51"),
+            Equality(
+                "N_n",
+                4 * FORCE / (sympy.pi * HARMONIC * VELOCITY_AMPLITUDE),
+                odd_harmonic(of_velocity, VELOCITY_AMPLITUDE, HARMONIC),
+                "2.52",
+            ),
+            cases("y", of_displacement.segments),
+            *(
+                integral_over(first, harmonic, closed)
+                for harmonic, closed in zip(fourfold, integrals, strict=True)
+            ),
+            *(
+                Equality(f"N_{{{latex(harmonic)}}}", closed, odd_harmonic(of_displacement, A, harmonic))
+                for harmonic, closed in zip(fourfold, harmonics, strict=True)
+            ),
+        ),
+    )
+
+
+def viscous_friction() -> ProvenStep:
+    """Return the step on viscous friction of a displacement."""
+    waveform = viscous_waveform()
+    first = waveform.segments[0]
+    force = product(sympy.pi / 2, DAMPING * omega * A)
+    return ProvenStep(
+        "df-viscous-friction",
+        "Viscous friction",
+        "A force $d\\,\\dot x$ of a displacement $A\\sin\\theta$ is linear: it has no higher harmonics, and "
+        "$N_1$ is its transfer function at $s = j\\omega$.",
+        (
+            Formula(f"y = {latex(first.value)}"),
+            integral_over(first, ONE, force),
+            integral_over(first, HARMONIC, sympy.Integer(0)),
+            Equality("N_1", sympy.I * omega * DAMPING, odd_harmonic(waveform, A, ONE)),
+            Equality("N_n", sympy.Integer(0), odd_harmonic(waveform, A, HARMONIC)),
+        ),
+    )

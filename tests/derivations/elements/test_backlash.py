@@ -1,0 +1,129 @@
+"""Backlash from mechanics: contact, separation, flight, impact, its limits, and Fourier coefficients."""
+
+import control
+import numpy as np
+import pytest
+import scipy.integrate
+import sympy
+
+from derivations.elements.backlash import (
+    CONTACT,
+    GAMMA,
+    GAP,
+    SEPARATION,
+    contact_force,
+    contact_ratio,
+    free_flight,
+    friction_waveform,
+    general_waveform,
+    inertia_contact_ratio,
+    inertia_waveform,
+    limits,
+    separation_angle,
+)
+from derivations.elements.friction import FORCE, relay_waveform
+from derivations.elements.friction import friction_waveform as coulomb_waveform
+from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
+from derivations.symbols import A
+
+TAU = sympy.Symbol("tau", positive=True)
+CASES = [(0.3, 1.9), (1.0, 1.6), (1.25, 2.25), (4.0, 2.0), (20.0, 1.0)]
+"""Pairs of γ and contact angle, all after separation and within half a turn of it."""
+
+
+def numbers(gamma, contact):
+    separation = float(np.arctan(1 / gamma))
+    values = {GAMMA: gamma, SEPARATION: separation, CONTACT: contact, A: 1.0}
+    return values | {GAP: float(contact_ratio().subs(values))}
+
+
+def test_separation_is_where_the_wall_would_have_to_pull():
+    angle = separation_angle()
+    assert sympy.simplify(contact_force(-1).subs(THETA, angle)) == 0
+    before, after = (
+        contact_force(-1).subs({THETA: angle + step, A: 1}).subs(GAMMA, 0.7) for step in (-0.1, 0.1)
+    )
+    assert before > 0 > after
+
+
+def test_flight_starts_with_position_and_velocity_of_the_pin():
+    flight, pin = free_flight(), A * sympy.sin(THETA) - GAP / 2
+    assert sympy.simplify((flight - pin).subs(THETA, SEPARATION)) == 0
+    assert sympy.simplify((flight - pin).diff(THETA).subs(THETA, SEPARATION)) == 0
+    assert sympy.simplify(GAMMA * flight.diff(THETA, 2) + flight.diff(THETA)) == 0
+
+
+def test_both_limits_are_the_limiting_elements():
+    friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
+    assert friction.separation == sympy.pi / 2
+    assert sympy.simplify(friction.ratio - (1 - sympy.cos(TAU))) == 0
+    assert sympy.simplify(friction.flight - (A - GAP / 2)) == 0
+    assert inertia.separation == 0
+    assert sympy.simplify(inertia.ratio - (TAU - sympy.sin(TAU))) == 0
+    assert sympy.simplify(inertia.flight - (A * TAU - GAP / 2)) == 0
+
+
+def test_friction_contact_angle_follows_from_the_limit():
+    """1 − cos τ = g/A with contact at π/2 + τ is the angle π − asin(1 − g/A) of the waveform."""
+    angle = sympy.pi / 2 + sympy.acos(1 - GAP / A)
+    segment = friction_waveform().segments[1]
+    for ratio in (0.1, 0.5, 1.0, 1.7):
+        assert float((angle - segment.start).subs({GAP: ratio, A: 1})) == pytest.approx(0, abs=1e-12)
+
+
+def test_waveforms_are_continuous():
+    assert friction_waveform().jumps() == (0, 0, 0, 0)
+    ratio = A * inertia_contact_ratio()
+    assert [sympy.simplify(jump.subs(GAP, ratio)) for jump in inertia_waveform().jumps()] == [0, 0, 0, 0]
+
+
+@pytest.mark.parametrize(("gamma", "contact"), CASES)
+def test_general_waveform_is_continuous_and_stays_in_the_gap(gamma, contact):
+    values = numbers(gamma, contact)
+    for segment in general_waveform().segments:
+        start, end = (float(edge.subs(values)) for edge in (segment.start, segment.end))
+        phase = np.linspace(start, end, 50)
+        position = sympy.lambdify(THETA, segment.value.subs(values))(phase)
+        assert np.all(np.abs(position - np.sin(phase)) <= values[GAP] / 2 + 1e-9)
+
+
+@pytest.mark.parametrize(("gamma", "contact"), CASES)
+def test_general_describing_function_is_that_of_quadrature(gamma, contact):
+    values = numbers(gamma, contact)
+    closed = complex(describing_function(general_waveform(), A).subs(values))
+    sums = []
+    for weight in (np.sin, np.cos):
+        total = 0.0
+        for segment in general_waveform().segments:
+            function = sympy.lambdify(THETA, segment.value.subs(values))
+            start, end = (float(edge.subs(values)) for edge in (segment.start, segment.end))
+            total += scipy.integrate.quad(
+                lambda x, f=function, w=weight: f(x) * w(x), start, end, epsabs=1e-13
+            )[0]
+        sums.append(total / np.pi)
+    assert closed == pytest.approx(complex(sums[0], sums[1]), rel=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [0.01, 0.3, 1.0, 1.6, 1.95])
+def test_friction_agrees_with_python_control(ratio):
+    ours = complex(describing_function(friction_waveform(), A).subs({A: 1, GAP: ratio}))
+    theirs = control.friction_backlash_nonlinearity(ratio).describing_function(1.0)
+    assert ours == pytest.approx(theirs, rel=1e-12)
+
+
+@pytest.mark.parametrize("harmonic", [2, 4])
+def test_even_harmonics_vanish(harmonic):
+    for waveform in (friction_waveform(), relay_waveform(), coulomb_waveform()):
+        value = describing_function(waveform, A, harmonic).subs({A: 1.3, GAP: 0.9, FORCE: 0.4})
+        assert abs(complex(value)) < 1e-14
+
+
+def test_friction_and_relay_differ_by_a_quarter_turn():
+    assert describing_function(relay_waveform(), A) == 4 * FORCE / (sympy.pi * A)
+    ratio = describing_function(coulomb_waveform(), A) / describing_function(relay_waveform(), A)
+    assert sympy.simplify(ratio) == sympy.I
+
+
+def test_a_jump_is_seen():
+    broken = Waveform((Segment(sympy.Integer(0), sympy.pi, THETA), Segment(sympy.pi, 2 * sympy.pi, -THETA)))
+    assert any(jump != 0 for jump in broken.jumps())

@@ -1,0 +1,137 @@
+"""The describing functions as they are told: every equation is proven, and every proof can fail."""
+
+import re
+from dataclasses import replace
+
+import mpmath
+import pytest
+import sympy
+
+from derivations.dimensions import DimensionError
+from derivations.elements import narrative as element_narrative
+from derivations.elements.backlash import GAP
+from derivations.elements.equivalent_nonlinearity import units_check
+from derivations.elements.friction import DAMPING, FORCE, LEVEL
+from derivations.elements.harmonics import HARMONIC
+from derivations.elements.steps import friction
+from derivations.identity import UnprovenError
+from derivations.symbols import A, omega
+
+DIGITS = 40
+SMALL = sympy.Rational(1, 10**9)
+VALUES = {
+    A: sympy.Rational(13, 10),
+    friction.VELOCITY_AMPLITUDE: sympy.Rational(13, 10),
+    LEVEL: sympy.Rational(7, 10),
+    FORCE: sympy.Rational(2, 5),
+    DAMPING: sympy.Rational(1, 5),
+    omega: sympy.Integer(3),
+}
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return element_narrative.proven_steps()
+
+
+@pytest.fixture(scope="module")
+def told(steps):
+    return tuple(step.tell() for step in steps)
+
+
+def test_each_step_proves_something_by_algebra(steps, told):
+    for step, story in zip(steps, told, strict=True):
+        assert f"Proven equations: {len(step.equalities)}." in story.text
+        assert step.equalities
+        assert "random" not in story.text
+        assert len(story.formulas) == len(step.lines)
+
+
+@pytest.mark.parametrize(
+    "corrupt",
+    [
+        lambda closed: -closed if closed != 0 else sympy.I,
+        lambda closed: closed * (1 + SMALL) if closed != 0 else SMALL,
+    ],
+    ids=["sign", "factor"],
+)
+def test_no_corrupted_equation_is_proven(steps, corrupt):
+    for step in steps:
+        for equality in step.equalities:
+            broken = replace(equality, closed=corrupt(equality.closed))
+            with pytest.raises(UnprovenError, match=re.escape(equality.name)):
+                broken.prove()
+
+
+def test_a_wrong_equation_stops_the_story(steps):
+    step = steps[-1]
+    broken = replace(step, lines=(*step.lines, replace(step.equalities[0], closed=sympy.Integer(0))))
+    with pytest.raises(UnprovenError, match="is not proven"):
+        broken.tell()
+
+
+def test_every_equation_of_the_thesis_on_describing_functions_is_told(told):
+    numbers = {formula.thesis for step in told for formula in step.formulas}
+    assert numbers >= {f"2.{number}" for number in (29, 35, 36, 38, 40, 41, 42, 43, 44, 45, 46, 47, 48)}
+    assert numbers >= {"2.50", "2.51", "2.52", "2.57", "2.58", "2.60", "5.14"}
+
+
+def test_identifiers_differ_and_braces_match(told):
+    assert len({step.id for step in told}) == len(told)
+    for formula in (formula for step in told for formula in step.formulas):
+        assert formula.latex.count("{") == formula.latex.count("}")
+        assert "Piecewise" not in formula.latex
+
+
+def quadrature(output, breaks, harmonic):
+    """(j/(πA)) ∫ y exp(-jnθ) dθ over the period, from the output alone."""
+    integral = mpmath.quad(lambda theta: output(theta) * mpmath.expj(-harmonic * theta), breaks)
+    return mpmath.mpc(0, 1) * integral / (mpmath.pi * mpmath.mpf("1.3"))
+
+
+def sign(value):
+    return 1 if value > 0 else -1
+
+
+CASES = {
+    "relay": (friction.relay, "N_n", lambda theta: mpmath.mpf("0.7") * sign(mpmath.sin(theta))),
+    "velocity": (
+        friction.coulomb_friction,
+        "N_n",
+        lambda theta: mpmath.mpf("0.4") * sign(mpmath.sin(theta)),
+    ),
+    "displacement": (
+        friction.coulomb_friction,
+        "N_{4 m + {rest}}",
+        lambda theta: mpmath.mpf("0.4") * sign(mpmath.cos(theta)),
+    ),
+    "viscous": (
+        friction.viscous_friction,
+        "N_1",
+        lambda theta: mpmath.mpf("0.2") * 3 * mpmath.mpf("1.3") * mpmath.cos(theta),
+    ),
+}
+
+
+@pytest.mark.parametrize("harmonic", [1, 3, 5, 7, 21])
+@pytest.mark.parametrize("name", CASES)
+def test_relay_and_friction_are_those_of_quadrature(name, harmonic):
+    step, left, output = CASES[name]
+    left = "N_n" if name == "viscous" and harmonic > 1 else left.replace("{rest}", str(harmonic % 4))
+    (equality,) = (each for each in step().equalities if each.name == left)
+    values = VALUES | {HARMONIC: harmonic, friction.COUNT: harmonic // 4}
+    closed = sympy.sympify(equality.closed).subs(values).evalf(DIGITS)
+    with mpmath.workdps(DIGITS + 5):
+        breaks = [mpmath.pi * quarter / 2 for quarter in range(5)]
+        expected = quadrature(output, breaks, harmonic)
+        assert abs(mpmath.mpmathify(closed) - expected) < mpmath.mpf(10) ** (4 - DIGITS)
+
+
+def test_units_of_the_equivalent_nonlinearity_are_those_that_are_told():
+    units = units_check(GAP / A)
+    units.require_sum()
+    assert str(units.friction) == "kg s^-2"
+    with pytest.raises(DimensionError, match="only the last"):
+        replace(units, friction=units.backlash).require_sum()
+    with pytest.raises(DimensionError, match="only the last"):
+        replace(units, over_stiffness=units.friction).require_sum()

@@ -1,0 +1,91 @@
+"""Complex Fourier integrals of waveforms, with a number or a symbol for the harmonic."""
+
+import mpmath
+import pytest
+import sympy
+
+from derivations.elements import harmonics
+from derivations.elements.backlash import (
+    CONTACT,
+    GAP,
+    friction_waveform,
+    inertia_contact_ratio,
+    inertia_waveform,
+)
+from derivations.elements.friction import DAMPING, FORCE, LEVEL, relay_waveform, viscous_waveform
+from derivations.elements.friction import friction_waveform as coulomb_waveform
+from derivations.elements.harmonics import HARMONIC, antiderivative, evaluated, first_half, odd_harmonic
+from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
+from derivations.identity import UnprovenError
+from derivations.symbols import A, omega
+
+x, g = sympy.symbols("x g", positive=True)
+j = sympy.I
+DIGITS = 40
+
+
+@pytest.mark.parametrize(
+    "integrand",
+    [
+        sympy.sin(x) * sympy.exp(-j * HARMONIC * x),
+        sympy.cos(x) * sympy.exp(-j * x),
+        x**3 * sympy.exp(-x / g) * sympy.sin(2 * x),
+        (1 + x) ** 2,
+        sympy.exp(-(1 - x) / g) * sympy.cos(x),
+    ],
+)
+def test_integrals_are_those_of_quadrature(integrand):
+    values = {HARMONIC: sympy.Integer(5), g: sympy.Rational(3, 7)}
+    limits = (sympy.Rational(1, 3), sympy.Rational(5, 2))
+    found = evaluated(sympy.Integral(integrand, (x, *limits))).subs(values).evalf(DIGITS)
+    function = sympy.lambdify(x, integrand.subs(values), "mpmath")
+    with mpmath.workdps(DIGITS):
+        expected = mpmath.quad(function, [mpmath.mpf(limit.p) / limit.q for limit in limits])
+        assert abs(mpmath.mpmathify(found) - expected) < mpmath.mpf(10) ** (3 - DIGITS)
+
+
+@pytest.mark.parametrize("integrand", [1 / x, sympy.exp(x**2), sympy.log(x), sympy.sqrt(x)])
+def test_other_integrands_are_refused(integrand):
+    with pytest.raises((ValueError, sympy.PolynomialError)):
+        antiderivative(integrand, x)
+
+
+def test_a_wrong_antiderivative_is_not_accepted(monkeypatch):
+    monkeypatch.setattr(harmonics, "_primitive", lambda term, variable: 2 * term)
+    with pytest.raises(UnprovenError, match="antiderivative"):
+        antiderivative(x * sympy.exp(-7 * x), x)
+
+
+def test_a_waveform_that_is_not_odd_is_refused():
+    uneven = Waveform((Segment(sympy.Integer(0), sympy.pi, x), Segment(sympy.pi, 2 * sympy.pi, -2 * x)))
+    late = Waveform((Segment(sympy.Integer(0), sympy.pi, x), Segment(sympy.pi, 3 * sympy.pi, -x)))
+    shifted = Waveform((Segment(sympy.Integer(0), sympy.pi, THETA), Segment(sympy.pi, 2 * sympy.pi, -THETA)))
+    for waveform in (uneven, late, shifted):
+        with pytest.raises(UnprovenError, match="half a period"):
+            first_half(waveform)
+
+
+@pytest.mark.parametrize(
+    ("waveform", "ratio"),
+    [
+        (relay_waveform(LEVEL), None),
+        (coulomb_waveform(), None),
+        (viscous_waveform(), None),
+        (friction_waveform(), None),
+        (inertia_waveform(), inertia_contact_ratio()),
+    ],
+    ids=["relay", "coulomb", "viscous", "friction", "inertia"],
+)
+@pytest.mark.parametrize("harmonic", [1, 3, 7])
+def test_sympys_own_integration_gives_the_same(waveform, ratio, harmonic):
+    """The same coefficients over the whole period, by SymPy's integrate and two real integrals."""
+    values = {A: 1.3, GAP: 0.9, FORCE: 0.4, LEVEL: 0.7, DAMPING: 0.2, omega: 3.0}
+    if ratio is not None:
+        values |= {CONTACT: 1.9, GAP: float(1.3 * ratio.subs(CONTACT, 1.9))}
+    theirs = complex(describing_function(waveform, A, harmonic).subs(values))
+    assert complex(odd_harmonic(waveform, A, sympy.Integer(harmonic)).subs(values)) == pytest.approx(
+        theirs, abs=1e-12
+    )
+    if harmonic > 1:
+        symbolic = odd_harmonic(waveform, A, HARMONIC).subs(HARMONIC, harmonic).subs(values)
+        assert complex(symbolic) == pytest.approx(theirs, abs=1e-12)

@@ -1,0 +1,180 @@
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import control
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.trimmer.trimmers import exact_response, stable_systems, trimmers
+from trimmer.linear.crossings import RealAxisCrossing, gain_crossings, real_axis_crossings
+from trimmer.linear.model import InputChannels, pin_model, transfer_function
+from trimmer.parameters import TrimmerParameters
+
+THESIS = TrimmerParameters.thesis()
+BUILDERS = [pin_model, transfer_function]
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+@pytest.mark.parametrize("channels", InputChannels)
+@pytest.mark.parametrize("level", [1.0, 0.956937799 / math.sqrt(2), 5.0])
+def test_gain_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels, level) -> None:
+    velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
+    found = gain_crossings(build(THESIS, channels=channels), level)
+    grid = np.abs([complex(exact_response(omega, velocity_too)) for omega in np.geomspace(300, 1e4, 200)])
+    assert len(found) == np.count_nonzero(np.diff(np.sign(grid - level)))
+    for omega in found:
+        with mpmath.workdps(30):
+            exact = mpmath.findroot(lambda x: abs(exact_response(x, velocity_too)) - level, omega)
+        assert omega == pytest.approx(float(exact), rel=1e-12)
+
+
+def test_the_last_crossing_of_0_db_is_the_cutoff_frequency_of_the_thesis() -> None:
+    # Section 5.1.2 prints 4.6329e+03 rad/s; more digits from the force balance in 30 digits.
+    last = gain_crossings(pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY))[-1]
+    assert last == pytest.approx(4632.884252608902, rel=1e-12)
+    assert f"{last:.4e}" == "4.6329e+03"
+
+
+@pytest.mark.parametrize("build", BUILDERS)
+@pytest.mark.parametrize("channels", InputChannels)
+def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels) -> None:
+    velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
+    found = real_axis_crossings(build(THESIS, channels=channels))
+    grid = [complex(exact_response(omega, velocity_too)).imag for omega in np.geomspace(100, 1e5, 200)]
+    assert len(found) == np.count_nonzero(np.diff(np.sign(grid)))
+    for crossing in found:
+        with mpmath.workdps(30):
+            exact = mpmath.findroot(lambda x: exact_response(x, velocity_too).imag, crossing.omega)
+            value = exact_response(exact, velocity_too).real
+        assert crossing.omega == pytest.approx(float(exact), rel=1e-9)
+        assert crossing.value == pytest.approx(float(value), rel=1e-9)
+
+
+@given(stable_systems(), st.floats(-2, 2))
+def test_no_grid_sees_a_gain_crossing_that_was_not_found(system, exponent) -> None:
+    level = 10**exponent
+    found = np.array(gain_crossings(system, level))
+    np.testing.assert_allclose(np.abs(system(1j * found)), level, rtol=1e-6)
+    omega = np.geomspace(1e-4, 1e4, 20_001)
+    excess = np.abs(system(1j * omega)) - level
+    excess[np.abs(excess) < 1e-9 * level] = np.nan
+    for place in np.flatnonzero(np.sign(excess[:-1]) * np.sign(excess[1:]) < 0):
+        assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
+
+
+@given(stable_systems())
+def test_no_grid_sees_a_real_axis_crossing_that_was_not_found(system: control.TransferFunction) -> None:
+    crossings = real_axis_crossings(system)
+    found = np.array([crossing.omega for crossing in crossings])
+    for crossing in crossings:
+        response = complex(system(1j * crossing.omega))
+        assert response.real == pytest.approx(crossing.value, rel=1e-5)
+        assert abs(response.imag) <= 1e-5 * abs(response)
+    omega = np.geomspace(1e-3, 1e3, 20_001)
+    response = system(1j * omega)
+    sine = response.imag / np.abs(response)
+    sine[np.abs(sine) < 1e-9] = np.nan
+    for place in np.flatnonzero(np.sign(sine[:-1]) * np.sign(sine[1:]) < 0):
+        assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
+
+
+@given(stable_systems())
+def test_crossings_include_those_of_python_control(system: control.TransferFunction) -> None:
+    system *= 0.7 / abs(system.dcgain())  # at a gain of 1 the curve would leave 0 dB imperceptibly
+    margins, _, _, phase_crossovers, gain_crossovers, _ = control.stability_margins(system, returnall=True)
+    negative = [c.omega for c in real_axis_crossings(system) if c.value < 0]
+    for omega, margin in zip(phase_crossovers, margins, strict=True):
+        if omega > 0 and math.isfinite(margin):
+            assert min(abs(omega - x) for x in negative) <= 1e-5 * omega
+    found = gain_crossings(system)
+    for omega in gain_crossovers:
+        assert min(abs(omega - x) for x in found) <= 1e-5 * omega
+
+
+@given(trimmers())
+def test_gain_crossings_of_any_trimmer_come_in_the_number_its_ends_require(parameters) -> None:
+    """|G| starts at a positive value and ends at 0, so a level below the start is crossed oddly often."""
+    system = pin_model(parameters)
+    assert len(gain_crossings(system, 0.5 * abs(system.dcgain()))) % 2 == 1
+
+
+@pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
+def test_crossings_scale_with_time(unit: float) -> None:
+    system = control.tf([unit**3], [1, 2 * unit, 2 * unit**2, 0])  # 1/(s (s^2 + 2 s + 2))
+    (crossing,) = real_axis_crossings(system)
+    assert crossing.omega == pytest.approx(math.sqrt(2) * unit, rel=1e-12)
+    assert crossing.value == pytest.approx(-0.25, rel=1e-12)
+    (gain,) = gain_crossings(control.tf([unit], [1, unit]), 0.5)
+    assert gain == pytest.approx(math.sqrt(3) * unit, rel=1e-12)
+
+
+@pytest.mark.parametrize("zeta", [1e-4, 1e-6, 1e-9, 1e-12])
+def test_both_flanks_of_a_narrow_resonance_are_crossed(zeta: float) -> None:
+    system = control.tf([1e-3], [1, 2 * zeta, 1])
+    lower, upper = gain_crossings(system, 0.5)
+    assert lower == pytest.approx(1 - 1e-3, abs=2e-5)
+    assert upper == pytest.approx(1 + 1e-3, abs=2e-5)
+    half_width = gain_crossings(system, 1e-3 / (2 * zeta) / math.sqrt(2))
+    assert half_width[1] - half_width[0] == pytest.approx(2 * zeta, rel=1e-2)
+
+
+@pytest.mark.parametrize("level", [1e-200, 1e-3, 1.0, 1e30, 1e200])
+@pytest.mark.parametrize("order", [1, 2, -1])
+def test_straight_lines_are_followed_to_any_level(order: int, level: float) -> None:
+    rational = ([1.0], np.eye(order + 1)[0]) if order > 0 else ([1.0, 0.0], [1.0])
+    (omega,) = gain_crossings(control.tf(*rational), level)
+    assert omega == pytest.approx(level ** (-1 / order), rel=1e-12)
+
+
+def test_poles_and_zeros_on_the_axis_part_the_curve() -> None:
+    # (4 - w^2)/(9 - w^2) = +-1 at w^2 = 13/2 only; the pole at 3 lies beyond it.
+    system = control.tf([1, 0, 4], [1, 0, 9])
+    assert gain_crossings(system) == pytest.approx((math.sqrt(6.5),), rel=1e-12)
+
+
+def test_a_level_that_is_never_reached_has_no_crossing() -> None:
+    assert gain_crossings(control.tf([1], [1, 1]), 1.001) == ()
+    assert gain_crossings(control.tf([-1, 1], [1, 1]), 0.5) == ()
+    assert gain_crossings(control.tf([3], [1]), 1.0) == ()
+
+
+def test_the_gain_at_zero_frequency_is_not_crossed_there() -> None:
+    assert gain_crossings(control.tf([1], [1, 1]), 1.0) == ()
+
+
+@pytest.mark.parametrize("level", [0.0, -1.0, math.inf, math.nan])
+def test_a_level_must_be_positive_and_finite(level: float) -> None:
+    with pytest.raises(ValueError, match="must be positive and finite"):
+        gain_crossings(control.tf([1], [1, 1]), level)
+
+
+def test_an_undamped_trimmer_stays_on_the_real_axis_without_crossing_it() -> None:
+    undamped = dataclasses.replace(THESIS, c1=0, c2=0, c3=0, c4=0)
+    for build in BUILDERS:
+        assert real_axis_crossings(build(undamped)) == ()
+
+
+def test_a_negative_gain_swaps_the_sides_of_the_axis() -> None:
+    system = control.tf([1], [1, 2, 2, 0])
+    (crossing,) = real_axis_crossings(system)
+    (mirrored,) = real_axis_crossings(-system)
+    assert mirrored == RealAxisCrossing(pytest.approx(crossing.omega), pytest.approx(-crossing.value))
+
+
+def test_a_zero_on_the_axis_turns_the_curve_round() -> None:
+    # (s^2 + 9/4)/(s + 1)^3 is real at sqrt(3), beyond its zero at 1.5: (9/4 - 3)/-8.
+    (crossing,) = real_axis_crossings(control.tf([1, 0, 2.25], np.poly([-1, -1, -1])))
+    assert crossing.omega == pytest.approx(math.sqrt(3), rel=1e-9)
+    assert crossing.value == pytest.approx(0.09375, rel=1e-9)
+
+
+def test_roots_in_the_right_half_plane_are_treated_alike() -> None:
+    # (1 - s)/(1 + s)^2 has phase -pi where 3 atan(w) = pi.
+    (crossing,) = real_axis_crossings(control.tf([-1, 1], [1, 2, 1]))
+    assert crossing.omega == pytest.approx(math.sqrt(3), rel=1e-12)
+    assert crossing.value == pytest.approx(-0.5, rel=1e-12)

@@ -1,0 +1,198 @@
+from __future__ import annotations
+
+import dataclasses
+from itertools import permutations
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, exact_response, trimmers
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
+from trimmer.generated import linear_trimmer
+from trimmer.linear.model import INPUTS, STATES, InputChannels, linear_model, pin_model, transfer_function
+from trimmer.parameters import ParameterError, TrimmerParameters
+
+THESIS = TrimmerParameters.thesis()
+OUTPUTS = (*map(Displacement, Body), *(Displacement(*pair) for pair in permutations(Body, 2)))
+CHANNELS = tuple(InputChannels)
+OMEGAS = (10.0, 628.3, 1400.0, 2230.0, 3453.0, 7160.0, 1e5)
+
+
+def velocity_too(channels: InputChannels) -> bool:
+    return channels is InputChannels.DISPLACEMENT_AND_VELOCITY
+
+
+def test_the_linear_model_names_its_signals() -> None:
+    model = linear_model(THESIS)
+    assert (model.nstates, model.ninputs, model.noutputs) == (8, 2, 1)
+    assert model.input_labels == list(INPUTS)
+    assert model.output_labels == ["q2-q4"]
+    assert model.state_labels == list(STATES)
+    assert model.isctime()
+
+
+def test_the_linear_model_is_that_of_the_thesis() -> None:
+    m1, m2, m3, m4, k1, k2, k3, k4, k5, c1, c2, c3, c4 = THESIS.values()
+    lower = [  # equation 2.12, as printed
+        [-(k1 + k2) / m1, k2 / m1, 0, 0, -(c1 + c2) / m1, c2 / m1, 0, 0],
+        [k2 / m2, -(k2 + k5) / m2, k5 / m2, 0, c2 / m2, -c2 / m2, 0, 0],
+        [0, k5 / m3, -(k3 + k4 + k5) / m3, k4 / m3, 0, 0, -(c3 + c4) / m3, c4 / m3],
+        [0, 0, k4 / m4, -k4 / m4, 0, 0, c4 / m4, -c4 / m4],
+    ]
+    model = linear_model(THESIS)
+    np.testing.assert_allclose(model.A, np.vstack([np.eye(4, 8, 4), lower]), rtol=1e-15)
+    B = np.zeros((8, 2))  # equation 2.13, as printed
+    B[4:6] = [[-k2 / m1, -c2 / m1], [k2 / m2, c2 / m2]]
+    np.testing.assert_allclose(model.B, B, rtol=1e-15)
+    assert model.C.tolist() == [[0, 1, 0, -1, 0, 0, 0, 0]]  # equation 2.14
+    assert not model.D.any()
+
+
+def test_several_outputs_keep_their_order() -> None:
+    model = linear_model(THESIS, OUTPUTS)
+    assert model.output_labels == [output.label for output in OUTPUTS]
+    alone = linear_model(THESIS, OUTPUTS[5])
+    assert model.C[5].tolist() == alone.C[0].tolist()
+
+
+def test_no_output_is_refused() -> None:
+    with pytest.raises(ValueError, match="at least one output"):
+        linear_model(THESIS, [])
+
+
+@pytest.mark.parametrize("channels", CHANNELS)
+@pytest.mark.parametrize("build", [pin_model, transfer_function])
+@pytest.mark.parametrize("output", OUTPUTS, ids=lambda output: output.label)
+def test_the_response_is_that_of_the_force_balance(build, output, channels) -> None:
+    system = build(THESIS, output, channels)
+    assert system.input_labels == ["pin_displacement"]
+    assert system.output_labels == [output.label]
+    for omega in OMEGAS:
+        exact = complex(
+            sum(
+                factor * q
+                for factor, q in zip(
+                    output.row, exact_displacements(THESIS, omega, velocity_too(channels)), strict=True
+                )
+            )
+        )
+        assert system(1j * omega) == pytest.approx(exact, rel=1e-9)
+
+
+def test_both_channels_are_the_two_inputs_tied_together() -> None:
+    model = linear_model(THESIS)
+    tied = pin_model(THESIS, channels=InputChannels.DISPLACEMENT_AND_VELOCITY)
+    for omega in OMEGAS:
+        separate = model(1j * omega)[0]
+        assert tied(1j * omega) == pytest.approx(separate[0] + 1j * omega * separate[1], rel=1e-11)
+
+
+def test_states_that_are_no_velocities_are_not_called_velocities() -> None:
+    assert pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY).state_labels == list(STATES)
+    assert pin_model(THESIS).state_labels == ["q1", "q2", "q3", "q4", "z1", "z2", "z3", "z4"]
+
+
+def test_the_pin_acts_by_both_channels_unless_told_otherwise() -> None:
+    assert pin_model(THESIS)(1000j) == pin_model(THESIS, channels=CHANNELS[1])(1000j)
+    assert abs(pin_model(THESIS)(1e5j) / pin_model(THESIS, channels=CHANNELS[0])(1e5j)) > 1.5
+
+
+def test_reference_values_of_the_thesis_trimmer() -> None:
+    # From the force balance in 30 digits.
+    system = transfer_function(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)
+    assert system.dcgain() == pytest.approx(0.9569377990430622, rel=1e-14)
+    assert abs(system(200j * np.pi)) == pytest.approx(0.9990132848467925, rel=1e-13)
+    assert abs(exact_response(200 * np.pi)) == pytest.approx(0.9990132848467925, rel=1e-15)
+
+
+def test_a_pin_that_touches_nothing_gives_a_zero_transfer_function() -> None:
+    loose = dataclasses.replace(THESIS, k2=0.0, c2=0.0)
+    assert transfer_function(loose).num[0][0].tolist() == [0.0]
+
+
+@given(trimmers(), st.sampled_from(OUTPUTS), st.sampled_from(CHANNELS))
+@settings(max_examples=40)
+def test_state_space_and_transfer_function_agree_for_any_trimmer(parameters, output, channels) -> None:
+    state_space = pin_model(parameters, output, channels)
+    rational = transfer_function(parameters, output, channels)
+    for pole in state_space.poles():
+        omega = abs(pole)
+        exact = exact_displacements(parameters, omega, velocity_too(channels))
+        scale = max(abs(complex(q)) for q in exact)
+        expected = complex(sum(factor * q for factor, q in zip(output.row, exact, strict=True)))
+        assert state_space(1j * omega) == pytest.approx(expected, rel=1e-8, abs=1e-8 * scale)
+        assert rational(1j * omega) == pytest.approx(expected, rel=1e-8, abs=1e-8 * scale)
+
+
+@given(trimmers())
+def test_matrices_are_symmetric_and_not_negative(parameters: TrimmerParameters) -> None:
+    for matrix in ("mass_matrix", "damping_matrix", "stiffness_matrix"):
+        values = np.array(getattr(linear_trimmer, matrix)(*parameters.values()))
+        np.testing.assert_array_equal(values, values.T)
+        assert np.linalg.eigvalsh(values).min() >= -1e-12 * np.abs(values).max()
+
+
+@given(trimmers())
+def test_poles_are_the_roots_of_the_characteristic_polynomial(parameters: TrimmerParameters) -> None:
+    polynomial = np.poly1d(linear_trimmer.characteristic_polynomial(*parameters.values()))
+    for pole in linear_model(parameters).poles():
+        size = np.polyval(np.abs(polynomial.coeffs), abs(pole))
+        assert abs(polynomial(pole)) <= 1e-9 * size
+
+
+@given(trimmers())
+def test_a_damped_trimmer_is_stable(parameters: TrimmerParameters) -> None:
+    assert linear_model(parameters).poles().real.max() < 0
+
+
+@given(trimmers(), st.sampled_from(list(permutations(range(4), 2))))
+def test_reciprocity(parameters: TrimmerParameters, bodies: tuple[int, int]) -> None:
+    """A force on one body moves another as a force there would move the one (Maxwell and Betti)."""
+    here, there = bodies
+    model = linear_model(parameters)
+    inverse_masses = np.diag([1 / mass for mass in parameters.values()[:4]])
+    forces = np.vstack([np.zeros((4, 4)), inverse_masses])
+    receptance = control.ss(model.A, forces, np.eye(4, 8), np.zeros((4, 4)))(1000j)
+    assert receptance[here, there] == pytest.approx(receptance[there, here], rel=1e-7)
+
+
+@given(trimmers(), st.floats(1e-3, 1e3), st.sampled_from(CHANNELS))
+def test_one_factor_on_all_parameters_changes_nothing(parameters, factor, channels) -> None:
+    scaled = TrimmerParameters(**{k: factor * v for k, v in dataclasses.asdict(parameters).items()})
+    original = transfer_function(parameters, CUTTER_RELATIVE_TO_GUARD, channels)
+    np.testing.assert_allclose(
+        transfer_function(scaled, CUTTER_RELATIVE_TO_GUARD, channels).den[0][0],
+        original.den[0][0],
+        rtol=1e-12,
+    )
+    omega = np.geomspace(10, 1e5, 7)
+    response = pin_model(parameters, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega)
+    np.testing.assert_allclose(
+        pin_model(scaled, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega), response, rtol=1e-8
+    )
+
+
+@given(trimmers(), st.floats(0.01, 100), st.sampled_from(CHANNELS))
+def test_a_faster_trimmer_has_the_same_response_at_higher_frequency(parameters, speed, channels) -> None:
+    faster = dataclasses.replace(
+        parameters,
+        **{name: speed**2 * getattr(parameters, name) for name in STIFFNESSES},
+        **{name: speed * getattr(parameters, name) for name in DAMPINGS},
+    )
+    omega = np.geomspace(10, 1e5, 7)
+    np.testing.assert_allclose(
+        pin_model(faster, CUTTER_RELATIVE_TO_GUARD, channels)(1j * speed * omega),
+        pin_model(parameters, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega),
+        rtol=1e-7,
+    )
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("build", [transfer_function, pin_model])
+@pytest.mark.parametrize("channels", CHANNELS)
+def test_parameters_so_far_apart_that_the_equations_overflow_are_named(build, channels) -> None:
+    with pytest.raises(ParameterError, match=r"overflow: the lightest body has m2 = 1e-300 kg"):
+        build(dataclasses.replace(THESIS, m2=1e-300), channels=channels)

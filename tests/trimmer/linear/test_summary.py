@@ -1,0 +1,72 @@
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.trimmer.trimmers import trimmers
+from trimmer.displacement import Body, Displacement
+from trimmer.linear.crossings import gain_crossings, real_axis_crossings
+from trimmer.linear.extrema import antiresonances, resonance_peaks
+from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear.low_pass import bandwidth
+from trimmer.linear.model import InputChannels, pin_model
+from trimmer.linear.modes import modes
+from trimmer.linear.nyquist import encirclements
+from trimmer.linear.summary import summarise
+from trimmer.parameters import TrimmerParameters
+
+THESIS = TrimmerParameters.thesis()
+
+
+def test_the_summary_keeps_what_it_came_from() -> None:
+    guard = Displacement(Body.GUARD)
+    summary = summarise(THESIS, guard, InputChannels.DISPLACEMENT_ONLY)
+    assert (summary.parameters, summary.output, summary.channels) == (
+        *(THESIS, guard),
+        InputChannels.DISPLACEMENT_ONLY,
+    )
+
+
+@pytest.mark.parametrize("channels", InputChannels)
+def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> None:
+    summary = summarise(THESIS, channels=channels)
+    system = pin_model(THESIS, channels=channels)
+    assert summary.modes == modes(THESIS)
+    assert summary.factored.static_gain == pytest.approx(system.dcgain(), rel=1e-12)
+    assert summary.gain_crossings == pytest.approx(gain_crossings(system), rel=1e-9)
+    assert summary.low_pass is not None
+    assert summary.low_pass.bandwidth == pytest.approx(bandwidth(system), rel=1e-9)
+    assert summary.encirclements == encirclements(system)
+    for found, expected in (
+        (summary.real_axis_crossings, real_axis_crossings(system)),
+        (summary.peaks, resonance_peaks(system)),
+        (summary.antiresonances, antiresonances(system)),
+    ):
+        assert [item.omega for item in found] == pytest.approx([item.omega for item in expected], rel=1e-9)
+
+
+def test_a_pin_that_touches_nothing_is_told() -> None:
+    with pytest.raises(UnsupportedSystemError, match="does not reach its output"):
+        summarise(dataclasses.replace(THESIS, k2=0.0, c2=0.0))
+
+
+def test_without_a_gain_at_zero_frequency_there_is_no_bandwidth() -> None:
+    assert summarise(dataclasses.replace(THESIS, k2=0.0)).low_pass is None
+
+
+def test_a_free_trimmer_has_a_gain_at_zero_frequency() -> None:
+    """Its rigid-body motion is a double pole at 0 that the pin, an inner force, does not excite."""
+    free = dataclasses.replace(THESIS, k1=0.0, c1=0.0, k3=0.0, c3=0.0, k5=0.0)
+    summary = summarise(free, Displacement(Body.CUTTER, Body.MOTOR))
+    assert summary.factored.static_gain == pytest.approx(1.0, rel=1e-9)
+
+
+@given(trimmers(), st.sampled_from(list(Body)), st.sampled_from(list(InputChannels)))
+@settings(max_examples=50)
+def test_any_trimmer_can_be_summarised(parameters, body, channels) -> None:
+    summary = summarise(parameters, Displacement(body), channels)
+    assert summary.roll_off < 0
+    assert summary.peaks

@@ -1,0 +1,121 @@
+from __future__ import annotations
+
+import control
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.trimmer.trimmers import stable_systems, trimmers
+from trimmer.displacement import Body, Displacement
+from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear.model import InputChannels, pin_model, transfer_function
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.parameters import TrimmerParameters
+
+THESIS = TrimmerParameters.thesis()
+
+
+@pytest.mark.parametrize("channels", InputChannels)
+@pytest.mark.parametrize("body", Body)
+def test_both_forms_of_the_trimmer_have_the_same_factors(body: Body, channels: InputChannels) -> None:
+    output = Displacement(body)
+    from_states = ZeroPoleGain.of(pin_model(THESIS, output, channels))
+    from_polynomials = ZeroPoleGain.of(transfer_function(THESIS, output, channels))
+    assert from_states.gain == pytest.approx(from_polynomials.gain, rel=1e-9)
+    assert from_states.poles == pytest.approx(from_polynomials.poles, rel=1e-9)
+    assert from_states.zeros == pytest.approx(from_polynomials.zeros, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("channels", "degree"),
+    [(InputChannels.DISPLACEMENT_ONLY, 2), (InputChannels.DISPLACEMENT_AND_VELOCITY, 1)],
+)
+@given(parameters=trimmers())
+def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -> None:
+    """A force moves a mass as 1/s^2; through a damper the pin's own velocity adds one s."""
+    assert ZeroPoleGain.of(pin_model(parameters, channels=channels)).relative_degree == degree
+    assert ZeroPoleGain.of(transfer_function(parameters, channels=channels)).relative_degree == degree
+
+
+@given(stable_systems(), st.floats(-2, 2))
+def test_gain_and_phase_are_those_of_the_response(system: control.TransferFunction, exponent: float) -> None:
+    omega = 10**exponent
+    factored = ZeroPoleGain.of(system)
+    response = complex(system(1j * omega))
+    assert np.exp(factored.log_gain(omega)) == pytest.approx(abs(response), rel=1e-7)
+    assert np.exp(1j * factored.phase(omega)) == pytest.approx(response / abs(response), abs=1e-7)
+
+
+@given(stable_systems(), st.floats(-2, 2))
+def test_slopes_are_the_derivatives(system: control.TransferFunction, exponent: float) -> None:
+    omega = 10**exponent
+    factored = ZeroPoleGain.of(system)
+    step = 1e-6 * np.abs(1j * omega - factored.roots).min()
+    for curve, terms in (
+        (factored.log_gain, factored.log_gain_slope_terms(omega)),
+        (factored.phase, factored.phase_slope_terms(omega)),
+    ):
+        difference = (curve(omega + step) - curve(omega - step)) / (2 * step)
+        assert terms.sum() == pytest.approx(difference, abs=1e-4 * np.abs(terms).sum() + 1e-12 / step)
+
+
+@given(stable_systems())
+def test_the_phase_is_continuous(system: control.TransferFunction) -> None:
+    factored = ZeroPoleGain.of(system)
+    for place in (*np.abs(factored.roots), *np.abs(factored.roots.imag)):
+        before, after = factored.phase(place * np.array([1 - 1e-7, 1 + 1e-7]))
+        assert after == pytest.approx(before, abs=0.1)
+
+
+def test_state_space_zeros_of_a_high_relative_degree() -> None:
+    system = control.tf([1, 3], np.poly([-1, -2, -5, -7, -11, -13]))
+    factored = ZeroPoleGain.of(control.ss(system))
+    assert factored.relative_degree == 5
+    assert factored.zeros == pytest.approx((-3,), rel=1e-9)
+    assert factored.gain == pytest.approx(1.0, rel=1e-9)
+
+
+def test_state_space_with_feedthrough() -> None:
+    factored = ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[1.0]], [[2.0]]))  # 2 + 1/(s + 1)
+    assert factored.gain == 2.0
+    assert factored.zeros == pytest.approx((-1.5,))
+
+
+def test_a_constant_has_no_roots() -> None:
+    assert ZeroPoleGain.of(control.ss([], [], [], [[-4.0]])) == ZeroPoleGain(-4.0, (), ())
+    assert ZeroPoleGain.of(control.tf([-4.0], [1.0])) == ZeroPoleGain(-4.0, (), ())
+
+
+def test_roots_of_an_undamped_system_lie_on_the_axis() -> None:
+    undamped = TrimmerParameters(**{**vars(THESIS), "c1": 0, "c2": 0, "c3": 0, "c4": 0})
+    for system in (pin_model(undamped), transfer_function(undamped)):
+        factored = ZeroPoleGain.of(system)
+        assert {root.real for root in factored.poles + factored.zeros} == {0.0}
+
+
+@pytest.mark.parametrize(
+    ("numerator", "denominator", "expected"),
+    [
+        ([2], [1, 4], 0.5),
+        ([1, 0], [1, 4], 0.0),
+        ([1], [1, 0], np.inf),
+        ([3, 0], [1, 4, 0], 0.75),
+        ([-1], [1, 2], -0.5),
+    ],
+)
+def test_static_gain(numerator, denominator, expected) -> None:
+    assert ZeroPoleGain.of(control.tf(numerator, denominator)).static_gain == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    "system",
+    [
+        control.tf([0], [1, 1]),
+        control.ss([[-1.0]], [[0.0]], [[1.0]], [[0.0]]),
+        control.ss([], [], [], [[0.0]]),
+    ],
+)
+def test_a_zero_system_is_refused(system: control.lti.LTI) -> None:
+    with pytest.raises(UnsupportedSystemError, match="identically zero"):
+        ZeroPoleGain.of(system)

@@ -1,0 +1,93 @@
+"""Compiled code: nothing at import, kept where it can be, and still there where it cannot."""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numba
+import pytest
+from numba.core import caching
+
+from trimmer.motion import compilation as compiled
+
+IMPORT_ALONE = """
+import numba
+from numba.core.dispatcher import Dispatcher
+
+def refuse(self, signature):
+    raise AssertionError(f"{self.py_func.__qualname__} is compiled at import")
+
+Dispatcher.compile = refuse
+import trimmer.motion.kernel, trimmer.motion.sampling
+"""
+
+
+def doubled(value: float) -> float:
+    return 2.0 * value
+
+
+def test_nothing_is_compiled_at_import() -> None:
+    subprocess.run([sys.executable, "-c", IMPORT_ALONE], check=True, timeout=120)
+
+
+def test_it_works_where_no_folder_can_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(self: object) -> None:
+        raise PermissionError("read-only")
+
+    monkeypatch.setattr(caching._CacheLocator, "ensure_cache_path", refuse)
+    with pytest.raises(RuntimeError, match="no locator available"):
+        numba.njit(cache=True)(doubled)
+    assert compiled.kept(doubled)(4.0) == 8.0
+
+
+@pytest.mark.parametrize(
+    ("method", "error"),
+    [
+        ("save", OSError(28, "No space left on device")),
+        ("load", EOFError("a file of length zero")),
+        ("load", pickle.UnpicklingError("a part of a file")),
+    ],
+)
+def test_it_works_with_a_full_disk_or_a_damaged_file(
+    method: str, error: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(self: object, *arguments: object) -> None:
+        raise error
+
+    monkeypatch.setattr(caching.IndexDataCacheFile, method, fail)
+    assert compiled.kept(doubled)(4.0) == 8.0
+
+
+def test_other_errors_are_not_hidden() -> None:
+    def failing(value: float) -> float:
+        raise ValueError("mine")
+
+    with pytest.raises(ValueError, match="mine"):
+        compiled.kept(failing)(1.0)
+
+
+def test_every_module_with_compiled_code_is_in_the_digest() -> None:
+    folder = Path(compiled.__file__).parent
+    using = {
+        path.stem
+        for path in folder.glob("*.py")
+        if any(f"@{name}" in path.read_text(encoding="utf-8") for name in ("compiled", "inlined"))
+    }
+    assert using | {"compilation", "tables", "taylor"} == set(compiled.SOURCES)
+
+
+def test_the_digest_changes_with_a_source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    digest: Callable[[], bytes] = compiled.sources.__wrapped__
+    before = digest()
+    folder = Path(compiled.__file__).parent
+    for name in compiled.SOURCES:
+        (tmp_path / f"{name}.py").write_bytes((folder / f"{name}.py").read_bytes())
+    monkeypatch.setattr(compiled, "__file__", str(tmp_path / "compilation.py"))
+    assert digest() == before
+    with (tmp_path / "taylor.py").open("a", encoding="utf-8") as file:
+        file.write("# changed\n")
+    assert digest() != before

@@ -1,0 +1,1 @@
+"""The linear model: poles, zeros, responses, resonances, and what follows from them."""

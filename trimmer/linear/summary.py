@@ -1,0 +1,95 @@
+"""Everything the linear model says about one trimmer and one output, gathered in one frozen object."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.linear.crossings import RealAxisCrossing, gain_crossings, real_axis_crossings
+from trimmer.linear.extrema import Extremum, antiresonances, resonance_peaks
+from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear.low_pass import asymptotic_roll_off, bandwidth, bandwidth_crossings
+from trimmer.linear.model import InputChannels, transfer_function
+from trimmer.linear.modes import Mode, modes
+from trimmer.linear.nyquist import PointOnLocusError, encirclements
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
+
+if TYPE_CHECKING:
+    import control
+
+    from trimmer.parameters import TrimmerParameters
+
+CRITICAL_POINT = -1.0
+"""The point of the Nyquist criterion for a loop 1 + G = 0."""
+
+
+@dataclass(frozen=True)
+class LowPass:
+    """Bandwidth from the gain at zero frequency, and all frequencies where its level is crossed, rad/s."""
+
+    bandwidth: float
+    crossings: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class LinearSummary:
+    """Results of the linear model from pin displacement to one output.
+
+    ``low_pass`` is None where the gain at zero frequency is zero or infinite, so that no bandwidth is
+    defined, and ``encirclements`` (clockwise, of -1) where the Nyquist locus passes through -1.
+    """
+
+    parameters: TrimmerParameters
+    output: Displacement
+    channels: InputChannels
+    modes: tuple[Mode, ...]
+    factored: ZeroPoleGain
+    gain_crossings: tuple[float, ...]
+    real_axis_crossings: tuple[RealAxisCrossing, ...]
+    low_pass: LowPass | None
+    peaks: tuple[Extremum, ...]
+    antiresonances: tuple[Extremum, ...]
+    roll_off: float
+    encirclements: int | None
+
+
+def summarise(
+    parameters: TrimmerParameters,
+    output: Displacement = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY,
+) -> LinearSummary:
+    """Analyse the transfer function from pin displacement to an output.
+
+    Raises:
+        UnsupportedSystemError: if the pin does not reach the output, so that G = 0.
+    """
+    system = transfer_function(parameters, output, channels)
+    return LinearSummary(
+        parameters=parameters,
+        output=output,
+        channels=channels,
+        modes=modes(parameters),
+        factored=ZeroPoleGain.of(system),
+        gain_crossings=gain_crossings(system),
+        real_axis_crossings=real_axis_crossings(system),
+        low_pass=_low_pass(system),
+        peaks=resonance_peaks(system),
+        antiresonances=antiresonances(system),
+        roll_off=asymptotic_roll_off(system),
+        encirclements=_encirclements(system),
+    )
+
+
+def _low_pass(system: control.TransferFunction) -> LowPass | None:
+    try:
+        return LowPass(bandwidth(system), bandwidth_crossings(system))
+    except UnsupportedSystemError:
+        return None
+
+
+def _encirclements(system: control.TransferFunction) -> int | None:
+    try:
+        return encirclements(system, CRITICAL_POINT)
+    except PointOnLocusError:
+        return None

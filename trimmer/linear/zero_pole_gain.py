@@ -1,0 +1,174 @@
+"""A system as gain, zeros and poles, and its gain and phase as sums over them.
+
+In this form a narrow resonance is as exact as a wide one: the distance from j omega to a pole is computed
+directly, not as a small difference of large powers of omega.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Self
+
+import control
+import numpy as np
+from scipy.linalg.lapack import dgebal, dgeev
+
+from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from trimmer.arrays import Complexes, Reals
+
+_ROUNDING = 64 * np.finfo(float).eps
+"""Relative size below which a computed quantity is taken for a rounded zero."""
+
+
+@dataclass(frozen=True)
+class ZeroPoleGain:
+    """G(s) = gain (s - z1)(s - z2).../((s - p1)(s - p2)...), with zeros and poles in rad/s.
+
+    A real part that is rounding beside the largest root is 0: a root on the imaginary axis is there exactly.
+    """
+
+    gain: float
+    zeros: tuple[complex, ...]
+    poles: tuple[complex, ...]
+
+    @classmethod
+    def of(cls, system: control.lti.LTI) -> Self:
+        """Factor a system.
+
+        python-control gives the zeros of a state-space system with spurious ones near infinity, so those are
+        computed here.
+
+        Raises:
+            UnsupportedSystemError: see ``require_siso``; or if the system is identically zero, or one of its
+                coefficients is infinite or NaN.
+        """
+        require_siso(system)
+        _require_finite(system)
+        if isinstance(system, control.TransferFunction):
+            numerator, denominator = (np.trim_zeros(side[0][0], "f") for side in (system.num, system.den))
+            if numerator.size == 0:
+                raise _zero_system()
+            gain = numerator[0] / denominator[0]
+            return cls(float(gain), _ordered(np.roots(numerator)), _ordered(np.roots(denominator)))
+        gain, zeros = _gain_and_zeros(system)
+        return cls(gain, _ordered(zeros), _ordered(_eigenvalues(system.A)))
+
+    @property
+    def relative_degree(self) -> int:
+        """Number of poles less number of zeros."""
+        return len(self.poles) - len(self.zeros)
+
+    @property
+    def static_gain(self) -> float:
+        """Limit of G(s) for s to 0; infinite, without a sign, if poles at 0 outnumber zeros there."""
+        at_origin = self.roots == 0
+        excess = self.exponents[at_origin].sum()
+        if excess != 0:
+            return 0.0 if excess > 0 else np.inf
+        factors = (-self.roots[~at_origin]) ** self.exponents[~at_origin]
+        return float(self.gain * np.prod(factors).real)
+
+    @property
+    def roots(self) -> Complexes:
+        """All zeros, then all poles."""
+        return np.array(self.zeros + self.poles, dtype=complex)
+
+    @property
+    def exponents(self) -> Reals:
+        """Exponent of each of ``roots`` in G: +1 for a zero, -1 for a pole."""
+        return np.repeat([1.0, -1.0], [len(self.zeros), len(self.poles)])
+
+    def log_gain(self, omega: ArrayLike) -> Reals:
+        """Natural logarithm of |G(j omega)|; -inf at a zero on the axis, inf at a pole on it."""
+        with np.errstate(divide="ignore"):
+            distances = np.log(np.abs(1j * np.asarray(omega)[..., None] - self.roots))
+        return np.asarray(np.log(abs(self.gain)) + distances @ self.exponents)
+
+    def phase(self, omega: ArrayLike) -> Reals:
+        """Phase of G(j omega), rad, continuous in omega but for jumps of pi at roots on the axis."""
+        rise = np.asarray(omega)[..., None] - self.roots.imag
+        run = -self.roots.real
+        with np.errstate(divide="ignore", invalid="ignore"):
+            on_axis = np.sign(rise) * np.pi / 2
+            angles = np.where(run == 0, on_axis, np.arctan(rise / run) + np.where(run < 0, np.pi, 0.0))
+        return np.asarray(angles @ self.exponents + (np.pi if self.gain < 0 else 0.0))
+
+    def log_gain_slope_terms(self, omega: float) -> Reals:
+        """Share of each root in d ln|G| / d omega, s; 0 for a root that lies at j omega itself."""
+        return self._slope_terms(omega).imag * -1.0
+
+    def phase_slope_terms(self, omega: float) -> Reals:
+        """Share of each root in d(phase) / d omega, s; 0 for a root on the axis."""
+        return self._slope_terms(omega).real
+
+    def _slope_terms(self, omega: float) -> Complexes:
+        distance = 1j * omega - self.roots
+        safe = np.where(distance == 0, np.inf, distance)
+        return np.asarray(self.exponents / safe, dtype=complex)
+
+
+def _ordered(roots: NDArray[np.inexact]) -> tuple[complex, ...]:
+    """Put roots in order of magnitude, then of imaginary part, with rounded real parts set to 0."""
+    cleaned = roots.astype(complex)
+    sizes = np.abs(cleaned)
+    cleaned.real[np.abs(cleaned.real) <= _ROUNDING * sizes.max(initial=0.0)] = 0.0
+    return tuple(cleaned[np.lexsort((cleaned.imag, sizes))].tolist())
+
+
+def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexact]]:
+    """Gain and zeros of a state-space system through its zero dynamics.
+
+    The first Markov parameter D, C B, C A B, ... that is not zero is the gain; its place is the relative
+    degree r. The zeros are the poles of what can move while the output and its first r - 1 derivatives stay
+    zero (Isidori, Nonlinear Control Systems, section 4.3, for the linear case).
+    """
+    A, scales = _balanced(system.A)
+    row, column = system.C * scales, system.B / scales[:, None]
+    held: list[Reals] = []
+    markov, bound = float(system.D[0, 0]), abs(float(system.D[0, 0]))
+    while abs(markov) <= _ROUNDING * bound:
+        if len(held) == system.nstates:
+            raise _zero_system()
+        held.append(row[0] / (np.linalg.norm(row) or 1.0))
+        markov = float((row @ column)[0, 0])
+        bound = float((np.abs(row) @ np.abs(column))[0, 0])
+        row = row @ A
+    # The rows are independent, as their products with B, A B, ... are triangular.
+    free = np.linalg.svd(np.array(held))[2][len(held) :] if held else np.eye(len(A))
+    return markov, _eigenvalues(free @ (A - column @ row / markov) @ free.T)
+
+
+def _eigenvalues(matrix: Reals) -> Complexes:
+    """Eigenvalues from LAPACK itself: NumPy's checks take longer than the work on a small matrix."""
+    if matrix.size == 0:
+        return np.empty(0, dtype=complex)
+    real, imaginary, _, _, failed = dgeev(matrix, compute_vl=0, compute_vr=0)
+    if failed:
+        raise np.linalg.LinAlgError("the eigenvalues of the system do not converge")
+    return np.asarray(real + 1j * imaginary)
+
+
+def _balanced(matrix: Reals) -> tuple[Reals, Reals]:
+    """Scale the states so that rows and columns are of like size; give the matrix and the scales."""
+    if matrix.size == 0:
+        return matrix, np.ones(0)
+    balanced, _, _, scales, _ = dgebal(matrix, scale=1, permute=0)
+    return balanced, scales
+
+
+def _require_finite(system: control.lti.LTI) -> None:
+    if isinstance(system, control.TransferFunction):
+        parts = {"numerator": system.num[0][0], "denominator": system.den[0][0]}
+    else:
+        parts = {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
+    for name, coefficients in parts.items():
+        if not np.isfinite(coefficients).all():
+            raise UnsupportedSystemError(f"{name} of the system holds a number that is infinite or NaN")
+
+
+def _zero_system() -> UnsupportedSystemError:
+    return UnsupportedSystemError("the system is identically zero: its input does not reach its output")

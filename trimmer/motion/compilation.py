@@ -1,0 +1,63 @@
+"""Entry points of the compiled code, whose machine code is kept for the next process."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from functools import cache, wraps
+from pathlib import Path
+from pickle import UnpicklingError
+from typing import Any
+
+import numba
+
+compiled = numba.njit(fastmath={"contract"})
+"""Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
+inlined = numba.njit(inline="always")
+"""Compile as a part of the function that calls it: passing many arrays to another function costs time."""
+SOURCES = (
+    "compilation",
+    "first_event",
+    "kernel",
+    "linear_combination",
+    "sampling",
+    "tables",
+    "taylor",
+)
+"""Modules that compiled code is made of."""
+
+
+@cache
+def sources() -> bytes:
+    """Return a digest of the modules that compiled code is made of.
+
+    Numba keeps machine code by the file of a function and by what the function closes over, but it does not
+    notice a change in a function that is called. So every entry point closes over this digest.
+    """
+    digest = hashlib.sha256()
+    for module in SOURCES:
+        digest.update(Path(__file__).with_name(f"{module}.py").read_bytes())
+    return digest.digest()
+
+
+def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
+    """Compile a function when it is first called, and keep the result where a folder can be written.
+
+    That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
+    that compile at the same time do not disturb each other, since files are written whole. Where nothing can
+    be written, or a kept file is damaged, each process compiles for itself.
+    """
+    for_itself: Callable[..., Any] = numba.njit(entry)
+    try:
+        machine: Callable[..., Any] = numba.njit(cache=True)(entry)
+    except RuntimeError:  # There is no such folder.
+        return for_itself
+
+    @wraps(entry)
+    def call(*arguments: Any) -> Any:
+        try:
+            return machine(*arguments)
+        except (OSError, EOFError, UnpicklingError):
+            return for_itself(*arguments)
+
+    return call
