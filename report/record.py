@@ -5,7 +5,7 @@
         yield expression("", printed, derived, left=r)
         yield text("Equation 2.1 with an eccentricity of [[ size | f1 ]] mm.", size=1e3 * amplitude)
 
-Records are found by looking through the modules of ``report.chapters``; the inventory gives their order.
+``report.collect`` finds the records by looking through the modules of ``report.chapters``.
 """
 
 from __future__ import annotations
@@ -13,12 +13,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from importlib import import_module
-from pkgutil import walk_packages
-from types import ModuleType
-from typing import TYPE_CHECKING, TypeVar, final
+from typing import TYPE_CHECKING, final
 
-from report import chapters
 from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
 from report.document import Figure
 from report.drawing.style import style
@@ -152,17 +148,3 @@ def figure(
     """Make a figure of what draws it, in the report's look; caption and words may be text blocks."""
     words = filled(caption), filled(alternative_text)
     return lambda draw: FigureRecord(figure_id, title, *words, style()(draw))
-
-
-AnyRecord = TypeVar("AnyRecord", ClaimRecord, FigureRecord)
-
-
-def modules() -> tuple[ModuleType, ...]:
-    """Import all modules of the chapters, in the order of their names."""
-    found = walk_packages(chapters.__path__, f"{chapters.__name__}.")
-    return tuple(import_module(name) for name in sorted(module.name for module in found))
-
-
-def records(module: ModuleType, kind: type[AnyRecord]) -> tuple[AnyRecord, ...]:
-    """Return the records of a kind that a module makes, in the order in which they stand."""
-    return tuple(value for value in vars(module).values() if isinstance(value, kind))

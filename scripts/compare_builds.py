@@ -20,7 +20,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -34,7 +33,9 @@ PROVENANCE = re.compile(
     r"^trimmer \d[^\n]*$|^Provenance$\nMade from.*?^typst\s+\S+$", re.MULTILINE | re.DOTALL
 )
 CODE_LINK = re.compile(r'<a [^>]*href="#code[^"]*"[^>]*>.*?</a>', re.DOTALL)
-GENERATED = re.compile(r"%\s+Generated\s+from.*?SI\s+units\s+throughout\.|\b\d+\s+lines\b", re.DOTALL)
+GENERATED = re.compile(
+    r"%\s+Generated[\s%]+from.*?SI[\s%]+units[\s%]+throughout\.|\b\d+\s+lines\b", re.DOTALL
+)
 """What a corrected listing says of its template, and how many lines it has with that."""
 PAGE = ["-x", "0", "-y", "55", "-W", "2000", "-H", "730"]
 """Part of a page between its header and its footer, for pdftotext."""
@@ -106,7 +107,7 @@ def differences(old: Path, new: Path) -> Iterator[str]:
         yield "report.pdf: not compared, pdftotext is not installed"
     else:
         yield from texts_that_differ(
-            "report.pdf", *(pdf_characters(folder / "report.pdf") for folder in (old, new))
+            "report.pdf", *(pdf_words(folder / "report.pdf") for folder in (old, new))
         )
 
 
@@ -156,18 +157,16 @@ def without(text: str, start: str, end: str) -> str:
     return text[:begin] + text[text.index(end, begin) :]
 
 
-def pdf_characters(path: Path) -> list[str]:
-    """Return how often each character stands in the PDF, between headers and footers.
+def pdf_words(path: Path) -> list[str]:
+    """Return which words and decimal numbers stand in the PDF, without source paths and provenance.
 
-    Their order depends on where a line and a page break, and so on the length of a source path. Source paths
-    and provenance are left out.
+    Not how often, and not in which order: where a page breaks depends on the length of source paths, and with
+    that page numbers and how often a table's head is repeated.
     """
     text = subprocess.run(["pdftotext", *PAGE, path, "-"], capture_output=True, check=True, text=True).stdout
     for varying in (PROVENANCE, GENERATED, SOURCE):
         text = varying.sub("", text)
-    return [
-        f"{character} {count} times" for character, count in sorted(Counter("".join(text.split())).items())
-    ]
+    return sorted(set(re.findall(r"[^\W\d_]{3,}|\d+[.,]\d+", re.sub(r"(?<=\w)-\s+(?=[a-z])", "", text))))
 
 
 def write_json(path: Path, content: object) -> None:

@@ -6,14 +6,20 @@ import multiprocessing
 import os
 import time
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from contextvars import ContextVar
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
 from typing import Any, Generic, TypeVar, final
 
+from trimmer.errors import TrimmerError
+
 Result = TypeVar("Result")
+_JOBS: ContextVar[Sequence[Callable[[], Any]]] = ContextVar("jobs of this process")
+"""They come to a process by the fork, since most of them cannot be pickled."""
 
 
-class BackgroundError(RuntimeError):
+class BackgroundError(TrimmerError, RuntimeError):
     """A process ended without handing over its result."""
 
 
@@ -38,25 +44,20 @@ def run(jobs: Sequence[Callable[[], Result]]) -> Iterator[Done[Result]]:
         BackgroundError: if a process has died.
         Exception: whatever a job raised.
     """
+    if not jobs:
+        return
     if "fork" not in multiprocessing.get_all_start_methods():
         yield from (_done(jobs, index) for index in range(len(jobs)))
         return
     context = multiprocessing.get_context("fork")
-    taken = context.Value("i", 0)
-    receivers, processes = [], []
-    for _ in range(min(_cores(), len(jobs))):
-        receiver, sender = context.Pipe(duplex=False)
-        process = context.Process(target=_work, args=(jobs, taken, sender), daemon=True)
-        process.start()
-        sender.close()
-        receivers.append(receiver)
-        processes.append(process)
+    pool = ProcessPoolExecutor(min(_cores(), len(jobs)), context, _inherit, (jobs,))
     try:
-        yield from _received(receivers)
+        for finished in as_completed([pool.submit(_inherited, index) for index in range(len(jobs))]):
+            yield finished.result()
+    except BrokenProcessPool as end:
+        raise BackgroundError("a process of the build ended early, perhaps for want of memory") from end
     finally:
-        for process in processes:
-            process.terminate()
-            process.join()
+        pool.shutdown(wait=False, cancel_futures=True)
 
 
 def _cores() -> int:
@@ -68,35 +69,9 @@ def _done(jobs: Sequence[Callable[[], Result]], index: int) -> Done[Result]:
     return Done(index, jobs[index](), time.perf_counter() - started)
 
 
-def _work(jobs: Sequence[Callable[[], Result]], taken: Any, sender: Connection) -> None:
-    while True:
-        with taken.get_lock():
-            index = taken.value
-            taken.value += 1
-        if index >= len(jobs):
-            sender.send((None, None))
-            return
-        try:
-            sender.send((_done(jobs, index), None))
-        except Exception as error:
-            sender.send((None, error))
-            return
+def _inherit(jobs: Sequence[Callable[[], Any]]) -> None:
+    _JOBS.set(jobs)
 
 
-def _received(receivers: list[Connection]) -> Iterator[Done[Any]]:
-    working = list(receivers)
-    while working:
-        for receiver in wait(working):
-            assert isinstance(receiver, Connection)
-            try:
-                done, error = receiver.recv()
-            except EOFError as end:
-                raise BackgroundError(
-                    "a process of the build ended early, perhaps for want of memory"
-                ) from end
-            if error is not None:
-                raise error
-            if done is None:
-                working.remove(receiver)
-            else:
-                yield done
+def _inherited(index: int) -> Done[Any]:
+    return _done(_JOBS.get(), index)

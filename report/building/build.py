@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 
-from report.building.content_key import content_key
 from report.building.progress import Progress
-from report.building.provenance import provenance
-from report.building.stage_store import StageStore
+from report.cache.content_key import content_key
+from report.cache.stage_store import StageStore
 from report.document import Document
 from report.octave.archive import write_files
+from report.provenance import provenance
 from report.rendering.render import render
 from report.rendering.request import WHOLE_REPORT, Format, Request
 from report.rendering.selection import select

@@ -5,36 +5,36 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, partial
 from importlib.metadata import version
-from types import ModuleType
+from itertools import chain
 from typing import Any
 
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from report.alterations import Alterations, alter
-from report.answers import answers
-from report.assemble import Parts, assemble
+from report.building.assemble import Parts, assemble
 from report.building.progress import Progress
-from report.building.provenance import libraries
-from report.building.source_closure import SourceTree
-from report.building.stage_store import StageStore
 from report.building.tasks import Task, done
-from report.chapters.all_claims import SECTIONS, claims_of, require_known_once
+from report.cache.source_closure import SourceTree
+from report.cache.stage_store import StageStore
 from report.claim import Entry, Finding, judge
-from report.corrected_results import corrected_results
+from report.collect import Records, collect
 from report.document import Document
 from report.evidence import Evidence, derive, solve
 from report.folders import templates
-from report.highlights import highlights
 from report.inventory import read_inventory
 from report.octave.listings import corrected_programs
-from report.record import FigureRecord, modules, records
+from report.overview.answers import answers
+from report.overview.corrected_results import corrected_results
+from report.overview.highlights import highlights
+from report.provenance import libraries
+from report.record import ClaimRecord
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
     """Derive, solve, judge and draw everything that the report shows.
 
     What was kept from the last build is taken where nothing that it depends on has changed: for the findings
-    of a section and for a figure these are the sources that its module imports, directly or not.
+    of a module and for a figure these are the sources that its module imports, directly or not.
 
     Raises:
         ClaimIdError: if a claim is not in the inventory or stands twice.
@@ -45,13 +45,13 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     inventory = read_inventory()
     tree = SourceTree.kept(store)
     evidence = _evidence(progress, store, tree)
-    figures = _figures(inventory)
-    results = done(_tasks(evidence, inventory, figures, tree), store, progress)
-    judged = [results[_name(section)] for section in SECTIONS]
+    records = collect(inventory)
+    results = done(_tasks(evidence, inventory, records, tree), store, progress)
+    judged = [results[f"claims-{module}"] for module in records.claims]
     parts = Parts(
         findings=_in_order([findings for findings, _ in judged], inventory),
         alterations=sum((alterations for _, alterations in judged), Alterations()),
-        figures=tuple(results[f"figure-{figure.id}"] for figure in figures),
+        figures=tuple(results[f"figure-{figure.id}"] for figure in records.figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
         programs=results["programs"],
@@ -73,16 +73,8 @@ def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Eviden
     return evidence
 
 
-def _figures(inventory: Mapping[str, Entry]) -> list[FigureRecord]:
-    """Return the figures of all chapters in the order of the inventory."""
-    found = [figure for module in modules() for figure in records(module, FigureRecord)]
-    require_known_once((figure.id for figure in found), inventory)
-    order = list(inventory)
-    return sorted(found, key=lambda figure: order.index(figure.id))
-
-
 def _tasks(
-    evidence: Evidence, inventory: Mapping[str, Entry], figures: list[FigureRecord], tree: SourceTree
+    evidence: Evidence, inventory: Mapping[str, Entry], records: Records, tree: SourceTree
 ) -> list[Task]:
     """List what is made from the evidence; long tasks first, so that the processes end together.
 
@@ -122,16 +114,16 @@ def _tasks(
                 key([figure.draw.__module__, "report.evidence", "report.record"]),
                 partial(figure.finished, evidence),
             )
-            for figure in reversed(figures)
+            for figure in reversed(records.figures)
         ),
         *(
             Task(
-                _name(section),
+                f"claims-{module}",
                 "judge",
-                key([section.__name__, "report.evidence", "report.alterations"], inventory),
-                partial(_judged, section, evidence, inventory),
+                key([module, "report.evidence", "report.alterations"], inventory),
+                partial(_judged, group, evidence, inventory),
             )
-            for section in reversed(SECTIONS)
+            for module, group in reversed(tuple(records.claims.items()))
         ),
     ]
 
@@ -145,20 +137,13 @@ def _versions() -> tuple[tuple[str, str], ...]:
     return (*libraries(), ("trimmer", version("trimmer")))
 
 
-def _name(section: ModuleType) -> str:
-    return f"section-{section.__name__}"
-
-
 def _judged(
-    section: ModuleType, evidence: Evidence, inventory: Mapping[str, Entry]
+    records: tuple[ClaimRecord, ...], evidence: Evidence, inventory: Mapping[str, Entry]
 ) -> tuple[tuple[Finding, ...], Alterations]:
-    claims = claims_of(section, evidence)
-    require_known_once((claim.id for claim in claims), inventory)
+    claims = [record.claim(evidence) for record in records]
     return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
 
 
-def _in_order(by_section: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
-    findings = [finding for section in by_section for finding in section]
-    require_known_once((finding.id for finding in findings), inventory)
+def _in_order(by_module: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
     place = {claim_id: index for index, claim_id in enumerate(inventory)}
-    return tuple(sorted(findings, key=lambda finding: place[finding.id]))
+    return tuple(sorted(chain.from_iterable(by_module), key=lambda finding: place[finding.id]))

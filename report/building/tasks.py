@@ -8,7 +8,7 @@ from typing import Any
 
 from report.building import background
 from report.building.progress import Progress
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from functools import partial
 from importlib.metadata import version
 from typing import Any
 
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 from report.document import Document
 from report.octave.archive import files
 from report.rendering.pieces import TEMPLATES

@@ -15,8 +15,8 @@ from functools import partial
 from importlib.metadata import version
 from typing import Self, TypeVar
 
-from report.building.source_closure import SourceTree
-from report.building.stage_store import StageStore
+from report.cache.source_closure import SourceTree
+from report.cache.stage_store import StageStore
 from report.folders import templates
 from report.rendering.mathml import repaired
 from report.rendering.pandoc import read, write

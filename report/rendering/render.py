@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 from report.document import Document
 from report.rendering.html import to_html
 from report.rendering.json import to_json

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.building.source_closure import ROOT
+from report.cache.source_closure import ROOT
 from report.claim import Finding
 from report.document import Document
 from report.rendering.links import BrokenLinkError

@@ -2,10 +2,9 @@
 
 import pytest
 
-from report.chapters.all_claims import SECTIONS, claims_of, require_known_once
+from report.collect import collect
 from report.evidence import gather
 from report.inventory import read_inventory
-from report.record import ClaimRecord, modules, records
 
 
 @pytest.fixture(scope="session")
@@ -19,18 +18,10 @@ def evidence():
 
 
 @pytest.fixture(scope="session")
-def claims_of_sections(evidence):
-    """Claims by the name of the module that makes them."""
-    return {section.__name__: claims_of(section, evidence) for section in SECTIONS}
+def records(inventory):
+    return collect(inventory)
 
 
 @pytest.fixture(scope="session")
-def claims(claims_of_sections, inventory):
-    made = [claim for claims in claims_of_sections.values() for claim in claims]
-    require_known_once((claim.id for claim in made), inventory)
-    return {claim.id: claim for claim in made}
-
-
-@pytest.fixture(scope="session")
-def records_by_id():
-    return {record.id: record for module in modules() for record in records(module, ClaimRecord)}
+def claims(evidence, records):
+    return {claim_id: record.claim(evidence) for claim_id, record in records.by_id.items()}

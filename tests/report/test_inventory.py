@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from report.chapters.all_claims import ClaimIdError, require_known_once
+from report.collect import ClaimIdError, require_known_once
 from report.inventory import FURTHER, PATH, InventoryError, read_inventory
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"

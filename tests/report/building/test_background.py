@@ -42,7 +42,7 @@ def test_the_work_is_done_in_another_process():
 @pytest.mark.skipif(os.cpu_count() == 1, reason="one core, one process")
 def test_no_process_waits_for_the_job_of_another():
     """Results larger than a pipe's buffer once made a process wait until all jobs of the other were done."""
-    results = run([partial(time.sleep, 60), *[partial(bytes, 1_000_000)] * 4])
+    results = run([partial(time.sleep, 2), *[partial(bytes, 1_000_000)] * 4])
     assert [len(next(results).result) for _ in range(4)] == [1_000_000] * 4
     results.close()
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from report.building.progress import Progress
-from report.building.stage_store import StageStore
 from report.building.tasks import Task, done
+from report.cache.stage_store import StageStore
 
 
 def square(number: int) -> tuple[int, int]:

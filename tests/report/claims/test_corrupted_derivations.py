@@ -100,9 +100,9 @@ def _verdicts(record: ClaimRecord, evidence: Evidence, inventory) -> tuple[str, 
 
 
 @pytest.mark.parametrize("name", CORRUPTIONS)
-def test_a_corrupted_derivation_is_noticed(name, evidence, inventory, records_by_id):
+def test_a_corrupted_derivation_is_noticed(name, evidence, inventory, records):
     corruption = CORRUPTIONS[name]
-    record = records_by_id[corruption.claim]
+    record = records.by_id[corruption.claim]
     sound = _verdicts(record, evidence, inventory)
     assert sound != ("contradiction",)
     assert _verdicts(record, corruption.corrupt(evidence), inventory) != sound

@@ -26,43 +26,43 @@ def test_the_turned_output_has_no_limit_cycle_because_the_gain_is_too_large_wher
 
 
 def test_with_the_output_of_the_state_space_the_loop_would_have_its_limit_cycles(
-    evidence, inventory, records_by_id
+    evidence, inventory, records
 ):
     """A turned plant makes the output of section 3.1 the right one; then the second way contradicts."""
     numbers = replace(evidence.numbers, displacement_only=-evidence.numbers.displacement_only)
-    claim = records_by_id["txt-3.1-output-sign"].claim(replace(evidence, numbers=numbers))
+    claim = records.by_id["txt-3.1-output-sign"].claim(replace(evidence, numbers=numbers))
     with pytest.raises(ContradictionError, match=r"figure 2\.5"):
         judge(claim, inventory[claim.id])
 
 
-def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, inventory, records_by_id):
+def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, inventory, records):
     stable = evidence.motion.closed.orbits.friction.stable.amplitude
     changed = with_orbits(evidence, left_by=(stable, stable))
-    claim = records_by_id["txt-7-play-stability"].claim(changed)
+    claim = records.by_id["txt-7-play-stability"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.ERRATUM, Verdict.REPRODUCED]
 
 
-def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory, records_by_id):
+def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory, records):
     cycles = evidence.cycles
     twice = replace(cycles.friction, unstable=cycles.friction.stable)
     changed = replace(evidence, cycles=replace(cycles, friction=twice))
-    claim = records_by_id["txt-7-only-stable"].claim(changed)
+    claim = records.by_id["txt-7-only-stable"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED]
 
 
-def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory, records_by_id):
+def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory, records):
     cycles = evidence.cycles
     away = replace(cycles.friction, unstable=cycles.friction.stable)
     changed = replace(evidence, cycles=replace(cycles, friction=away))
-    claim = records_by_id["txt-7-resonance"].claim(changed)
+    claim = records.by_id["txt-7-resonance"].claim(changed)
     assert verdicts(claim, inventory)[0] is Verdict.REPRODUCED
 
 
-def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, records_by_id):
+def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, records):
     released = evidence.motion.released
     same = tuple(replace(run, frequency=released.by_force[1].frequency) for run in released.by_force)
     changed = replace(evidence, motion=replace(evidence.motion, released=replace(released, by_force=same)))
-    claim = records_by_id["txt-3.3-friction-frequency"].claim(changed)
+    claim = records.by_id["txt-3.3-friction-frequency"].claim(changed)
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.REPRODUCED]
 
 

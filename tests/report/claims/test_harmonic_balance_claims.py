@@ -18,33 +18,33 @@ def with_cycles(evidence, **changes):
     return replace(evidence, cycles=replace(evidence.cycles, **changes))
 
 
-def test_a_limit_cycle_with_the_right_term_would_be_noticed(evidence, inventory, records_by_id):
+def test_a_limit_cycle_with_the_right_term_would_be_noticed(evidence, inventory, records):
     """A wrong number of limit cycles contradicts the other way to it, so nothing is judged."""
     numbers = replace(evidence.cycles.equivalent, over_stiffness=evidence.cycles.equivalent.listing)
     changed = with_cycles(evidence, equivalent=numbers)
-    prediction = records_by_id["txt-5.2.5-prediction"].claim(changed)
+    prediction = records.by_id["txt-5.2.5-prediction"].claim(changed)
     with pytest.raises(ContradictionError, match="in its own place"):
         judge(prediction, inventory[prediction.id])
 
 
-def test_friction_that_feeds_the_oscillation_would_be_noticed(evidence, inventory, records_by_id):
+def test_friction_that_feeds_the_oscillation_would_be_noticed(evidence, inventory, records):
     branch = evidence.cycles.equivalent.in_place
     stable = branch.stable
     growing = Balances(stable.amplitude[::-1], stable.omega[::-1], stable.force_per_gap)
     numbers = replace(evidence.cycles.equivalent, in_place=replace(branch, stable=growing))
     changed = with_cycles(evidence, equivalent=numbers)
-    claim = records_by_id["txt-7-coulomb"].claim(changed)
+    claim = records.by_id["txt-7-coulomb"].claim(changed)
     assert verdicts(claim, inventory)[0] is Verdict.ERRATUM
-    figure = records_by_id["fig-5.24"].claim(changed)
+    figure = records.by_id["fig-5.24"].claim(changed)
     assert verdicts(figure, inventory) == [Verdict.REPRODUCED]
 
 
-def test_a_harmonic_that_comes_back_would_be_noticed(evidence, inventory, records_by_id, monkeypatch):
+def test_a_harmonic_that_comes_back_would_be_noticed(evidence, inventory, records, monkeypatch):
     monkeypatch.setattr(section_5_2_assumptions, "harmonic_leakage", lambda *_: (0.5,))
-    claim = records_by_id["txt-5.2-assumptions"].claim(evidence)
+    claim = records.by_id["txt-5.2-assumptions"].claim(evidence)
     assert verdicts(claim, inventory)[3] is Verdict.ERRATUM
     monkeypatch.setattr(figures_5_5_to_5_18_loci, "harmonic_leakage", lambda *_: (0.5,))
-    figure = records_by_id["fig-5.15"].claim(evidence)
+    figure = records.by_id["fig-5.15"].claim(evidence)
     assert verdicts(figure, inventory)[0] is Verdict.REPRODUCED
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 from report.document import Document
 from report.rendering import pandoc
 from report.rendering.markdown import to_markdown

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-from report.answers import answers
-from report.corrected_results import corrected_results
 from report.evidence import Evidence
 from report.inventory import read_inventory
+from report.overview.answers import answers
+from report.overview.corrected_results import corrected_results
 
 
 def test_all_seven_questions_are_answered_from_claims(evidence: Evidence) -> None:

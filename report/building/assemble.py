@@ -10,7 +10,6 @@ from derivations.latex import latex
 from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
 from report.alterations import Alterations
-from report.building.provenance import provenance
 from report.claim import Entry, Finding
 from report.document import (
     Answer,
@@ -26,6 +25,7 @@ from report.document import (
     Program,
 )
 from report.inventory import FURTHER, read_inventory
+from report.provenance import provenance
 from report.sections import read_sections
 from trimmer import TrimmerParameters
 

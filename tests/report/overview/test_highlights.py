@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from report.highlights import highlights
+from report.overview.highlights import highlights
 
 M = np.diag([0.035, 0.003, 0.005, 0.030])  # thesis, listing A.1
 K = 1e3 * np.array([[230, -30, 0, 0], [-30, 31, -1, 0], [0, -1, 251, -100], [0, 0, -100, 100]])

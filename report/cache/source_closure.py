@@ -12,8 +12,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Self
 
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 
+SUFFIXES = (".py", ".pyi")
 PACKAGES = ("derivations", "trimmer", "report")
 ROOT = Path(__file__).parents[2]
 IMPORTS = "imports"
@@ -53,10 +54,13 @@ class SourceTree:
         Imports inside functions and for type checking count too: they may name too much, never too little.
         """
         sources = {}
-        for path in sorted(path for package in PACKAGES for path in (root / package).rglob("*.py")):
+        for path in sorted(path for package in PACKAGES for path in (root / package).rglob("*.py*")):
+            if path.suffix not in SUFFIXES:
+                continue
             content = path.read_bytes()
             digest = hashlib.sha256(content).hexdigest()
-            imports = known[digest] if digest in known else tuple(_imports(ast.parse(content)))
+            package = path.parent.relative_to(root).as_posix().replace("/", ".")
+            imports = known[digest] if digest in known else tuple(_imports(ast.parse(content), package))
             sources[path.relative_to(root).as_posix()] = Source(digest, imports)
         return cls(sources)
 
@@ -106,18 +110,34 @@ class SourceTree:
             for path, source in self.sources.items()
         }
 
+    @cached_property
+    def _exported(self) -> dict[str, str]:
+        """The name in its module of each name that a package's stub exports."""
+        stubs = {path: source for path, source in self.sources.items() if path.endswith("/__init__.pyi")}
+        return {
+            f"{path.rpartition('/')[0].replace('/', '.')}.{name.rpartition('.')[2]}": name
+            for path, source in stubs.items()
+            for name in source.imports
+        }
+
     def _of(self, name: str) -> Iterator[str]:
-        """Yield the source of a module, or of the module that a name is imported from, and its packages'."""
-        parts = name.split(".")
-        for length in range(1, len(parts) + 1):
-            stem = "/".join(parts[:length])
-            yield from (path for path in (f"{stem}/__init__.py", f"{stem}.py") if path in self.sources)
+        """Yield the source of a module, or of the module that a name is imported from, and its packages'.
+
+        Of a package that imports its names on first use, a name alone depends on that name's module, and the
+        package itself on all.
+        """
+        parts = self._exported.get(name, name).split(".")
+        stems = ["/".join(parts[:length]) for length in range(1, len(parts) + 1)]
+        paths = [path for stem in stems for path in (f"{stem}/__init__.py", f"{stem}.py")]
+        paths.append(f"{name.replace('.', '/')}/__init__.pyi")
+        yield from (path for path in paths if path in self.sources)
 
 
-def _imports(module: ast.Module) -> Iterator[str]:
+def _imports(module: ast.Module, package: str) -> Iterator[str]:
     for node in ast.walk(module):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level == 0:
+        elif isinstance(node, ast.ImportFrom) and node.module is not None and node.level <= 1:
             # What is imported may be a module itself.
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            source = f"{package}.{node.module}" if node.level else node.module
+            yield from (f"{source}.{alias.name}" for alias in node.names)

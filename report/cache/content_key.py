@@ -10,11 +10,11 @@ import hashlib
 from importlib.metadata import version
 from pathlib import Path
 
-from report.building.provenance import libraries
-from report.building.source_closure import PACKAGES, ROOT
+from report.cache.source_closure import PACKAGES, ROOT
 from report.folders import templates
+from report.provenance import libraries
 
-SUFFIXES = (".py", ".csv")
+SUFFIXES = (".py", ".pyi", ".csv")
 
 
 def content_key() -> str:

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from report.building import source_closure
-from report.building.source_closure import ROOT, SourceTree
-from report.building.stage_store import StageStore
+from report.cache import source_closure
+from report.cache.source_closure import ROOT, SourceTree
+from report.cache.stage_store import StageStore
 
 LOADED = """
 import importlib, sys
@@ -94,9 +94,9 @@ def test_imports_are_kept_and_those_of_a_changed_source_are_read_again(
     read: list[str] = []
     imports = source_closure._imports
 
-    def noted(module: ast.Module) -> Iterator[str]:
+    def noted(module: ast.Module, package: str) -> Iterator[str]:
         read.append(ast.unparse(module))
-        return imports(module)
+        return imports(module, package)
 
     monkeypatch.setattr(source_closure, "_imports", noted)
     assert SourceTree.kept(store, root) == first

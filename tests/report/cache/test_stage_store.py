@@ -8,7 +8,7 @@ import control
 import numpy as np
 import sympy
 
-from report.building.stage_store import StageStore
+from report.cache.stage_store import StageStore
 
 
 def test_a_result_is_made_once_per_key(tmp_path: Path) -> None:

@@ -1,0 +1,1 @@
+"""What the first pages say: highlights, answers to the research questions, corrected predictions."""
