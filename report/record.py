@@ -30,10 +30,11 @@ if TYPE_CHECKING:
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
 MARK = "\0"
+MOST_PARAGRAPHS = 2
 
 
 class RecordError(ValueError):
-    """A record is not complete, or its text asks for what it does not give."""
+    """A record is not complete, or its text asks for what the record does not give."""
 
 
 @final
@@ -86,7 +87,7 @@ class ClaimRecord:
         """
         try:
             items = tuple(self.items(known))
-        except TextError as error:
+        except (RecordError, TextError) as error:
             raise RecordError(f"claim {self.id}: {error}") from error
         texts = [item for item in items if isinstance(item, Text)]
         if len(texts) != 1:
@@ -121,8 +122,15 @@ def text(prose: str, **numbers: object) -> Text:
     """Return the text of a claim: a paragraph that explains, and one on the consequence if there is any.
 
     For prose and numbers see ``report.text.filled``.
+
+    Raises:
+        RecordError: if there are more paragraphs.
+        TextError: see there.
     """
-    return Text(*filled(PARAGRAPH.sub(MARK, prose.strip()), **numbers).split(MARK))
+    paragraphs = filled(PARAGRAPH.sub(MARK, prose.strip()), **numbers).split(MARK)
+    if len(paragraphs) > MOST_PARAGRAPHS:
+        raise RecordError(f"the text {paragraphs[0][:60]!r} has {len(paragraphs)} paragraphs, not one or two")
+    return Text(*paragraphs)
 
 
 @final
