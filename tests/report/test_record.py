@@ -4,7 +4,7 @@ import pytest
 
 from report.claim import Certainty, Impact, Severity
 from report.parts import close, digits, equal, made_here, repeated, small, so, uncheckable
-from report.record import ClaimRecord, claim, text
+from report.record import ClaimRecord, RecordError, claim, text
 
 
 @claim("txt-1", source="trimmer/files.py", impact=Impact.LOCAL, lines=(3, 7), severity=Severity.RESULT)
