@@ -126,5 +126,3 @@ def hard_nonlinearities(_: Evidence) -> Record:
         None for backlash. Smooth springs and friction that grows with speed may be treated in the same way,
         as a refined model of the trimmer would need.
     """)
-
-# change 26
