@@ -1,4 +1,7 @@
-"""Small dense kernels, compiled, written so that the compiler can use vector instructions."""
+"""Sums of rows and values of polynomials, compiled, in loops that the compiler can vectorize.
+
+Results are written into an array of the caller, the last argument.
+"""
 
 from __future__ import annotations
 
@@ -76,7 +79,7 @@ def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
 
 @compiled
 def within(values: Reals, bound: float) -> bool:
-    """Tell whether all moduli are at most a bound; NaN is not."""
+    """Return whether all moduli are at most a bound; NaN is not."""
     outside = False
     for i in range(values.size):
         outside |= not abs(values[i]) <= bound
@@ -85,7 +88,7 @@ def within(values: Reals, bound: float) -> bool:
 
 @compiled
 def all_positive(values: Reals) -> bool:
-    """Tell whether all values are greater than zero."""
+    """Return whether all values are greater than zero; NaN is not."""
     found = False
     for i in range(values.size):
         found |= not values[i] > 0.0
@@ -94,7 +97,7 @@ def all_positive(values: Reals) -> bool:
 
 @compiled
 def any_below(values: Reals, count: int, bound: float) -> bool:
-    """Tell whether one of the first values is less than a bound."""
+    """Return whether one of the first ``count`` values is less than a bound."""
     found = False
     for i in range(count):
         found |= values[i] < bound
