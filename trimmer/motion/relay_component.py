@@ -97,6 +97,6 @@ class RelayComponent(Component):
         )
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Start with the sign of s, held where s is zero; there are no states, and no ``output`` to choose."""
+        """Start with the sign of s, held where s is zero; there are no states and no output to choose."""
         mode = HELD if switching_value == 0 else PLUS if switching_value > 0 else MINUS
         return mode, np.zeros(0)

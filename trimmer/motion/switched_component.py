@@ -174,7 +174,7 @@ class Component(ABC):
         """Return the law that determines the output in a mode."""
 
     def state_rates(self, mode: int) -> Reals:
-        """Return the matrix, ``state_count`` square, that gives the rates of the own states from themselves."""
+        """Return the matrix A, ``state_count`` square, in z' = A z of the own states z."""
         return np.zeros((self.state_count, self.state_count))
 
     def switching_function(self, signals: Signals) -> Reals:
