@@ -88,7 +88,7 @@ class Cells:
         return Cells(self.u_lower[which], self.u_upper[which], self.x_lower[which], self.x_upper[which])
 
     def split(self, along_u: Flags, parts: int) -> Cells:
-        """Cut each box into equal parts along u where flagged, along x elsewhere."""
+        """Cut each box into equal parts along u where flagged (shape (n,)), along x elsewhere."""
         shares = np.arange(parts + 1) / parts
         u = np.where(along_u[:, None], self.u_lower[:, None] + 2 * self.u_half[:, None] * shares, 0.0)
         x = np.where(along_u[:, None], 0.0, self.x_lower[:, None] + 2 * self.x_half[:, None] * shares)

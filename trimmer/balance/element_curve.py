@@ -71,7 +71,7 @@ class ElementCurve:
         return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
 
     def edge(self, x: Reals) -> Reals:
-        """Least upper bound of u at which the element has a describing function; broadcasts with x."""
+        """Supremum of u at which the element has a describing function, a number or in the shape of x."""
         if self.depends_on_x:
             return np.asarray(self.element.domain(self._omega(x)))
         return self._edge

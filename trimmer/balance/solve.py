@@ -37,7 +37,7 @@ def limit_cycles(
     Arguments and errors are those of ``harmonic_balance``.
 
     Returns:
-        In order of frequency; empty if there are none.
+        In order of frequency, then of amplitude; empty if there are none.
 
     Warns:
         UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there;

@@ -57,7 +57,10 @@ class Backlash(Element):
         """Return omega M/D, a number, at each omega (rad/s, any shape), limited to ``GAMMA_LIMITS``."""
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the largest gap/amplitude: (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+        """Return the largest gap/amplitude, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²).
+
+        It has the shape of ``omega``.
+        """
         return largest_ratio(self.gamma(self._omegas(omega)))[()]
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:

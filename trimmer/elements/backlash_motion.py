@@ -101,7 +101,7 @@ def fundamental(motion: BacklashMotion) -> Complexes:
 
 
 def slope_by_ratio(motion: BacklashMotion) -> Complexes:
-    """Evaluate dN/d(g/A) of the first harmonic at constant omega: (2/π) exp(-j impact phase)."""
+    """Evaluate dN_1/d(g/A) = (2/π) exp(-j impact phase) at constant omega, in the shape of the arrays."""
     return np.asarray(SLOPE_BY_RATIO * np.exp(-1j * motion.impact_phase))
 
 

@@ -61,7 +61,10 @@ def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
 
 
 def largest_ratio(gamma: Reals) -> Reals:
-    """Return the g/A of a flight of half a period: (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+    """Return the g/A of a flight of half a period, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²).
+
+    It has the shape of gamma.
+    """
     cosine, sine = separation(gamma)
     return np.asarray(2.0 * sine - cosine * gamma * np.expm1(-np.pi / gamma))
 

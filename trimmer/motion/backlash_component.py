@@ -138,7 +138,7 @@ class BacklashComponent(Component):
         return (EventFunction(share - SETTLED * signals.one, rest, rest),)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Start at rest in the gap, or in contact where the requested output would lie outside the gap."""
+        """Start at rest in the gap, or in contact where the requested output, m, would lie outside of it."""
         mode, position = RESTING if self.slows_down else FREE, output
         if input_value - output > 0.5 * self.gap:
             mode, position = UPPER, input_value - 0.5 * self.gap

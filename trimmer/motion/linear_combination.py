@@ -19,7 +19,7 @@ def copy(values: Reals, count: int, result: Reals) -> None:
 
 @compiled
 def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
-    """Write the first ``count`` entries of the sum of rows with weights, four rows at a time."""
+    """Write the first ``count`` entries of weights (m,) times rows (m, n), four rows at a time."""
     last = weights.size - 1
     for i in range(count):
         result[i] = weights[last] * rows[last, i]
@@ -37,7 +37,7 @@ def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
 
 @compiled
 def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the sum of polynomials of degree DEGREE with weights; their length is known to the compiler."""
+    """Write weights (m,) times rows (m, DEGREE + 1), polynomials whose length the compiler knows."""
     for i in range(DEGREE + 1):
         result[i] = 0.0
     for j in range(weights.size):
@@ -47,7 +47,7 @@ def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
 
 @compiled
 def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> None:
-    """Evaluate the state at a fraction of a step from its first ``count`` Taylor terms (Horner)."""
+    """Evaluate the state (n,) at a fraction of a step from its first ``count`` Taylor terms, side by side."""
     size = result.size
     for i in range(size):
         result[i] = terms[(count - 1) * size + i]
@@ -69,7 +69,7 @@ def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> No
 
 @compiled
 def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the sum of polynomials of degree DEGREE with the moduli of weights."""
+    """Write the moduli of weights (m,) times rows (m, DEGREE + 1)."""
     for i in range(DEGREE + 1):
         result[i] = 0.0
     for j in range(weights.size):

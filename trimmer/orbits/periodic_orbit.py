@@ -84,14 +84,14 @@ class PeriodicOrbit:
 
     @property
     def amplitude_error(self) -> float:
-        """Error of the predicted amplitude relative to the exact one; NaN without prediction."""
+        """Error of the predicted amplitude relative to the exact one, a number; NaN without prediction."""
         if self.prediction is None:
             return float("nan")
         return self.prediction.amplitude / self.amplitude - 1.0
 
     @property
     def frequency_error(self) -> float:
-        """Error of the predicted frequency relative to the exact one; NaN without prediction."""
+        """Error of the predicted frequency relative to the exact one, a number; NaN without prediction."""
         if self.prediction is None:
             return float("nan")
         return self.prediction.frequency / self.frequency - 1.0

@@ -40,7 +40,7 @@ class OddPolynomial:
         return values
 
     def largest(self) -> float:
-        """Return the largest value over a period, which is half of peak to peak."""
+        """Return the largest value over a period, which is half of peak to peak, in its unit."""
         phases = np.linspace(0.0, 2.0 * np.pi, 2 * POINTS)
         best = float(phases[int(np.argmax(self(phases)))])
         width = float(phases[1])
