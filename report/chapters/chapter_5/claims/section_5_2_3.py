@@ -168,7 +168,7 @@ def proven(*steps: ProvenStep) -> bool:
     """Return whether every equation of the steps is proven."""
     try:
         for step in steps:
-            step.tell()
+            step.proven()
     except UnprovenError:
         return False
     return True
