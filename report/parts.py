@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
 
@@ -43,6 +44,7 @@ def assertion(
     evidence: str,
     *,
     method: str,
+    numbers: Mapping[str, object] | None = None,
     asserted: bool = True,
     **more: Unpack[More],
 ) -> Part:
@@ -52,13 +54,14 @@ def assertion(
         label: what the part is about; empty for the only part.
         statement: the property, as Markdown.
         derived: whether it holds.
-        evidence: what shows it, with its numbers, as Markdown.
+        evidence: what shows it, as Markdown.
         method: how it was found.
+        numbers: those that the evidence asks for; see ``report.text.filled``.
         asserted: False where the thesis denies the property.
         more: see ``More``.
     """
-    found = Assertion(filled(statement), bool(derived), filled(evidence), filled(method), asserted)
-    return part(label, found, **more)
+    shown = filled(evidence, **(numbers or {}))
+    return part(label, Assertion(filled(statement), bool(derived), shown, filled(method), asserted), **more)
 
 
 def expression(
@@ -111,6 +114,12 @@ def made_here(name: str, derived: Any) -> Slip:
 def repeated(name: str, derived: Any) -> Slip:
     """Name a slip that was made somewhere else and is repeated here faithfully."""
     return Slip(filled(name), derived, Verdict.EXPLAINED)
+
+
+def same(means: str, first: Any, second: Any) -> Confirmation:
+    """Confirm an expression or a matrix by another derivation of it."""
+    alike = SameMatrix if isinstance(first, sympy.MatrixBase) else SameExpression
+    return Confirmation(filled(means), alike(first, second))
 
 
 def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:

@@ -11,7 +11,6 @@ from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
 from report.parts import assertion, equal
 from report.record import Record, claim, text
-from report.text import filled
 
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
 
@@ -29,14 +28,11 @@ def components(known: Evidence) -> Record:
         "guard to guard housing, guard housing to plastic housing",
         "the guard is carried by the guard housing, and this by the plastic housing",
         stiffness[3, 2] != 0 and to_surroundings[2] != 0 and to_surroundings[3] == 0,
-        filled(
-            """
-            the guard is tied by $[[ guard | latex ]]$ to its housing and by nothing to the surroundings, the
-            housing by $[[ housing | latex ]]$
-            """,
-            guard=-stiffness[3, 2],
-            housing=to_surroundings[2],
-        ),
+        """
+        the guard is tied by $[[ guard | latex ]]$ to its housing and by nothing to the surroundings, the
+        housing by $[[ housing | latex ]]$
+        """,
+        numbers={"guard": -stiffness[3, 2], "housing": to_surroundings[2]},
         method="forces on each body for a unit of each displacement",
         second=Confirmation("the second derivatives of the potential energy", slopes),
     )
@@ -44,14 +40,10 @@ def components(known: Evidence) -> Record:
         "cutter and driving bridge",
         "cutter and driving bridge are one rigid body",
         free == len(MOVING_PARTS) - 1,
-        filled(
-            """
-            of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a
-            displacement
-            """,
-            parts=", ".join(MOVING_PARTS),
-            free=free,
-        ),
+        """
+        of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a displacement
+        """,
+        numbers={"parts": ", ".join(MOVING_PARTS), "free": free},
         method="rank of the mass matrix",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), free),
     )

@@ -193,14 +193,11 @@ def zero_gap(_: Evidence) -> Record:
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    yield text(
-        """
+    yield text("""
         Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
         output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
         for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
-        """,
-        left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()),
-    )
+    """).given(left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
 
 
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
@@ -247,16 +244,13 @@ def gamma(_: Evidence) -> Record:
         method="dimension check of equation 2.45",
         second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
     )
-    yield text(
-        r"""
+    yield text(r"""
         With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
         is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
 
         The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
         hundred times larger.
-        """,
-        right=right,
-    )
+    """).given(right=right)
 
 
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
@@ -279,13 +273,9 @@ def angle_of_separation(_: Evidence) -> Record:
         method="angle over angular frequency",
         second=close("the share of a turn, of the period of 10 ms", share, as_time),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
         [[ degrees | f2 ]] degrees, and it is an angle, not a time.
 
         None on later numbers: the section computes no waveform from it.
-        """,
-        angle=right,
-        degrees=math.degrees(right),
-    )
+    """).given(angle=right, degrees=math.degrees(right))

@@ -23,7 +23,6 @@ from report.comparisons.printed import product
 from report.evidence import Evidence
 from report.parts import assertion, close, expression, matrix, small
 from report.record import ClaimRecord, Record, claim, text
-from report.text import filled
 from trimmer import frequency_response, linear_model
 
 LAPLACE = "derivations/laplace.py"
@@ -123,21 +122,20 @@ def linear_listing(known: Evidence) -> Record:
         pin
         """,
         abs(whole - kept) <= 1e-6 * abs(kept),
-        filled(
-            """
-            the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
-            [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
-            """,
-            omega=LIMIT_CYCLE_OMEGA,
-            larger=100 * (abs(whole / kept) - 1),
-            lead=math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
-        ),
+        """
+        the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
+        [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
+        """,
+        numbers={
+            "omega": LIMIT_CYCLE_OMEGA,
+            "larger": 100 * (abs(whole / kept) - 1),
+            "lead": math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
+        },
         method="both transfer functions evaluated",
         second=close(r"$G_1 + sG_2 = (1 + s\,c_2/k_2)\,G_1$", by_factor, whole),
     )
     without, with_it = (control.margin(system)[1] for system in systems)
-    yield text(
-        r"""
+    yield text(r"""
         The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line 58
         keeps the first input alone. The text gives the choice of output as the reason, but an output cannot
         decide which inputs act: they are displacement and velocity of the pin, not a relative motion of the
@@ -146,10 +144,7 @@ def linear_listing(known: Evidence) -> Record:
         Every later prediction uses the pin's displacement alone. The neglected factor $1 + s\,c_2/k_2$ adds
         phase: at unit gain the loop's phase margin is [[ without | f2 ]] degrees without it and
         [[ with_it | f2 ]] with it. The predicted limit cycles depend on this margin.
-        """,
-        without=without,
-        with_it=with_it,
-    )
+    """).given(without=without, with_it=with_it)
 
 
 @claim("txt-A.2-two-columns", source="derivations/state_space.py", impact=Impact.NOTATION)

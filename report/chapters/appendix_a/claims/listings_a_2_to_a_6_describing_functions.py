@@ -36,7 +36,6 @@ from report.numbers.independent.listed_describing_functions import (
 )
 from report.parts import assertion, close, expression, made_here
 from report.record import ClaimRecord, Record, claim, text
-from report.text import filled
 
 BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
@@ -77,27 +76,22 @@ def friction_controlled(claim_id: str, remark: str) -> ClaimRecord:
             "amplitudes inside the dead band",
             "the function returns zero where the pin does not reach the bridge",
             abs(inside) < 1e-12,
-            filled(
-                """
-                the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
-                [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
-                """,
-                inside=inside,
-            ),
+            """
+            the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
+            [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
+            """,
+            numbers={"inside": inside},
             method=REPEATED,
             second=close("the square root of a negative number", by_formula, inside),
         )
-        yield text(
-            """
+        yield text("""
             The formula is right when $b$ is the total gap; equations 2.36 to 2.41 use half of it for the same
             letter. The guard of line 6 asks for $A < b$ where $A < b/2$ is meant, and has no effect.
             [[ remark ]]
 
             The plots start above $b/2$, so no figure shows it. A search that strays below $b/2$ gets complex
             numbers that mean nothing.
-            """,
-            remark=remark,
-        )
+        """).given(remark=remark)
 
     return record
 
@@ -131,14 +125,11 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
             "with another $w$",
             "the result does not depend on the second argument",
             abs(two - one) < 1e-9,
-            filled(
-                """
-                at Beta = 1 it is [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
-                [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
-                """,
-                one=one,
-                two=two,
-            ),
+            """
+            at Beta = 1 it is [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
+            [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
+            """,
+            numbers={"one": one, "two": two},
             method=REPEATED,
             second=close(by_half, inertia_formula(angle / 2, 1.0), two),
         )

@@ -30,7 +30,6 @@ from report.numbers.independent.listed_blocks import (
 from report.octave.formulas import LOAD, PIN, friction_step
 from report.parts import More, assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
@@ -141,14 +140,11 @@ def inertia_controlled(_: Evidence) -> Record:
         "output over time",
         "the output is continuous",
         abs(jump) < 1e-9 * DRIVE_GAP,
-        filled(
-            """
-            at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the
-            rounded constant
-            """,
-            jump=1e6 * jump,
-            share=100 * abs(jump) / DRIVE_GAP,
-        ),
+        """
+        at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the rounded
+        constant
+        """,
+        numbers={"jump": 1e6 * jump, "share": 100 * abs(jump) / DRIVE_GAP},
         method=REPEATED,
         second=close(r"the printed constant less $\pi A + b/2$", lacking, jump, 1e-6),
     )
@@ -161,15 +157,15 @@ def inertia_controlled(_: Evidence) -> Record:
         "conditions of lines 10 to 13",
         "every instant belongs to one of the pieces",
         abs(output) > DRIVE_AMPLITUDE / 2,
-        filled(
-            """
-            at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]:
-            two conditions ask for more and for less, none for equal
-            """,
-            instant=PRINTED_CONTACT,
-            pin=1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
-            output=output,
-        ),
+        """
+        at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]: two
+        conditions ask for more and for less, none for equal
+        """,
+        numbers={
+            "instant": PRINTED_CONTACT,
+            "pin": 1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
+            "output": output,
+        },
         method=REPEATED,
         second=second,
     )
@@ -181,18 +177,15 @@ def inertia_controlled(_: Evidence) -> Record:
         "input",
         "the block takes the input wave from its argument",
         still != moved,
-        filled(
-            """
-            in lines 10 and 12 the output is a function of time alone; an eighth of a period after its start
-            it is [[ output | f3 ]] mm wherever the pin is
-            """,
-            output=1e3 * still,
-        ),
+        """
+        in lines 10 and 12 the output is a function of time alone; an eighth of a period after its start it is
+        [[ output | f3 ]] mm wherever the pin is
+        """,
+        numbers={"output": 1e3 * still},
         method=f"{REPEATED}, for two inputs",
         second=close(r"line 10 by itself, $A\omega t - b/2$", by_itself, still),
     )
-    yield text(
-        """
+    yield text("""
         The four pieces are those of the derived waveform, and the contact time is right to every digit. The
         offset of line 12 is cut to two digits, which makes the output jump by [[ jump | f1 ]] µm twice a
         period. Flight is written as a function of time for one amplitude, frequency and phase, so the block
@@ -200,9 +193,7 @@ def inertia_controlled(_: Evidence) -> Record:
 
         It can stand behind the drive of 100 Hz and 1.5 mm in open loop, as in figures 4.2 and 5.14. In a
         closed loop, and at the 109.845 Hz that the text gives, its output means nothing.
-        """,
-        jump=-1e6 * jump,
-    )
+    """).given(jump=-1e6 * jump)
 
 
 @claim("txt-A.9-constants", source=ELEMENT)
@@ -215,14 +206,13 @@ def constants(_: Evidence) -> Record:
     yield digits("`phi`, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
     second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
     yield digits(r"the constant of line 12, $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
-    yield text(
-        r"""
+    yield text(r"""
         Both are right to their digits, for 100 Hz: the contact angle is [[ angle | f5 ]] rad, and `phi` is
         that angle over $\omega$, in seconds. Two digits are few for the second one: [[ offset | f4 ]] mm is
         meant, and the [[ missing | f1 ]] µm that are missing make half of each period lower by
         [[ share | f0 ]] % of the gap while the bridge flies, so the output holds even harmonics that backlash
         cannot make.
-        """,
+    """).given(
         angle=angle,
         offset=1e3 * offset,
         missing=1e6 * (offset - float(PRINTED_OFFSET)),
@@ -270,14 +260,11 @@ def frequency(_: Evidence) -> Record:
         method=f"{REPEATED}, beside the derived waveform",
         second=so("its output a whole period of that input later, which is another one", another),
     )
-    yield text(
-        """
+    yield text("""
         Contact time and period of the listing are those of 100 Hz. With the text's frequency the pieces run
         at 100 Hz while the input does not, so the output is periodic with neither and holds sums and
         differences of both; the contact time would have to be [[ contact | f7 ]] s. Table 3.1 has 109.945 Hz
         for the same drive.
 
         What was drawn with the listing was drawn for 100 Hz.
-        """,
-        contact=angle / (TURN * in_text),
-    )
+    """).given(contact=angle / (TURN * in_text))

@@ -201,18 +201,14 @@ def output_with_the_slip(known: Evidence) -> float:
 @claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL)
 def pin_velocity(known: Evidence) -> Record:
     yield velocity_part()
-    yield text(
-        r"""
+    yield text(r"""
         The derivative of $A\sin(2\pi f t)$ keeps its amplitude, which the printed line loses. The units show
         it too: the printed right side is in 1/s, a velocity is in m/s.
 
         The printed velocity is [[ larger | f0 ]] times too large at $A = 1.5$ mm. Fed into the second input
         at 100 Hz, it would give figure 5.1 an amplitude of [[ output | f1 ]] mm; the thesis finds 1.5 mm
         there, and its loop drops the velocity (Listing A.1, line 58), so neither contains this slip.
-        """,
-        larger=1 / DRIVE_AMPLITUDE,
-        output=1e3 * output_with_the_slip(known),
-    )
+    """).given(larger=1 / DRIVE_AMPLITUDE, output=1e3 * output_with_the_slip(known))
 
 
 @claim("txt-2.2.1-single-input-velocity", source=SYMBOLS, impact=Impact.LOCAL)
@@ -222,8 +218,7 @@ def pin_velocity_in_words(known: Evidence) -> Record:
     second = Confirmation("velocity and acceleration at any time", SameExpression(squared, amplitude**2))
     yield velocity_part()
     yield expression("its amplitude", RATE, amplitude, second=second, slip=made_here(AMPLITUDE_LOST, RATE))
-    yield text(
-        r"""
+    yield text(r"""
         The factor before the cosine of equation 2.8 is $2\pi f$, [[ rate | f1 ]]/s at [[ frequency | f0 ]]
         Hz. The velocity of a pin with an eccentricity of [[ size ]] mm has the amplitude $2\pi f A =
         [[ velocity | f4 ]]$ m/s.
@@ -231,7 +226,7 @@ def pin_velocity_in_words(known: Evidence) -> Record:
         Equation 3.2 and the equations of motion take the velocity as an input. Figure 5.1 does not contain
         the slip, which would make it [[ higher | f1 ]] times too high; the models behind chapter 3 are not
         given.
-        """,
+    """).given(
         rate=DRIVE_OMEGA,
         frequency=DRIVE_FREQUENCY,
         size=1e3 * DRIVE_AMPLITUDE,

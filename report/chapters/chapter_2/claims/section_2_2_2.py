@@ -99,15 +99,12 @@ def transform_integral(capital: str, small: str) -> Record:
         printed_form=Mathematics(printed),
         derived_form=Mathematics(rf"{printed}\,dt"),
     )
-    yield text(
-        """
+    yield text("""
         The printed integral lacks $dt$. With it, the transform has the unit of $[[ small ]]$ times a second,
         as equation 2.20 needs.
 
         None: the later equations use the transform with its $dt$.
-        """,
-        small=small,
-    )
+    """).given(small=small)
 
 
 @claim("eq-2.18", source=SOURCE, impact=Impact.NOTATION)

@@ -13,7 +13,6 @@ from report.numbers.independent import stability_examples
 from report.numbers.linear_numbers import exact_values
 from report.parts import assertion, close, digits, equal, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
 
 SOURCE = "derivations/stability.py"
 
@@ -45,14 +44,12 @@ def corollary(_: Evidence) -> Record:
         $\gamma \ge 0$
         """,
         sympy.limit(norm, time, sympy.oo) < sympy.oo,
-        filled(
-            r"""
-            the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$,
-            which no $K$ bounds. True is: $\mathrm{Re}\,\lambda_k < 0$ for every $k$ if and only if such a
-            bound holds with some $\gamma > 0$
-            """,
-            norm=norm,
-        ),
+        r"""
+        the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$, which no
+        $K$ bounds. True is: $\mathrm{Re}\,\lambda_k < 0$ for every $k$ if and only if such a bound holds with
+        some $\gamma > 0$
+        """,
+        numbers={"norm": norm},
         method="counterexample with its matrix exponential in closed form",
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
@@ -101,15 +98,14 @@ def nyquist_statement(_: Evidence) -> Record:
         second=equal("a loop with one unstable pole", example.points_that_agree(), [critical]),
         slip=made_here("the minus sign is lost", -critical),
     )
-    yield text(
-        """
+    yield text("""
         The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the sentence before says. Example: $G =
         2/(s - 1)$ with unit feedback has one open-loop pole in the right half plane and is [[ stability ]] in
         closed loop. Its locus turns [[ about_critical ]] time counter-clockwise about $-1$, as the criterion
         asks, and [[ about_printed ]] times about $+1$.
 
         None: section 5.1.2 and all later sections use $(-1, j0)$.
-        """,
+    """).given(
         stability="stable" if example.stable_in_loop else "unstable",
         about_critical=example.turns[-1],
         about_printed=example.turns[1],

@@ -20,7 +20,6 @@ from report.numbers.independent.van_der_pol import third_harmonic
 from report.numbers.textbook_loops import relay_loop
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_OMEGA
 from trimmer import filtering_ratio
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -106,13 +105,11 @@ def van_der_pol(_: Evidence) -> Record:
         r"$\alpha = 0$",
         "there is a limit cycle, to which other motions tend",
         gained.subs(alpha, 0) != 0,
-        filled(
-            r"""
-            $(x^2 + \dot x^2)/2$ changes by $[[ gained | latex ]]$, $v = \dot x$, and for $\alpha = 0$ not at
-            all: every motion keeps its amplitude
-            """,
-            gained=gained,
-        ),
+        r"""
+        $(x^2 + \dot x^2)/2$ changes by $[[ gained | latex ]]$, $v = \dot x$, and for $\alpha = 0$ not at all:
+        every motion keeps its amplitude
+        """,
+        numbers={"gained": gained},
         method="balance of energy",
         second=Confirmation("a circle of any radius solves the equation", residual),
     )
@@ -128,8 +125,7 @@ def van_der_pol(_: Evidence) -> Record:
         second=Confirmation("simplification to one", to_one),
     )
     damping = 1.0
-    yield text(
-        r"""
+    yield text(r"""
         For $\alpha = 0$ nothing is dissipated: every orbit is closed and none is a limit cycle by the
         thesis's own definition, so the condition is $\alpha > 0$. And an ellipse over position and velocity
         is a sinusoid, the very shape that the method assumes. Van der Pol's limit cycle is nearly that for
@@ -138,10 +134,7 @@ def van_der_pol(_: Evidence) -> Record:
 
         None on numbers. The caution is right and section 6.1 repeats it; its example is the other end, large
         $\alpha$.
-        """,
-        damping=damping,
-        third=100 * third_harmonic(damping),
-    )
+    """).given(damping=damping, third=100 * third_harmonic(damping))
 
 
 @claim("txt-2.3.3-amplitude-only", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
@@ -163,17 +156,11 @@ def amplitude_only(_: Evidence) -> Record:
         "",
         statement,
         abs(driven - cycling) < 1e-9,
-        filled(
-            """
-            a load with $M/D$ of 1 ms has [[ a.real | f3 ]] [[ a.imag | signed3 ]] j at [[ drive | f0 ]] rad/s
-            and [[ b.real | f3 ]] [[ b.imag | signed3 ]] j at [[ near | f0 ]] rad/s, with two gaps of
-            amplitude
-            """,
-            a=driven,
-            b=cycling,
-            drive=DRIVE_OMEGA,
-            near=near_limit_cycle,
-        ),
+        """
+        a load with $M/D$ of 1 ms has [[ a.real | f3 ]] [[ a.imag | signed3 ]] j at [[ drive | f0 ]] rad/s and
+        [[ b.real | f3 ]] [[ b.imag | signed3 ]] j at [[ near | f0 ]] rad/s, with two gaps of amplitude
+        """,
+        numbers={"a": driven, "b": cycling, "drive": DRIVE_OMEGA, "near": near_limit_cycle},
         method="the describing function of viscous-controlled backlash at two frequencies",
         second=Confirmation("the derived phase of separation", independent),
     )
@@ -300,17 +287,13 @@ def ratio_of_signals(_: Evidence) -> Record:
         second=Confirmation("the ratio of the phasors", SameExpression(sympy.simplify(phasors), derived)),
         slip=made_here("the ratio of the signals is taken, not that of their phasors", printed),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The ratio of two sines depends on time (for $\phi = 60$ degrees it is [[ early | f2 ]] at $\omega t =
         0.5$ and [[ late | f2 ]] at $\omega t = 1$) and is infinite at every zero of the input. The describing
         function is the ratio of the phasors, a complex constant.
 
         None: equation 2.35 takes the ratio of the phasors.
-        """,
-        early=early,
-        late=late,
-    )
+    """).given(early=early, late=late)
 
 
 @claim("eq-2.35", source=SOURCE)

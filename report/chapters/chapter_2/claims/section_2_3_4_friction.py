@@ -147,8 +147,7 @@ def waveform(_: Evidence) -> Record:
     for index, (line, value, segment) in enumerate(zip(LINES, printed, WAVEFORM.segments, strict=True)):
         second, slip = continuous(WAVEFORM, index, VALUES), made_here(EXCHANGED, -segment.value)
         yield expression(f"{line} piece", value, segment.value, "y", assume=REACHED, second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         After its peak at $\omega t = \pi/2$ the pin lets go and the bridge stays where it is, at $+(A - b)$;
         after the trough it stays at $-(A - b)$. The printed signs are exchanged, so the output would jump by
         $[[ jump | latex ]]$ at the start of contact, and the bridge would leave the gap. The moving pieces
@@ -156,9 +155,7 @@ def waveform(_: Evidence) -> Record:
 
         The same signs stand in the integrals of equation 2.37, whose values are nevertheless those of the
         right waveform; the describing function is not touched.
-        """,
-        jump=2 * (A - b),
-    )
+    """).given(jump=2 * (A - b))
 
 
 @claim("txt-2.3.4-first-segment-value", source=SOURCE, impact=Impact.LOCAL)

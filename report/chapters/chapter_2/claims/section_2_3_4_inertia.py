@@ -23,7 +23,6 @@ from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
 from report.parts import assertion, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
 
 SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
@@ -141,14 +140,11 @@ def imaginary_signs(_: Evidence) -> Record:
         "",
         "the imaginary part is negative for inertia-controlled, positive for friction-controlled backlash",
         all(sample > 0 for sample in samples),
-        filled(
-            """
-            for friction-controlled backlash it is $[[ derived | latex ]]$, negative for every $A > g/2$, and
-            $[[ largest | latex ]]$ where it is largest in size
-            """,
-            derived=sympy.factor(friction),
-            largest=friction.subs(GAP, A),
-        ),
+        """
+        for friction-controlled backlash it is $[[ derived | latex ]]$, negative for every $A > g/2$, and
+        $[[ largest | latex ]]$ where it is largest in size
+        """,
+        numbers={"derived": sympy.factor(friction), "largest": friction.subs(GAP, A)},
         method="sign of the derived coefficient over the whole domain",
         second=so("python-control's describing function of backlash at five amplitudes", negative),
     )

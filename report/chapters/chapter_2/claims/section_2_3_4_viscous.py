@@ -144,13 +144,10 @@ def ratio(_: Evidence) -> Record:
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
     yield expression("", printed, second / first, GAMMA)
-    yield text(
-        r"""
+    yield text(r"""
         With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
         ratio. Its unit is [[ unit ]]: a pure number.
-        """,
-        unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}),
-    )
+    """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
 
 
 @claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM)

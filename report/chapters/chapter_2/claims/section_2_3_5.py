@@ -16,7 +16,6 @@ from report.evidence import Evidence
 from report.numbers.independent.symbolic_roots import zeros_in_turn
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
 
@@ -67,13 +66,11 @@ def friction_as_relay(_: Evidence) -> Record:
         "an ideal relay in the velocity",
         "friction is a relay that switches where the velocity changes its sign",
         switching == zeros_in_turn(COSINE, THETA) and levels == {FORCE, -FORCE},
-        filled(
-            r"""
-            under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
-            [[ angles ]]$
-            """,
-            angles=angles,
-        ),
+        r"""
+        under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
+        [[ angles ]]$
+        """,
+        numbers={"angles": angles},
         method="levels and limits of the derived waveform",
         second=close(means, overlap, float(phases.size)),
     )

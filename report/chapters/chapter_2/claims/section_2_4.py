@@ -136,8 +136,7 @@ def units(_: Evidence) -> Record:
             altered and backlash.subs(in_milliseconds) == backlash,
         ),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Backlash turns a displacement into a displacement, friction a velocity into a force. Even with the
         right operator friction is a stiffness ($j\,4F_c/(\pi A)$, in [[ stiffness ]]), and needs to be
         divided by one, such as $k_2$, before it can be added to a number. Besides, it acts between cutter and
@@ -145,6 +144,4 @@ def units(_: Evidence) -> Record:
 
         Every contour of section 5.2.5 adds quantities of different units; its numbers have no physical
         meaning.
-        """,
-        stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS),
-    )
+    """).given(stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))

@@ -62,13 +62,10 @@ def motions(known: Evidence, gap: float, case: str) -> Record:
         second=so(means, bound < 1),
     )
     yield measured("measured motions")
-    yield text(
-        """
+    yield text("""
         The model [[ case ]] moves as the text describes. The recorded curves cannot be checked, and the
         figure drawn here has the parameters of Listing A.1, not those of the experiment's trimmer.
-        """,
-        case=case,
-    )
+    """).given(case=case)
 
 
 def largest(run: DrivenRun) -> set[int]:
@@ -217,16 +214,13 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
         second=driven.confirm_odd(known),
     )
     yield simulated()
-    yield text(
-        """
+    yield text("""
         With the printed gap the spectrum would be empty, see figure 3.7. With a gap that is crossed it holds
         the odd harmonics, and, if the record begins with the start, natural modes that die out: with Listing
         A.1 at [[ mode | f0 ]] Hz, in the place of the peak at 366 Hz.
 
         See the peak at 365.999 Hz.
-        """,
-        mode=known.numbers.modes[1].frequency,
-    )
+    """).given(mode=known.numbers.modes[1].frequency)
 
 
 @claim("fig-3.9", source=CLOSED_LOOP)
@@ -251,12 +245,8 @@ def released_loop(known: Evidence) -> Record:
     )
     yield simulated(f"{PARAMETERS}; and from which state the loop was released")
     lasting = released.released(LARGEST_GAP, least, OUTSIDE)
-    yield text(
-        """
+    yield text("""
         All that the text reads from the figure also happens when nothing but a natural mode dies out. A limit
         cycle would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and would
         have an amplitude of [[ amplitude | f0 ]] mm in a gap of 20 mm, which no trimmer has room for.
-        """,
-        frequency=lasting.frequency,
-        amplitude=1e3 * lasting.amplitude,
-    )
+    """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude)

@@ -52,13 +52,10 @@ def resolution(_: Evidence) -> Record:
     yield digits("frames in 0.1 s at 20 kHz", FRAMES, frames, second=second)
     second = close("NumPy's bins", bins(STATED_FRAMES, RATE)[1], 1 / float(DURATION))
     yield digits("resolution", RESOLUTION, Fraction(SAMPLE_RATE) / STATED_FRAMES, "Hz", second=second)
-    yield text(
-        """
+    yield text("""
         Both are right, and the resolution is one over the time of the record. The tables that follow have
         bins of [[ spacing | f3 ]] Hz, so one frame more was used: 0 to 0.1 s with both ends.
-        """,
-        spacing=float(BIN),
-    )
+    """).given(spacing=float(BIN))
 
 
 @claim("txt-3.1-bins", source=SOURCE, impact=Impact.LOCAL)
@@ -89,17 +86,14 @@ def bins_of_the_tables(_: Evidence) -> Record:
         method="each printed frequency against the nearest bin, for every number of frames",
         second=equal(rounded, sum(cell in by_numpy for cell in cells), len(others)),
     )
-    yield text(
-        """
+    yield text("""
         The peaks are multiples of 20000/2001 = [[ spacing | f4 ]] Hz, the bins of one frame more than stated;
         three cells are not and are misprints. The three decimals are those of the bins: each peak is known to
         half a bin, 5 Hz.
 
         The drive's frequency is not measured to a millihertz, and differences of 10 Hz between measurements
         mean one bin.
-        """,
-        spacing=float(BIN),
-    )
+    """).given(spacing=float(BIN))
 
 
 @claim("txt-3.1-output-sign", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)

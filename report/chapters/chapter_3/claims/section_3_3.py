@@ -74,8 +74,7 @@ def equations_of_motion(known: Evidence) -> Record:
             slip=made_here(slip, linear - force) if force != 0 else None,
         )
     run, opposite = known.motion.printed_friction.as_printed[0], known.motion.printed_friction.opposite
-    yield text(
-        """
+    yield text("""
         The linear terms are those of equation 2.9. The friction of the first two lines has the wrong sign: it
         pushes either body the way it already slides. Simulated as printed, beside a pin that does not reach
         the bridge, the trimmer's energy rises from [[ start | f0 ]] to [[ end | f0 ]] µJ in [[ time | f1 ]] s
@@ -83,7 +82,7 @@ def equations_of_motion(known: Evidence) -> Record:
 
         A model built as printed oscillates by itself, with an amplitude that grows with $F_c$. The text
         reports amplitudes that fall, so what was simulated had, it seems, the right sign.
-        """,
+    """).given(
         start=1e6 * run.energy[0],
         end=1e6 * run.energy[-1],
         time=run.times[-1],
@@ -119,8 +118,7 @@ def force_of_friction(known: Evidence) -> Record:
         method="sum of force times velocity over the lines, against the dissipation function",
         second=so(energy, gain > 0 > loss),
     )
-    yield text(
-        """
+    yield text("""
         Equation 3.2 lets motor and cutter rub on each other; section 2.3.5 and the text of 3.3 speak of
         cutter and guard, whose forces belong into the second and fourth line. As printed the force feeds the
         motion: beside a pin that does not reach it the trimmer then oscillates at [[ first.frequency | f0 ]]
@@ -129,12 +127,7 @@ def force_of_friction(known: Evidence) -> Record:
 
         This report simulates friction between cutter and guard, against their motion. Between motor and
         cutter it would act much alike, since the guard moves little.
-        """,
-        first=first,
-        last=last,
-        least=1e6 * first.amplitude,
-        most=1e6 * last.amplitude,
-    )
+    """).given(first=first, last=last, least=1e6 * first.amplitude, most=1e6 * last.amplitude)
 
 
 @claim("txt-3.3-open-loop-odd", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
@@ -174,8 +167,7 @@ def odd_harmonics(known: Evidence) -> Record:
         method="orders of the tabulated harmonics against the theorem",
         second=second,
     )
-    yield text(
-        """
+    yield text("""
         The model has odd harmonics only, the fifth being raised by the natural mode at [[ mode | f1 ]] Hz.
         The experiment without play agrees with that. With play it shows the second and fourth harmonic as
         well, which takes something that is not symmetric: friction that differs by direction, a spring that
@@ -183,9 +175,7 @@ def odd_harmonics(known: Evidence) -> Record:
 
         The model lacks what makes the even harmonics, so the agreement cannot carry the conclusions on larger
         gaps.
-        """,
-        mode=known.numbers.modes[2].frequency,
-    )
+    """).given(mode=known.numbers.modes[2].frequency)
 
 
 @claim("txt-3.3-peak-366", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
@@ -214,8 +204,7 @@ def peak_366(known: Evidence) -> Record:
     yield uncheckable("which natural mode of the experiment's trimmer it is", "365.999 Hz", missing)
     *peaks, last = transient_peaks(known.motion.driven.run(LARGER_GAP, FORCES[0]))
     mode = known.numbers.modes[1]
-    yield text(
-        """
+    yield text("""
         A driven trimmer with friction has no limit cycle. What is left beside harmonics is the start: with
         Listing A.1 what dies out after it has its peaks at [[ peaks ]] and [[ last | f0 ]] Hz, near natural
         modes, of which the second is at [[ mode | f1 ]] Hz with a time constant of [[ constant | f0 ]] ms. A
@@ -223,11 +212,8 @@ def peak_366(known: Evidence) -> Record:
 
         The evidence for a limit cycle in the open loop is gone. A spectrum of the settled motion, or of two
         records of different length, would have told a transient from an oscillation that lasts.
-        """,
-        peaks=driven.listed(peaks),
-        last=last,
-        mode=mode.frequency,
-        constant=-1000 / mode.eigenvalue.real,
+    """).given(
+        peaks=driven.listed(peaks), last=last, mode=mode.frequency, constant=-1000 / mode.eigenvalue.real
     )
 
 
@@ -244,14 +230,11 @@ def peak_550(known: Evidence) -> Record:
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )
-    yield text(
-        """
+    yield text("""
         It is the fifth harmonic, magnified by the natural mode at [[ mode | f1 ]] Hz (Listing A.1). The text
         calls it a subharmonic, which is judged apart. 549.999 and 365.999 Hz read like bins of 1 Hz with one
         sample too many, as in the experiment's tables.
-        """,
-        mode=known.numbers.modes[2].frequency,
-    )
+    """).given(mode=known.numbers.modes[2].frequency)
 
 
 @claim("txt-3.3-subharmonic", source=driven.SOURCE, impact=Impact.NOTATION)
@@ -318,8 +301,7 @@ def peak_350(known: Evidence) -> Record:
     yield uncheckable(
         "which it is in the experiment's trimmer", "this peak belongs to a limit cycle", missing
     )
-    yield text(
-        """
+    yield text("""
         That a frequency does not depend on the gap says nothing: natural modes do not know the gap either.
         Released inside of its play the loop with Listing A.1 dies out, sooner with more friction, and has its
         peak at the second natural mode for either gap, which is how the figure is described; released outside
@@ -328,10 +310,7 @@ def peak_350(known: Evidence) -> Record:
 
         The peak reads as a natural mode that is dying out. Chapter 7 takes from this section that friction
         suppresses limit cycles.
-        """,
-        lasting=goes_on,
-        predicted=PREDICTED,
-    )
+    """).given(lasting=goes_on, predicted=PREDICTED)
 
 
 @claim("txt-3.3-friction-suppresses", source=RELEASED)
@@ -376,14 +355,13 @@ def suppression(known: Evidence) -> Record:
         second=so(alike, distance < ALIKE),
     )
     least, *_, most = (released.released(LARGEST_GAP, force, OUTSIDE) for force in FORCES_OF_FIGURE)
-    yield text(
-        """
+    yield text("""
         With friction between cutter and guard that resists their motion, all of it holds, and the force
         needed is proportional to the gap. With Listing A.1 and 0.2 mm the limit cycle lasts up to [[ force ]]
         N, so the forces below 1 N that the text assumes weaken it and do not end it. For 20 mm the largest
         force of figure 3.9 takes [[ share | f1 ]] % of its [[ amplitude | f0 ]] mm, which no figure shows;
         what was suppressed there was, it seems, another peak.
-        """,
+    """).given(
         force=lasting[-1].force,
         share=100 * (1 - most.amplitude / least.amplitude),
         amplitude=1e3 * least.amplitude,
@@ -413,8 +391,7 @@ def frequency_under_friction(known: Evidence) -> Record:
         method=RISING,
         second=close(f"harmonic balance at {weak.force} N", balance, weak.frequency, 1e-3),
     )
-    yield text(
-        """
+    yield text("""
         What is observed, peaks that friction lowers and does not move, is right and is what harmonics of the
         drive do. The reason given, that a self-sustained oscillation loses amplitude and not frequency, does
         not hold: backlash acts by the ratio of amplitude and gap, so a smaller oscillation is slower, by
@@ -422,7 +399,4 @@ def frequency_under_friction(known: Evidence) -> Record:
 
         A peak that stays in its place while friction changes speaks for a harmonic of the drive and against a
         limit cycle; the text takes it for the opposite.
-        """,
-        slower=slower,
-        force=strong.force,
-    )
+    """).given(slower=slower, force=strong.force)

@@ -8,7 +8,6 @@ from report.claim import Confirmation, Part
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
 from report.parts import assertion, close, made_here, so
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
 from trimmer import FrictionBacklash, frequency_response
 
@@ -70,24 +69,23 @@ def line_part(known: Evidence, label: str) -> Part:
     order = round(cycle.frequency / DRIVE_FREQUENCY)
     nearest = DRIVE_FREQUENCY * order
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
-    evidence = filled(
+    return assertion(
+        label,
+        "the open loop has a line at the frequency of the limit cycle",
+        decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
         r"""
         backlash repeats with the drive, and behind it every free motion decays as $e^{[[ decay | f0 ]]\,t}$
         or faster: what stays are multiples of 100 Hz, the nearest at [[ nearest | f0 ]] Hz with
         [[ size | f1 ]] µm. With the drive as reference there is one at [[ frequency | f2 ]] Hz with
         [[ line | f0 ]] µm
         """,
-        decay=decay,
-        nearest=nearest,
-        size=1e6 * opened.harmonics[order],
-        frequency=closed.frequency,
-        line=1e6 * closed.line,
-    )
-    return assertion(
-        label,
-        "the open loop has a line at the frequency of the limit cycle",
-        decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
-        evidence,
+        numbers={
+            "decay": decay,
+            "nearest": nearest,
+            "size": 1e6 * opened.harmonics[order],
+            "frequency": closed.frequency,
+            "line": 1e6 * closed.line,
+        },
         method="periodic input of a stable linear system; exact simulation",
         second=harmonic_in_open_loop(known, order),
         slip=made_here(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR),

@@ -19,7 +19,6 @@ from report.numbers.independent.linear_trimmer import gain_of_state_space
 from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
 from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import (
     Body,
@@ -100,32 +99,24 @@ def hidden_peak(known: Evidence) -> Record:
         rf"peak near $\mathrm{{Im}}\,\lambda_{{{hidden}}}$",
         "the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
         all(abs(each.omega / float(place) - 1) >= 0.2 for each in peaks),
-        filled(
-            """
-            a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their
-            size, and takes the peak away
-            """,
-            apart=apart,
-            share=100 * apart / abs(pole),
-        ),
+        """
+        a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their size,
+        and takes the peak away
+        """,
+        numbers={"apart": apart, "share": 100 * apart / abs(pole)},
         method="all local maxima of the gain",
         second=so("the gain falls from 0.99 to 1.01 times that frequency", falls),
     )
     *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
-    yield text(
-        """
+    yield text("""
         One resonance is hidden, as the text says, because zeros all but cancel its poles. Two others stand
         within [[ others | f1 ]] % of the imaginary parts, but the one near 1397 rad/s, next to a valley, has
         its peak [[ last | f1 ]] % higher. A further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no
         eigenvalue at all.
 
         Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.
-        """,
-        others=max(map(abs, others)),
-        last=last,
-        stray=stray,
-    )
+    """).given(others=max(map(abs, others)), last=last, stray=stray)
 
 
 @claim("txt-5.1.3-first-resonance", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
@@ -140,20 +131,15 @@ def first_resonance(known: Evidence) -> Record:
         "what follows for the drive",
         "the resonances do not matter, as the drive is far below the first one",
         max(fifth, fifth_measured) < 1,
-        filled(
-            """
-            the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at
-            100 Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
-            """,
-            fifth=fifth,
-            fifth_measured=fifth_measured,
-            measured=MEASURED_DRIVE_FREQUENCY,
-        ),
+        """
+        the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at 100
+        Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
+        """,
+        numbers={"fifth": fifth, "fifth_measured": fifth_measured, "measured": MEASURED_DRIVE_FREQUENCY},
         method="frequency response at multiples of the drive",
         second=close("exact coefficients, 40 digits", exact_ratio(numbers, measured, 5), fifth_measured),
     )
-    yield text(
-        """
+    yield text("""
         The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
         holds for a purely sinusoidal motion only, since play and friction make harmonics. The fifth of
         [[ measured ]] Hz, the drive that was measured, lies at [[ fifth | f1 ]] Hz, on the highest peak of
@@ -162,7 +148,7 @@ def first_resonance(known: Evidence) -> Record:
         A peak near 550 Hz in a driven spectrum of this trimmer needs no limit cycle: a harmonic of the drive
         is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for a fifth
         harmonic too.
-        """,
+    """).given(
         ratio=frequency / DRIVE_FREQUENCY,
         measured=MEASURED_DRIVE_FREQUENCY,
         fifth=5 * MEASURED_DRIVE_FREQUENCY,
@@ -188,16 +174,13 @@ def output_matrix(known: Evidence) -> Record:
     highest = known.numbers.undamped[-1].omega
     beside = abs(frequency_response(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
-    yield text(
-        """
+    yield text("""
         To track four positions takes four rows. The printed row gives one output, the sum $x_1 + x_2 + x_3 +
         x_4$, in which motions of opposite sign cancel.
 
         Figure 5.4 shows the sum; its four peaks are those of the modes all the same. With a thousandth of the
         damping $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
-        """,
-        spike=20 * math.log10(spike.magnitude / float(beside.max())),
-    )
+    """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
 
 
 def lightly_damped_trimmer(parameters: TrimmerParameters) -> control.TransferFunction:
@@ -241,18 +224,14 @@ def damping(known: Evidence) -> Record:
         method=f"peaks with {DAMPING_FACTOR:g} of the damping against peaks with all of it; {PLOT_READ}",
         second=close(EXACT_SLOPE, peak(numbers, first), first, 1e-7),
     )
-    yield text(
-        """
+    yield text("""
         Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by
         [[ largest | f1 ]] % for the peak near 1400 rad/s, and by [[ highest | f2 ]] % for the highest
         eigenfrequency. On the scale of a Bode plot most of that cannot be seen.
 
         Small. Chapter 7 sums this up as an increase of the magnitude by damping, and puts the resonances
         below the operating frequency; neither is so.
-        """,
-        largest=max(map(abs, shifts)),
-        highest=-of_modes[3],
-    )
+    """).given(largest=max(map(abs, shifts)), highest=-of_modes[3])
 
 
 @claim("fig-5.4", source=MODES)
@@ -264,14 +243,11 @@ def bode_plot_without_damping(known: Evidence) -> Record:
         farthest = max(farthest, abs(omega / float(printed) - 1))
         second = close("the undamped eigenvalue problem", omega, mode.omega, 1e-4)
         yield peak_part(index, printed, omega, second)
-    yield text(
-        """
+    yield text("""
         With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
         frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %, as
         well as a plot shows. The thesis does not say how small its damping was.
-        """,
-        farthest=100 * farthest,
-    )
+    """).given(farthest=100 * farthest)
 
 
 @claim("txt-5.1.3-antiresonances", source=DAMPING, impact=Impact.LOCAL)
@@ -300,15 +276,11 @@ def valleys(known: Evidence) -> Record:
         method="zeros with all and with a thousandth of the damping",
         second=close(free, of_output, undamped[1], 1e-4),
     )
-    yield text(
-        """
+    yield text("""
         Resonances belong to the system, antiresonances to the output that is looked at. Figure 5.4 shows the
         sum of all displacements, figure 5.2 a difference of two, so their valleys may not be compared: the
         one near [[ first | f0 ]] rad/s is at [[ other | f0 ]] rad/s there. That damping hardly moves them is
         right, but only for one and the same output.
 
         None: no later number uses an antiresonance.
-        """,
-        first=first[1],
-        other=other[1],
-    )
+    """).given(first=first[1], other=other[1])

@@ -57,34 +57,27 @@ def band(known: Evidence) -> Record:
     multipliers = orbit.nontrivial_multipliers
     yield converted("lower end, from 4600 rad/s", "732", 4.6e3)
     yield converted("upper end, from 5380 rad/s", "856", 5.38e3)
-    evidence = filled(
-        """
-        with all harmonics there is one, at [[ frequency | f2 ]] Hz, and it stands alone: a disturbance keeps
-        at most [[ kept | f4 ]] of itself over a period
-        """,
-        frequency=orbit.frequency,
-        kept=np.abs(multipliers).max(),
-    )
     second = close(f"its frequency {BY_DURATIONS}", known.orbits.inertia_by_durations, orbit.frequency, 1e-6)
     yield assertion(
         "what higher harmonics do",
         "with them, stable limit cycles of one gap fill a band of frequencies",
         bool(np.abs(multipliers - 1).min() < ISOLATED),
-        evidence,
+        """
+        with all harmonics there is one, at [[ frequency | f2 ]] Hz, and it stands alone: a disturbance keeps
+        at most [[ kept | f4 ]] of itself over a period
+        """,
+        numbers={"frequency": orbit.frequency, "kept": np.abs(multipliers).max()},
         method="Floquet multipliers of the exact orbit",
         second=second,
     )
-    yield text(
-        """
+    yield text("""
         The conversions are right. The band is read from figure 5.15, whose thickness is assumed and which
         footnote 10 calls an example; the text still gives it as what stable limit cycles may have. The exact
         orbit holds all harmonics: it is one point, [[ beside | f2 ]] Hz beside the prediction, and
         multipliers below one exclude others next to it.
 
         Higher harmonics do not explain a peak 100 Hz away; see the error of 23.47 % in this section.
-        """,
-        beside=abs(orbit.frequency - known.cycles.inertia.stable.frequency),
-    )
+    """).given(beside=abs(orbit.frequency - known.cycles.inertia.stable.frequency))
 
 
 @claim("txt-5.2.2-beta-range", source="trimmer/elements/inertia_backlash.py", impact=Impact.LOCAL)
@@ -111,8 +104,7 @@ def prediction(known: Evidence) -> Record:
     yield digits("angular frequency", "5.12e3", cycle.omega, "rad/s", second=second)
     yield digits("frequency", "814.9", cycle.frequency, "Hz", second=second)
     yield converted("conversion of 5120 rad/s", "814.9", 5.12e3)
-    yield text(
-        r"""
+    yield text(r"""
         The stable solution lies at [[ cycle.omega | f1 ]] rad/s, [[ cycle.frequency | f2 ]] Hz, with $A =
         [[ cycle.amplitude | f3 ]]\,b$, for the thesis's own loop and its own describing function; with the
         pin's velocity as second input at [[ both | f2 ]] Hz. There is a second, unstable one at
@@ -121,7 +113,7 @@ def prediction(known: Evidence) -> Record:
 
         The gap between friction- and inertia-controlled backlash shrinks from 82 Hz to [[ width | f1 ]] Hz,
         and with it the band of equation 5.10, which the conclusions quote.
-        """,
+    """).given(
         cycle=cycle,
         both=cycles.inertia_both_channels.stable.frequency,
         other=cycles.inertia.unstable.frequency,
@@ -161,19 +153,14 @@ def error(known: Evidence) -> Record:
     yield digits("error of the prediction itself", "23.47", right, "%", second=second)
     second = close(f"the exact limit cycle {BY_DURATIONS}", by_durations, exact, 1e-6)
     yield digits("error of the prediction against the exact limit cycle", "23.47", exact, "%", second=second)
-    yield text(
-        """
+    yield text("""
         The quotient is right for 814.9 and 660 Hz (the peak is quoted as 659 Hz just before). With the right
         prediction the distance is [[ right | f1 ]] %. But the peak is not the limit cycle, which is at
         [[ frequency | f2 ]] Hz in the exact loop: the prediction misses it by [[ exact | f3 ]] %, and
         filtering is as good as the method needs it.
 
         The section's conclusion that higher harmonics widen the curve rests on this difference.
-        """,
-        right=right,
-        frequency=orbit.frequency,
-        exact=exact,
-    )
+    """).given(right=right, frequency=orbit.frequency, exact=exact)
 
 
 def largest_other_line(numbers: TimedBlockNumbers) -> tuple[float, float]:
@@ -196,22 +183,21 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
     gain = InertiaBacklash(GAP).describing_function(DRIVE_AMPLITUDE, harmonic=7)
     response = frequency_response(known.numbers.displacement_only, 7 * DRIVE_OMEGA)
     by_balance = DRIVE_AMPLITUDE * abs(complex(gain * response))
-    evidence = filled(
+    in_open_loop = assertion(
+        f"a line at {PEAK} Hz in open loop",
+        "the open loop driven at 100 Hz has one",
+        block.repeat > SETTLED or min(abs(multiple - peak), abs(nearest - peak)) < BIN,
         """
         odd multiples of 100 Hz stay, the nearest at [[ multiple | f0 ]] Hz with [[ seventh | f1 ]] µm (even
         ones are below [[ even | power0 ]] of the first); what dies out has the natural frequencies, the
         nearest at [[ nearest | f1 ]] Hz
         """,
-        multiple=multiple,
-        seventh=1e6 * seventh,
-        even=float(np.max(block.harmonics[2::2])) / float(block.harmonics[1]),
-        nearest=nearest,
-    )
-    in_open_loop = assertion(
-        f"a line at {PEAK} Hz in open loop",
-        "the open loop driven at 100 Hz has one",
-        block.repeat > SETTLED or min(abs(multiple - peak), abs(nearest - peak)) < BIN,
-        evidence,
+        numbers={
+            "multiple": multiple,
+            "seventh": 1e6 * seventh,
+            "even": float(np.max(block.harmonics[2::2])) / float(block.harmonics[1]),
+            "nearest": nearest,
+        },
         method="periodic input of a stable linear system; exact simulation, gap 0.4 mm",
         second=close("harmonic 7 by describing function and frequency response", by_balance, seventh, 1e-4),
     )
@@ -244,8 +230,7 @@ def peak(known: Evidence) -> Record:
     shown = turns + DRIVE_FREQUENCY * np.round((float(PEAK) - turns) / DRIVE_FREQUENCY)
     best = min(np.flatnonzero(np.abs(decay) < 100), key=lambda each: abs(shown[each] - float(PEAK)))
     yield from peak_parts(known)
-    yield text(
-        """
+    yield text("""
         No open loop holds a limit cycle, and this one no line at 659 Hz. With Listing A.8's block in the loop
         and the drive as reference, 0.1 s from rest, the largest line beside multiples of 100 Hz is in the bin
         at [[ read | f1 ]] Hz ([[ size | f0 ]] µm): a free motion of [[ frequency | f2 ]] Hz that dies out
@@ -255,7 +240,7 @@ def peak(known: Evidence) -> Record:
 
         The 23.47 % that the section tries to explain by higher harmonics compare a prediction with an
         artefact of the block.
-        """,
+    """).given(
         read=read,
         size=1e6 * size,
         frequency=shown[best],

@@ -43,15 +43,14 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
 def band(known: Evidence) -> Record:
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     yield from band_parts(known)
-    yield text(
-        """
+    yield text("""
         The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
         [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong prediction of section
         5.2.2.
 
         The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
         from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
-        """,
+    """).given(
         low=low,
         high=high,
         width=high.frequency - low.frequency,
@@ -106,16 +105,11 @@ def only_between(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=by_waveform(system, list(zip(loads, stable, strict=True))),
     )
-    yield text(
-        """
+    yield text("""
         For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies
         between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by them: it
         reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and [[ inertia | f2 ]].
-        """,
-        largest=cycles.largest_viscous.amplitude,
-        friction=low.amplitude,
-        inertia=high.amplitude,
-    )
+    """).given(largest=cycles.largest_viscous.amplitude, friction=low.amplitude, inertia=high.amplitude)
 
 
 @claim("txt-5.2.3-identify-760", source=SOLVER, impact=Impact.LOCAL)

@@ -24,7 +24,6 @@ from report.numbers.independent.listing_a6 import (
 from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import frequency_response
 
@@ -169,8 +168,7 @@ def prediction(known: Evidence) -> Record:
     yield solution_part(known, label, own.omega, free)
     by_equation = printed_function(as_printed.amplitude, FORCE)
     yield solution_part(known, "frequency by equation 5.14 as printed", as_printed.omega, by_equation)
-    yield text(
-        r"""
+    yield text(r"""
         With the right friction term there is no limit cycle at [[ force ]] N: friction between cutter and
         guard ends it at [[ most | f4 ]] N for this gap. A limit cycle near 737.5 Hz comes from line 18 of
         Listing A.6, whose term has the wrong sign and feeds the oscillation (with the pin's velocity too
@@ -183,7 +181,7 @@ def prediction(known: Evidence) -> Record:
         The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken for this
         limit cycle lose their ground. Its amplitude of [[ amplitude | f1 ]] mm, which the text does not give,
         would have shown it.
-        """,
+    """).given(
         force=FORCE,
         most=numbers.force_of_merger,
         both=both.frequency,
@@ -205,44 +203,41 @@ def amplitude(known: Evidence) -> Record:
     (listing,) = numbers.listing
     without = GAP * friction.amplitude
     growth, shift = listing.amplitude / without, listing.frequency / friction.frequency - 1
-    by_listing = filled(
-        """
-        from [[ without | f1 ]] µm without friction to [[ amplitude | f1 ]] mm at [[ force ]] N,
-        [[ growth | f0 ]] times; the frequency rises by [[ shift | f2 ]] %
-        """,
-        without=1e6 * without,
-        amplitude=1e3 * listing.amplitude,
-        force=FORCE,
-        growth=growth,
-        shift=100 * shift,
-    )
     yield assertion(
         "by Listing A.6",
         "the amplitude changes much, the frequency little",
         growth > 10 and abs(shift) < 0.01,
-        by_listing,
+        """
+        from [[ without | f1 ]] µm without friction to [[ amplitude | f1 ]] mm at [[ force ]] N,
+        [[ growth | f0 ]] times; the frequency rises by [[ shift | f2 ]] %
+        """,
+        numbers={
+            "without": 1e6 * without,
+            "amplitude": 1e3 * listing.amplitude,
+            "force": FORCE,
+            "growth": growth,
+            "shift": 100 * shift,
+        },
         method=BY_LISTING,
         second=loop_closes(known, listing.omega, listing_function(listing.amplitude, OMEGA)),
-    )
-    in_place = filled(
-        """
-        the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
-        force there is no limit cycle
-        """,
-        without=1e6 * without,
-        last=1e6 * GAP * numbers.in_place.merger.amplitude,
-        most=numbers.force_of_merger,
     )
     yield assertion(
         "with friction as the stiffness that it is",
         "a limit cycle with another amplitude is left at 0.6 N",
         numbers.in_place.limit_cycles(FORCE / GAP) > 0,
-        in_place,
+        """
+        the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
+        force there is no limit cycle
+        """,
+        numbers={
+            "without": 1e6 * without,
+            "last": 1e6 * GAP * numbers.in_place.merger.amplitude,
+            "most": numbers.force_of_merger,
+        },
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
     )
-    yield text(
-        """
+    yield text("""
         The text gives no amplitude. Its own function gives [[ times | f0 ]] times the amplitude of the pin,
         and the more the stronger the friction is; it is set by the friction term and would be nearly the same
         without a gap. The right term acts the other way: friction makes the oscillation smaller and then ends
@@ -250,9 +245,7 @@ def amplitude(known: Evidence) -> Record:
 
         The section's model contradicts the conclusion of section 3.3 and chapter 7 that friction suppresses
         the limit cycle; the right one supports it.
-        """,
-        times=listing.amplitude / DRIVE_AMPLITUDE,
-    )
+    """).given(times=listing.amplitude / DRIVE_AMPLITUDE)
 
 
 def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
@@ -267,21 +260,16 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
         slip = made_here("the last two digits are exchanged", float(shown[:-2] + shown[-1] + shown[-2]))
         parts.append(digits(label, printed, frequency, "Hz", second=second, slip=slip))
     left = max(run.left / run.displacement for run in numbers.runs)
-    evidence = filled(
+    reading = assertion(
+        f"{prefix}what the peak at {PEAKS[2]} Hz is",
+        f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
+        left > DIED_OUT,
         """
         the motion dies out: at the end of the record [[ left | power0 ]] of the start is left at most. A gap
         of 4 µm bears [[ most | f3 ]] N at most; the peak is the third natural mode of the loop,
         [[ mode | f2 ]] Hz
         """,
-        left=left,
-        most=known.cycles.equivalent.force_of_merger,
-        mode=numbers.modes[2],
-    )
-    reading = assertion(
-        f"{prefix}what the peak at {PEAKS[2]} Hz is",
-        f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
-        left > DIED_OUT,
-        evidence,
+        numbers={"left": left, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
         method="exact simulation with true stick",
         second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / GAP) == 0),
     )
@@ -293,26 +281,20 @@ def peaks(known: Evidence) -> Record:
     numbers = known.motion.closed.released_bodies
     modes, (_, second, third) = numbers.modes, map(float, PEAKS)
     apart = abs(2 * second - third) / RECORD.bin_width
-    evidence = filled(
-        """
-        twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
-        odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
-        """,
-        peaks=PEAKS,
-        apart=apart,
-        mode=modes[1],
-    )
     yield from peak_parts(known)
     yield assertion(
         f"what the peak at {PEAKS[1]} Hz is",
         f"it is a harmonic of the one at {PEAKS[2]} Hz",
         apart < 1,
-        evidence,
+        """
+        twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
+        odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
+        """,
+        numbers={"peaks": PEAKS, "apart": apart, "mode": modes[1]},
         method="the printed frequencies and bins",
         second=close("the natural modes of the loop", modes[1], second, 2e-3),
     )
-    yield text(
-        """
+    yield text("""
         All three are free vibrations of the closed loop without play and friction, at [[ modes[0] | f2 ]],
         [[ modes[1] | f2 ]] and [[ modes[2] | f2 ]] Hz. Released with all four bodies displaced alike, which
         is our guess of the start, the thesis's loop with 4 µm and 0.6 N has its largest peaks in exactly
@@ -322,8 +304,4 @@ def peaks(known: Evidence) -> Record:
 
         The agreement of 736.993 with the predicted 737.514 Hz is no evidence for the equivalent nonlinearity:
         both are nearly the frequency at which $G$ passes by $-1$.
-        """,
-        modes=modes,
-        least=numbers.runs[0].displacement,
-        most=numbers.runs[-1].displacement,
-    )
+    """).given(modes=modes, least=numbers.runs[0].displacement, most=numbers.runs[-1].displacement)

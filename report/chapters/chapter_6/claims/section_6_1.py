@@ -21,7 +21,6 @@ from report.evidence import Evidence
 from report.numbers.independent import cubic_spring
 from report.parts import assertion, close, expression
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
@@ -72,8 +71,7 @@ def piecewise_linear(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     (friction,) = harmonic_leakage(system, FrictionBacklash(1.0), cycles.friction.stable, (3,))
     (inertia,) = harmonic_leakage(system, InertiaBacklash(1.0), cycles.inertia.stable, (3,))
-    yield text(
-        """
+    yield text("""
         Friction-controlled backlash is piecewise linear, as the text says, and so are the other two: in
         contact the load follows the pin with slope one whatever it weighs, and only the flight differs. A
         describing function needs no piecewise linear element, only a periodic output; how good it is depends
@@ -82,10 +80,7 @@ def piecewise_linear(known: Evidence) -> Record:
         backlash.
 
         Linearity is no reason for preferring the friction-controlled kind.
-        """,
-        inertia=100 * inertia,
-        friction=100 * friction,
-    )
+    """).given(inertia=100 * inertia, friction=100 * friction)
 
 
 def slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
@@ -106,15 +101,11 @@ def hard_nonlinearities(_: Evidence) -> Record:
         "",
         "a describing function can be derived only for hard nonlinearities",
         abs(predicted / exact - 1) > WELL_PREDICTED,
-        filled(
-            r"""
-            the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
-            [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
-            """,
-            gain=gain,
-            predicted=predicted,
-            exact=exact,
-        ),
+        r"""
+        the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
+        [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
+        """,
+        numbers={"gain": gain, "predicted": predicted, "exact": exact},
         method="Fourier integral of a smooth odd nonlinearity",
         second=close("quadrature", cubic_spring.sampled_gain(), at_one),
     )

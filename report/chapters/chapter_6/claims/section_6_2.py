@@ -15,7 +15,6 @@ from report.numbers.exact_response import gain
 from report.numbers.independent import loci
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer import asymptotic_roll_off
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
@@ -60,29 +59,22 @@ def higher_terms(known: Evidence) -> Record:
         "what accuracy asks for",
         "harmonic balance is accurate only if the element's higher terms vanish",
         third <= 0.01 or error >= 0.01,
-        filled(
-            """
-            at the stable limit cycle the third has [[ third | f1 ]] % of the input, the second
-            [[ even | f0 ]] %; the amplitude is predicted to [[ error | f2 ]] %
-            """,
-            third=100 * third,
-            even=100 * even,
-            error=100 * error,
-        ),
+        """
+        at the stable limit cycle the third has [[ third | f1 ]] % of the input, the second [[ even | f0 ]] %;
+        the amplitude is predicted to [[ error | f2 ]] %
+        """,
+        numbers={"third": 100 * third, "even": 100 * even, "error": 100 * error},
         method="harmonics of friction-controlled backlash, and the exact orbit",
         second=close("the exact orbit by two durations", known.orbits.friction_by_durations[0], exact, 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         The index of the sine terms has slipped: $b_2 = 0$ is printed where $b_n = 0$ is meant. Nor do these
         coefficients, which are the element's own, vanish or need to: the linear part takes care of them, so
         that [[ leak | f2 ]] % of the fundamental come back as third harmonic, and that is what the error
         follows.
 
         None: the filtering hypothesis of equation 2.26 is stated rightly in section 2.3.2.
-        """,
-        leak=100 * leak,
-    )
+    """).given(leak=100 * leak)
 
 
 @claim("txt-6.2-tangency", source="trimmer/balance/limit_cycle.py")
@@ -100,14 +92,11 @@ def tangency(known: Evidence) -> Record:
         "",
         "the curves are nowhere nearly tangent where a limit cycle is predicted",
         min(angles) > NEAR_TANGENCY,
-        filled(
-            """
-            they cross at [[ smallest | f0 ]] degrees or more, over [[ count ]] limit cycles of backlash of
-            every kind
-            """,
-            smallest=math.degrees(min(angles)),
-            count=len(angles),
-        ),
+        """
+        they cross at [[ smallest | f0 ]] degrees or more, over [[ count ]] limit cycles of backlash of every
+        kind
+        """,
+        numbers={"smallest": math.degrees(min(angles)), "count": len(angles)},
         method="angle of $N$ and $-1/G$ at each solution of harmonic balance",
         second=close(differences, by_differences, stable.crossing_angle, 1e-5),
     )

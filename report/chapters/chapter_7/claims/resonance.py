@@ -10,7 +10,6 @@ from report.numbers.exact_response import gain
 from report.numbers.light_damping import lightly_damped
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, TURN
 from trimmer import InputChannels, frequency_response, resonance_peaks, transfer_function
 
@@ -75,15 +74,11 @@ def resonance(known: Evidence) -> Record:
         "where the limit cycles lie",
         "no limit cycle lies at a resonance",
         away,
-        filled(
-            """
-            the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak,
-            which is [[ width | f1 ]] Hz wide
-            """,
-            frequency=pair.unstable.frequency,
-            distance=distance / TURN,
-            width=width / TURN,
-        ),
+        """
+        the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak, which
+        is [[ width | f1 ]] Hz wide
+        """,
+        numbers={"frequency": pair.unstable.frequency, "distance": distance / TURN, "width": width / TURN},
         method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
         second=so(means, (height > math.sqrt(0.5)) == (not away)),
     )
@@ -94,14 +89,11 @@ def resonance(known: Evidence) -> Record:
         "what a resonance would do",
         "at a resonance the harmonics are not attenuated",
         min(shares.values()) > 1,
-        filled(
-            """
-            against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
-            [[ stable | g2 ]]
-            """,
-            at_peaks=at_peaks,
-            stable=share_of_third(known, pair.stable.omega),
-        ),
+        """
+        against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
+        [[ stable | g2 ]]
+        """,
+        numbers={"at_peaks": at_peaks, "stable": share_of_third(known, pair.stable.omega)},
         method="gain at three times each peak's frequency over the peak",
         second=close(EXACTLY, exact, shares[highest]),
     )
