@@ -6,10 +6,8 @@ import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities
 from report.chapters.chapter_2.claims.section_2_2_1 import by_newton, matrix_of
-from report.claim import Confirmation
-from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
-from report.parts import assertion, equal
+from report.parts import assertion, equal, same
 from report.record import Record, claim, text
 
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
@@ -22,8 +20,6 @@ def components(known: Evidence) -> Record:
     to_surroundings = stiffness * sympy.ones(len(coordinates), 1)
     free = matrix_of(known.derivation.kinetic_energy, velocities).rank()
     beyond_pin = sympy.expand(potential - stiffnesses[0] * motor**2 / 2)
-    slopes = SameMatrix(matrix_of(potential, coordinates).expand(), stiffness)
-    at_the_pin = SameExpression(on_the_cutter.diff(motor), on_the_cutter.diff(u))
     yield assertion(
         "guard to guard housing, guard housing to plastic housing",
         "the guard is carried by the guard housing, and this by the plastic housing",
@@ -34,7 +30,11 @@ def components(known: Evidence) -> Record:
         """,
         numbers={"guard": -stiffness[3, 2], "housing": to_surroundings[2]},
         method="forces on each body for a unit of each displacement",
-        second=Confirmation("the second derivatives of the potential energy", slopes),
+        second=same(
+            "the second derivatives of the potential energy",
+            matrix_of(potential, coordinates).expand(),
+            stiffness,
+        ),
     )
     yield assertion(
         "cutter and driving bridge",
@@ -53,7 +53,7 @@ def components(known: Evidence) -> Record:
         sympy.expand(beyond_pin.diff(motor) - beyond_pin.diff(u)) == 0,
         "beyond its own mount, the motor's displacement enters as $q_1 + u$ alone",
         method="derivatives of the potential energy",
-        second=Confirmation("the forces on the cutter", at_the_pin),
+        second=same("the forces on the cutter", on_the_cutter.diff(motor), on_the_cutter.diff(u)),
     )
     yield text("""
         The connections that the text names are those of the equations. The bridge's stiffness $k_2$ lies

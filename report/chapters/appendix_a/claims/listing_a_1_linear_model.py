@@ -16,12 +16,11 @@ from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.chapters.chapter_5.claims.section_5_1_2 import LIMIT_CYCLE_OMEGA
-from report.claim import Confirmation, Impact, Mathematics
+from report.claim import Impact, Mathematics
 from report.comparisons import quadrature
-from report.comparisons.expression import SameMatrix
 from report.comparisons.printed import product
 from report.evidence import Evidence
-from report.parts import assertion, close, expression, matrix, small
+from report.parts import assertion, close, expression, matrix, same, small
 from report.record import ClaimRecord, Record, claim, text
 from trimmer import frequency_response, linear_model
 
@@ -109,7 +108,7 @@ def linear_listing(known: Evidence) -> Record:
     )
     for label, printed, derived, forces, variables in rows:
         by_newton = sympy.ImmutableMatrix(sympy.Matrix(forces).jacobian(variables)).expand()
-        second = Confirmation("the forces on each body", SameMatrix(by_newton, derived.expand()))
+        second = same("the forces on each body", by_newton, derived.expand())
         yield matrix(label, printed, derived, second=second)
     systems = (numbers.displacement_only, numbers.both_channels)
     kept, whole = (complex(frequency_response(system, LIMIT_CYCLE_OMEGA)) for system in systems)

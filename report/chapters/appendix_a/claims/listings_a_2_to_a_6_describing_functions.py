@@ -24,8 +24,7 @@ from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     in_phase_part,
     quadrature_part,
 )
-from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression
+from report.claim import Impact, Part
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
 from report.numbers.independent.listed_blocks import contact_angle
@@ -34,7 +33,7 @@ from report.numbers.independent.listed_describing_functions import (
     inertia_formula,
     inertia_listing,
 )
-from report.parts import assertion, close, expression, made_here
+from report.parts import assertion, close, expression, made_here, same
 from report.record import ClaimRecord, Record, claim, text
 
 BACKLASH = "derivations/elements/backlash.py"
@@ -160,7 +159,7 @@ def viscous_controlled(_: Evidence) -> Record:
         derived,
         left=r"\beta",
         assume=sympy.Lt(GAMMA, 1),
-        second=Confirmation("the right form", SameExpression(root - sympy.sin(CONTACT) - flight, derived)),
+        second=same("the right form", root - sympy.sin(CONTACT) - flight, derived),
         slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
     )
     yield in_phase_part("lines 11 to 14, np", general)
@@ -179,12 +178,15 @@ def equivalent(_: Evidence) -> Record:
     relay = 4 * FORCE / (sympy.pi * A)
     printed = relay / (sympy.I * omega)
     derived = sympy.simplify(sympy.I * omega * relay.subs(A, omega * A))
-    by_displacement = SameExpression(describing_function(coulomb_waveform(), A), derived)
     slip = r"""
         the relay's gain for a displacement is divided by $j\omega$ instead of that for a velocity multiplied
         by it
         """
-    second = Confirmation("the Fourier coefficients of friction under a displacement", by_displacement)
+    second = same(
+        "the Fourier coefficients of friction under a displacement",
+        describing_function(coulomb_waveform(), A),
+        derived,
+    )
     yield formula_part()
     yield expression("friction term, line 18", printed, derived, second=second, slip=made_here(slip, printed))
     yield text(r"""

@@ -12,11 +12,10 @@ from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, 
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2, c3, c4, k1, k2, k3, k4, k5
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression, SameMatrix
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
 from report.numbers.independent import bodies_and_pin
-from report.parts import digits, equal, expression, made_here, matrix
+from report.parts import digits, equal, expression, made_here, matrix, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import frequency_response
@@ -62,7 +61,7 @@ def free_body_diagram(known: Evidence) -> Record:
         ("dampers", dampers, damping, velocities),
         ("where the pin's displacement acts", [k2, -k2, 0, 0], pin, (u,)),
     ):
-        forces = Confirmation("the forces on each body", SameMatrix(by_newton(known, variables), derived))
+        forces = same("the forces on each body", by_newton(known, variables), derived)
         yield matrix(label, sympy.ImmutableMatrix(printed), derived, second=forces)
     yield matrix("springs with a fixed end", sympy.ImmutableMatrix([k1, 0, k3, 0]), moved_together)
     yield text("""
@@ -80,8 +79,7 @@ def eccentric_pin(_: Evidence) -> Record:
     across = (turn * sympy.Matrix([0, A]))[0]
     stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)
     turned = across.subs(angle, RATE * t)
-    by_acceleration = SameExpression(bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
-    second = Confirmation("its acceleration towards the axis", by_acceleration)
+    second = same("its acceleration towards the axis", bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
     yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text("""
@@ -130,7 +128,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
 @claim("eq-2.4", source=ENERGIES)
 def kinetic_energy(known: Evidence) -> Record:
     derived, work = known.derivation.kinetic_energy, bodies_and_pin.work_from_rest()
-    second = Confirmation("the work done on each mass", SameExpression(work, derived))
+    second = same("the work done on each mass", work, derived)
     yield expression("", trimmer_printed.kinetic_energy(), derived, sympy.Symbol("T"), second=second)
     yield text("The list of four masses gives the printed sum.")
 
@@ -141,7 +139,7 @@ def potential_energy(known: Evidence) -> Record:
     at_rest = {velocity: 0 for velocity in (*velocities, u_dot)}
     forces = sympy.ImmutableMatrix([m * each.subs(at_rest) for m, each in zip(masses, newton, strict=True)])
     slopes = sympy.ImmutableMatrix([-derived.diff(q) for q in coordinates])
-    second = Confirmation("the spring forces on each body at rest", SameMatrix(forces, slopes))
+    second = same("the spring forces on each body at rest", forces, slopes)
     yield expression("", trimmer_printed.potential_energy(), derived, sympy.Symbol("U"), second=second)
     yield text("""
         The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. With that,
@@ -169,7 +167,7 @@ def euler_lagrange_equation(known: Evidence) -> Record:
 @claim("eq-2.7", source=ENERGIES)
 def rayleigh_function(known: Evidence) -> Record:
     derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
-    second = Confirmation("the power balance", SameExpression(lost / 2, derived))
+    second = same("the power balance", lost / 2, derived)
     yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
     yield text("""
         The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
@@ -180,13 +178,12 @@ def rayleigh_function(known: Evidence) -> Record:
 def velocity_part() -> Part:
     """Return the part on the printed velocity of the pin."""
     derived = PIN_MOTION.diff(t)
-    projected = SameExpression(sympy.re(RATE * TURNING_POINT), derived)
     return expression(
         "velocity of the pin",
         product(RATE, sympy.cos(RATE * t)),
         derived,
         u_dot,
-        second=Confirmation("the velocity of a point on a circle", projected),
+        second=same("the velocity of a point on a circle", sympy.re(RATE * TURNING_POINT), derived),
         slip=made_here(AMPLITUDE_LOST, derived / A),
     )
 
@@ -215,7 +212,7 @@ def pin_velocity(known: Evidence) -> Record:
 def pin_velocity_in_words(known: Evidence) -> Record:
     amplitude = A * RATE
     squared = sympy.trigsimp(PIN_MOTION.diff(t) ** 2 + (PIN_MOTION.diff(t, 2) / RATE) ** 2)
-    second = Confirmation("velocity and acceleration at any time", SameExpression(squared, amplitude**2))
+    second = same("velocity and acceleration at any time", squared, amplitude**2)
     yield velocity_part()
     yield expression("its amplitude", RATE, amplitude, second=second, slip=made_here(AMPLITUDE_LOST, RATE))
     yield text(r"""
@@ -240,7 +237,7 @@ def equations_of_motion(known: Evidence) -> Record:
     derivation, printed = known.derivation, trimmer_printed.accelerations()
     lines = zip(printed, derivation.accelerations, derivation.newton, accelerations, strict=True)
     for index, (line, derived, newton, left) in enumerate(lines, start=1):
-        second = Confirmation("Newton's second law for each body", SameExpression(newton, derived))
+        second = same("Newton's second law for each body", newton, derived)
         yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second)
     yield text("""
         All four lines follow from the energies, and again from the forces alone. Signs and indices of every
@@ -256,7 +253,7 @@ def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
 def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.MatrixBase) -> Confirmation:
     """Confirm a matrix of the state equation by derivatives."""
     slopes = newton_rates(known).jacobian(variables)
-    return Confirmation("the slopes of Newton's accelerations", SameMatrix(slopes, derived))
+    return same("the slopes of Newton's accelerations", slopes, derived)
 
 
 @claim("eq-2.10", source=STATE_SPACE)
@@ -295,7 +292,7 @@ def first_order_equations(known: Evidence) -> Record:
     lines = zip(printed, derived, newton_rates(known).subs(named), strict=True)
     for index, (line, rate, newton) in enumerate(lines, start=1):
         left = rf"\dot{{x}}_{{{index}}}"
-        second = Confirmation("Newton's second law", SameExpression(newton, rate))
+        second = same("Newton's second law", newton, rate)
         yield expression(rf"$\dot x_{index}$", line, rate, left, second=second)
     yield text("All eight lines follow from equation 2.9 with the states as numbered.")
 

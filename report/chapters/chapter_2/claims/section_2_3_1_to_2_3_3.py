@@ -11,14 +11,13 @@ from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
 from report.claim import Confirmation, Impact, Mathematics
 from report.comparisons.assertion import Assertion
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import sampled_gain
 from report.evidence import Evidence
 from report.numbers.exact_response import gain
 from report.numbers.independent.van_der_pol import third_harmonic
 from report.numbers.textbook_loops import relay_loop
-from report.parts import assertion, close, expression, made_here
+from report.parts import assertion, close, expression, made_here, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA
 from trimmer import filtering_ratio
@@ -100,7 +99,6 @@ def van_der_pol(_: Evidence) -> Record:
     time, radius, turning = sympy.symbols("t A omega", positive=True)
     circle = radius * sympy.cos(time)
     undamped = acceleration.subs({alpha: 0, position: circle, velocity: circle.diff(time)})
-    residual = SameExpression(circle.diff(time, 2) - undamped, sympy.Integer(0))
     yield assertion(
         r"$\alpha = 0$",
         "there is a limit cycle, to which other motions tend",
@@ -111,18 +109,19 @@ def van_der_pol(_: Evidence) -> Record:
         """,
         numbers={"gained": gained},
         method="balance of energy",
-        second=Confirmation("a circle of any radius solves the equation", residual),
+        second=same(
+            "a circle of any radius solves the equation", circle.diff(time, 2) - undamped, sympy.Integer(0)
+        ),
     )
     sine = radius * sympy.sin(turning * time)
     ellipse = (sine / radius) ** 2 + (sine.diff(time) / (radius * turning)) ** 2
-    to_one = SameExpression(sympy.expand_trig(ellipse), sympy.Integer(1))
     yield assertion(
         "the elliptic shape",
         "a limit cycle of elliptic shape is not a sinusoid",
         sympy.simplify(ellipse) != 1,
         r"$x = A\sin\omega t$ satisfies $(x/A)^2 + (\dot x/(A\omega))^2 = 1$, an ellipse",
         method="the sinusoid put into the equation of an ellipse",
-        second=Confirmation("simplification to one", to_one),
+        second=same("simplification to one", sympy.expand_trig(ellipse), sympy.Integer(1)),
     )
     damping = 1.0
     yield text(r"""
@@ -201,7 +200,7 @@ def sinusoid(_: Evidence) -> Record:
         exponential,
         sine,
         "u",
-        second=Confirmation("Euler's formula", SameExpression(sympy.im(exponential), sine)),
+        second=same("Euler's formula", sympy.im(exponential), sine),
         slip=made_here("the imaginary part is not taken", exponential),
     )
     yield text(r"""
@@ -284,7 +283,7 @@ def ratio_of_signals(_: Evidence) -> Record:
         printed,
         derived,
         "N",
-        second=Confirmation("the ratio of the phasors", SameExpression(sympy.simplify(phasors), derived)),
+        second=same("the ratio of the phasors", sympy.simplify(phasors), derived),
         slip=made_here("the ratio of the signals is taken, not that of their phasors", printed),
     )
     yield text(r"""

@@ -14,14 +14,13 @@ from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
 from report.claim import Confirmation, Impact, Mathematics, Part
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm, integral
 from report.evidence import Evidence
 from report.numbers.independent.symbolic_roots import first_root
 from report.numbers.independent.traced_play import boundaries, outputs_at, traced
 from report.numbers.independent.waveforms import Values
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -50,13 +49,12 @@ def motor_and_load(_: Evidence) -> Record:
     means = "the domain of the describing function, gap over amplitude below two"
     second = close(means, float(least.subs(b, 1)), by_domain)
     yield expression("amplitude up to which the load is not moved", b, least, A, second=second)
-    turning = SameExpression(without_mass.subs(GAP, 2 * b), RESTING.value)
     yield expression(
         "velocity of a load without mass that is let go",
         sympy.Integer(0),
         without_mass.diff(sympy.Symbol("tau", positive=True)),
         r"\dot y",
-        second=Confirmation("the place where the pin turns round", turning),
+        second=same("the place where the pin turns round", without_mass.subs(GAP, 2 * b), RESTING.value),
     )
     yield text(r"""
         The bound is right with $b$ as half of the clearance, as this part of the text uses it; where $b$ is
@@ -77,13 +75,16 @@ def characteristic(_: Evidence) -> Record:
     yield expression("segment OA, its length", b, first_contact)
     yield expression("segment AB, its slope", sympy.Integer(1), slope(RISING))
     yield expression("segment BC, its length", 2 * b, stopped - restarted, assume=REACHED)
-    in_quadrature = SameExpression(-sympy.pi * A * WAVEFORM.cosine_coefficient(), -swept)
     yield expression(
         r"area that EBCD runs round counter-clockwise, $2b \cdot 2(A - b)$",
         product(2 * b, 2 * (A - b)),
         sympy.simplify(-swept),
         assume=REACHED,
-        second=Confirmation("the quadrature part of the describing function", in_quadrature),
+        second=same(
+            "the quadrature part of the describing function",
+            -sympy.pi * A * WAVEFORM.cosine_coefficient(),
+            -swept,
+        ),
     )
     yield assertion(
         "heights of B, C, D and E",

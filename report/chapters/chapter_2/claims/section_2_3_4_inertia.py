@@ -16,12 +16,11 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
 from report.chapters.chapter_2.claims.section_2_3_4_friction import COSINE, LINES, SINE, continuous
-from report.claim import Confirmation, Impact
-from report.comparisons.expression import SameExpression
+from report.claim import Impact
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
-from report.parts import assertion, expression, made_here, so
+from report.parts import assertion, expression, made_here, same, so
 from report.record import Record, claim, text
 
 SOURCE = "derivations/elements/backlash.py"
@@ -33,8 +32,8 @@ ANGLE = sympy.Rational(8, 5)
 @claim("fig-2.10", source=SOURCE)
 def characteristic(_: Evidence) -> Record:
     flying, following, flying_back, following_back = WAVEFORM.segments
-    start = Confirmation("the start of the flight", SameExpression(flying.start, sympy.Integer(0)))
-    back = Confirmation("the start of the flight back", SameExpression(flying_back.start, sympy.pi))
+    start = same("the start of the flight", flying.start, sympy.Integer(0))
+    back = same("the start of the flight back", flying_back.start, sympy.pi)
     derived = limits(sympy.oo).separation
     yield expression("phase of the first separation", sympy.Integer(0), derived, r"\omega t", second=start)
     yield expression("phase of the second separation", sympy.pi, derived + sympy.pi, r"\omega t", second=back)
@@ -51,8 +50,7 @@ def separation_velocity(_: Evidence) -> Record:
     velocity = (A * sympy.sin(omega * t)).diff(t)
     for n in (0, 1):
         derived = velocity.subs(t, n * sympy.pi / omega)
-        flight = SameExpression(IN_GAP.segments[2 * n].value.diff(THETA) * omega, derived)
-        second = Confirmation("the slope of the flight", flight)
+        second = same("the slope of the flight", IN_GAP.segments[2 * n].value.diff(THETA) * omega, derived)
         slip = made_here("the sign of cos nπ is lost", derived * (-1) ** n)
         label = f"velocity at the separation $n = {n}$"
         yield expression(label, A * omega, derived, "u'", second=second, slip=slip)
@@ -100,7 +98,7 @@ def contact_equation(_: Evidence) -> Record:
     meeting = sympy.expand((flying.value - following.value).subs(THETA, CONTACT) / A)
     limit = limits(sympy.oo).ratio.subs(sympy.Symbol("tau", positive=True), CONTACT) - b / A
     means = "the limit of the general element for M/D to infinity"
-    second = Confirmation(means, SameExpression(limit, meeting))
+    second = same(means, limit, meeting)
     yield expression("", CONTACT - sympy.sin(CONTACT) - b / A, meeting, second=second)
     yield text(r"""
         Flight and falling wall meet where the printed expression is zero. It is Kepler's equation for

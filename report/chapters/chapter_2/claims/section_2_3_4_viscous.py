@@ -20,15 +20,14 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
-from report.claim import Confirmation, Impact, Mathematics, Part, Words
+from report.claim import Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
 from report.numbers.independent.load_flight import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values
-from report.parts import close, expression, made_here, part, so
+from report.parts import close, expression, made_here, part, same, so
 from report.record import Record, claim, text
 from report.text import filled
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -126,7 +125,7 @@ def separation_and_contact(_: Evidence) -> Record:
 def separation(_: Evidence) -> Record:
     angle = separation_angle()
     force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
-    second = Confirmation("the force of the wall at that phase", SameExpression(force, sympy.Integer(0)))
+    second = same("the force of the wall at that phase", force, sympy.Integer(0))
     yield expression("", sympy.atan(1 / GAMMA), angle, r"\phi_{s}", second=second)
     yield text(r"""
         While the bridge follows the pin the wall has to push with $D\dot y + M\ddot y$, which reaches zero at
@@ -157,14 +156,13 @@ def contact_equation(_: Evidence) -> Record:
     derived = gap_over_amplitude()
     at_contact = {THETA: CONTACT, SEPARATION: separation_angle(), GAP: 0}
     meeting = sympy.simplify((free_flight() - A * sympy.sin(THETA)).subs(at_contact) / A)
-    by_distance = SameExpression(meeting, ROOT - SINE - flight)
     yield expression(
         "solved for $b/A$",
         wrong_root - SINE - flight,
         derived,
         r"\frac{b}{A}",
         assume=sympy.Lt(GAMMA, 1),
-        second=Confirmation("the distance between flight and pin", by_distance),
+        second=same("the distance between flight and pin", meeting, ROOT - SINE - flight),
         slip=made_here("the sign under the root is minus instead of plus", derived - ROOT + wrong_root),
         printed_form=Mathematics(rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}"),
         derived_form=Mathematics(rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}"),

@@ -11,13 +11,12 @@ from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
 from report.chapters.chapter_3.claims.measured_peaks import BIN, SAMPLE_RATE, on_a_bin, tabulated
-from report.claim import Confirmation, Impact
-from report.comparisons.expression import SameExpression
+from report.claim import Impact
 from report.comparisons.printed import total
 from report.evidence import Evidence
 from report.numbers.independent.leading_loop import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
 from trimmer import FrictionBacklash, limit_cycles
 
@@ -104,7 +103,7 @@ def sign_of_the_output(known: Evidence) -> Record:
         for row in (output_row(of=1, relative_to=3, size=len(coordinates)), output_matrix())
     )
     printed = total(coordinates[3], -coordinates[1])
-    second = Confirmation("the matrix $C$ of equation 2.14 times the state", SameExpression(listed, derived))
+    second = same("the matrix $C$ of equation 2.14 times the state", listed, derived)
     slip = made_here("the sign is turned", -derived)
     yield expression("output map of the state space", printed, derived, left="y", second=second, slip=slip)
     plant = known.numbers.displacement_only

@@ -12,14 +12,13 @@ from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
-from report.claim import Confirmation, Impact, Number
-from report.comparisons.expression import SameExpression
+from report.claim import Impact, Number
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 from report.numbers.transient_spectrum import transient_peaks
-from report.parts import assertion, close, digits, expression, made_here, so, uncheckable
+from report.parts import assertion, close, digits, expression, made_here, same, so, uncheckable
 from report.record import Record, claim, text
 from report.thesis import MEASURED_DRIVE_FREQUENCY
 
@@ -55,16 +54,17 @@ def derived_forces(known: Evidence) -> tuple[sympy.Expr, ...]:
 @claim("eq-3.2", source=CONTACT, impact=Impact.LOCAL)
 def equations_of_motion(known: Evidence) -> Record:
     derivation, forces = known.derivation, derived_forces(known)
-    takes = Confirmation(
+    takes = same(
         "the power of the two forces, which is $-F_c$ times the relative speed",
-        SameExpression(-FORCE * sympy.sign(PRINTED_RATE) * PRINTED_RATE, power(derivation.mechanism, forces)),
+        -FORCE * sympy.sign(PRINTED_RATE) * PRINTED_RATE,
+        power(derivation.mechanism, forces),
     )
     slip = "friction acts along the relative motion instead of against it"
     for index, (printed, sign) in enumerate(zip(accelerations(), PRINTED_SIGNS, strict=True)):
         _, bracket = printed.args
         friction = {1: (PRINTED_FRICTION,), -1: (-PRINTED_FRICTION,), 0: ()}[sign]
         linear, force = derivation.accelerations[index], forces[index] / masses[index]
-        by_newton = Confirmation("the forces on the body", SameExpression(derivation.newton[index], linear))
+        by_newton = same("the forces on the body", derivation.newton[index], linear)
         yield expression(
             f"{('first', 'second', 'third', 'fourth')[index]} line",
             over(total(*bracket.args, *friction), masses[index]),

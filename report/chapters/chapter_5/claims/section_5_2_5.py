@@ -12,7 +12,6 @@ from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, printed_function
 from report.numbers.independent.listing_a6 import (
@@ -22,7 +21,7 @@ from report.numbers.independent.listing_a6 import (
     loop_at_merger,
 )
 from report.numbers.released_bodies import RECORD
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import frequency_response
@@ -46,7 +45,7 @@ def coulomb_part() -> Part:
         "Coulomb term",
         PRINTED_TERM,
         FRICTION,
-        second=Confirmation(means, SameExpression(by_velocity, FRICTION)),
+        second=same(means, by_velocity, FRICTION),
         slip=made_here(r"the gain for a displacement is divided by $j\omega$", RELAY / (sympy.I * omega)),
     )
 
@@ -80,12 +79,11 @@ def coulomb_term(_: Evidence) -> Record:
 @claim("txt-5.2.5-omega-limit", source=OPERATOR, impact=Impact.DOWNSTREAM)
 def large_frequency(_: Evidence) -> Record:
     printed, right = (sympy.limit(term, omega, sympy.oo) for term in (PRINTED_TERM, FRICTION))
-    free = SameExpression(FRICTION.diff(omega), sympy.Integer(0))
     yield expression(
         "limit of the Coulomb term",
         printed,
         right,
-        second=Confirmation(r"the term does not contain $\omega$", free),
+        second=same(r"the term does not contain $\omega$", FRICTION.diff(omega), sympy.Integer(0)),
         slip=made_here(r"the term is divided by $\omega$", printed),
     )
     yield text("""
