@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import control
 import numpy as np
 
+from report.thesis import TURN
 from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
@@ -38,7 +39,7 @@ class Balances:
     @property
     def frequency(self) -> Reals:
         """Frequency, Hz."""
-        return self.omega / (2 * math.pi)
+        return self.omega / TURN
 
 
 @dataclass(frozen=True)

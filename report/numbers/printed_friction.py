@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from report.numbers.driven_motion import FORCES, LARGEST_GAP, difference_energy, driven_loop
+from report.numbers.driven_motion import FORCES, difference_energy, driven_loop
+from report.thesis import LARGEST_GAP
 from trimmer.arrays import Reals
 from trimmer.displacement import Body, Displacement
 from trimmer.elements.coulomb_friction import CoulombFriction

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from report.numbers.time_stepping import last_turn_in_steps
+from report.numbers.time_stepping import last_turn_in_steps, linear_step
 from trimmer.arrays import Reals
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.relay import Relay
@@ -182,11 +182,7 @@ def _in_the_middle(A: Reals, B: Reals, C: Reals, half_period: float) -> float:
 
 def _sampled(system: control.StateSpace) -> tuple[float, float]:
     """Follow the loop whose relay is set once a step from y at its begin."""
-    size = system.nstates
-    whole = np.zeros((size + 1, size + 1))
-    whole[:size, :size], whole[:size, size] = system.A, system.B[:, 0]
-    flow = expm(whole * STEP)
-    through, column, row = flow[:size, :size], flow[:size, size], system.C[0]
+    (through, column, _), row = linear_step(system, STEP), system.C[0]
     state, output = IMPULSES[0] * system.B[:, 0], np.empty(round(RECORD / STEP))
     for each in range(output.size):
         output[each] = row @ state

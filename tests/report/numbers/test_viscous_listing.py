@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from report.numbers import viscous_listing
-from report.numbers.viscous_listing import RATIOS, START, intersections, listing_contour
+from report.numbers.listed_functions import RATIOS, START, intersections, listing_contour
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
 

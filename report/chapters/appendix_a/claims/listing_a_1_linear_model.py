@@ -15,13 +15,13 @@ from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
-from report.chapters.chapter_5.claims.section_5_1_2 import LIMIT_CYCLE_OMEGA
 from report.claim import Impact, Mathematics
 from report.comparisons import quadrature
 from report.comparisons.printed import product
 from report.evidence import Evidence
 from report.parts import assertion, close, expression, matrix, same, small
 from report.record import ClaimRecord, Record, claim, text
+from report.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import frequency_response, linear_model
 
 LAPLACE = "derivations/laplace.py"

@@ -7,8 +7,8 @@ from fractions import Fraction
 from report.claim import Impact
 from report.comparisons.second_ways import by_waveform
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.limit_cycle_numbers import friction_by_newton
+from report.numbers.independent.exact_response import gain
+from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
@@ -26,8 +26,8 @@ TIME_CONSTANT = 1e-3
 
 @claim("lst-A.9", source=SOURCE, impact=Impact.LOCAL)
 def search(known: Evidence) -> Record:
-    system, cycle = known.cycles.listing, known.cycles.friction_listing.stable
-    amplitude, omega = friction_by_newton(tuple(system.num[0][0]), tuple(system.den[0][0]), cycle)
+    cycle = known.cycles.friction_listing.stable
+    amplitude, omega = friction_as_listed(cycle)
     label = "the two equations of lines 23 to 26, at their solution: amplitude over gap"
     second = close("Newton's method in 30 digits", amplitude, cycle.amplitude)
     yield digits(label, "8.2845", cycle.amplitude, second=second)

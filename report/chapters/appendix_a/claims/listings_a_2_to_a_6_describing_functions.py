@@ -27,8 +27,8 @@ from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
 from report.claim import Impact, Part
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
-from report.numbers.independent.listed_blocks import contact_angle
-from report.numbers.independent.listed_describing_functions import (
+from report.numbers.independent.load_in_play import contact_angle_by_bisection
+from report.numbers.listed_functions import (
     friction_listing,
     inertia_formula,
     inertia_listing,
@@ -115,7 +115,11 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
         real = sympy.pi + 2 * sympy.sin(nested) - CONTACT - sympy.sin(nested) * sympy.cos(nested)
         printed = real / sympy.pi - sympy.I * (1 - sympy.cos(nested)) ** 2 / sympy.pi
         derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * ratio))
-        one, two, angle = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0), contact_angle(1.0)
+        one, two, angle = (
+            inertia_listing(1.0, 1.0),
+            inertia_listing(1.0, 2.0),
+            contact_angle_by_bisection(1.0),
+        )
         right = complex(derived.subs(CONTACT, angle))
         by_half = "its formula at half of the contact angle, the root of line 3 for $w = 2$"
         second = close("the listing, repeated, at Beta = 1", one, right)

@@ -14,13 +14,10 @@ from derivations.symbols import A
 from report.claim import Impact, Mathematics, Part
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
-from report.numbers.independent.listed_blocks import (
-    DRIVE_GAP,
+from report.numbers.independent.load_in_play import contact_angle_by_bisection
+from report.numbers.listed_blocks import (
     PERIOD,
     PERIODS,
-    PRINTED_CONTACT,
-    PRINTED_OFFSET,
-    contact_angle,
     contact_time,
     friction_by_python_control,
     inertia_block,
@@ -30,7 +27,15 @@ from report.numbers.independent.listed_blocks import (
 from report.octave.formulas import LOAD, PIN, friction_step
 from report.parts import More, assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_CONTACT,
+    LISTED_OFFSET,
+    TIMED_GAP,
+    TURN,
+)
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
 SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"
@@ -105,12 +110,12 @@ def friction_controlled(_: Evidence) -> Record:
 
 def at_phase(piece: sympy.Expr, phase: float) -> float:
     """Return a piece of the waveform at a phase (rad) for the constants of Listing A.8, m."""
-    return float(piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: DRIVE_GAP}))
+    return float(piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: TIMED_GAP}))
 
 
 def element_at_phase(phase: float) -> float:
     """Return the same of the numeric element."""
-    (output,) = InertiaBacklash(DRIVE_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    (output,) = InertiaBacklash(TIMED_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     return float(output)
 
 
@@ -125,31 +130,31 @@ def inertia_controlled(_: Evidence) -> Record:
         yield expression(label, printed, piece, left="y", second=second)
 
     angle, offset = DRIVE_OMEGA * contact_time(), at_phase(pieces[2], 0)
-    flight = DRIVE_AMPLITUDE * angle - DRIVE_GAP / 2
-    wall = DRIVE_AMPLITUDE * math.sin(angle) + DRIVE_GAP / 2
+    flight = DRIVE_AMPLITUDE * angle - TIMED_GAP / 2
+    wall = DRIVE_AMPLITUDE * math.sin(angle) + TIMED_GAP / 2
     second = close("flight and wall at that time", flight, wall)
-    yield digits("line 8, phi, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    yield digits("line 8, phi, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
     half_turn = DRIVE_AMPLITUDE * DRIVE_OMEGA * PERIOD / 2
-    second = close(r"its value $b/2$ above $A \theta$ half a period on", DRIVE_GAP / 2 + half_turn, offset)
-    yield digits(r"line 12, the constant $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
+    second = close(r"its value $b/2$ above $A \theta$ half a period on", TIMED_GAP / 2 + half_turn, offset)
+    yield digits(r"line 12, the constant $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
 
     before, after = inertia_block_on_a_sine(np.array([PERIOD / 2 * (1 - 1e-12), PERIOD / 2]))
     jump = float(after - before)
-    lacking = float(PRINTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - DRIVE_GAP / 2
+    lacking = float(LISTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - TIMED_GAP / 2
     yield assertion(
         "output over time",
         "the output is continuous",
-        abs(jump) < 1e-9 * DRIVE_GAP,
+        abs(jump) < 1e-9 * TIMED_GAP,
         """
         at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the rounded
         constant
         """,
-        numbers={"jump": 1e6 * jump, "share": 100 * abs(jump) / DRIVE_GAP},
+        numbers={"jump": 1e6 * jump, "share": 100 * abs(jump) / TIMED_GAP},
         method=REPEATED,
         second=close(r"the printed constant less $\pi A + b/2$", lacking, jump, 1e-6),
     )
 
-    instant = float(PRINTED_CONTACT)
+    instant = float(LISTED_CONTACT)
     (output,) = inertia_block_on_a_sine(np.array([instant]))
     beside = min(inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))) > 0
     second = so("a nanosecond before and after, where the output is that of flight and of contact", beside)
@@ -162,7 +167,7 @@ def inertia_controlled(_: Evidence) -> Record:
         conditions ask for more and for less, none for equal
         """,
         numbers={
-            "instant": PRINTED_CONTACT,
+            "instant": LISTED_CONTACT,
             "pin": 1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
             "output": output,
         },
@@ -172,7 +177,7 @@ def inertia_controlled(_: Evidence) -> Record:
 
     early = np.array([PERIOD / 8])
     still, moved = (float(inertia_block(np.array([pin]), early)[0]) for pin in (0.0, DRIVE_AMPLITUDE))
-    by_itself = DRIVE_AMPLITUDE * math.pi / 4 - DRIVE_GAP / 2
+    by_itself = DRIVE_AMPLITUDE * math.pi / 4 - TIMED_GAP / 2
     yield assertion(
         "input",
         "the block takes the input wave from its argument",
@@ -198,14 +203,14 @@ def inertia_controlled(_: Evidence) -> Record:
 
 @claim("txt-A.9-constants", source=ELEMENT)
 def constants(_: Evidence) -> Record:
-    angle = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE)
-    offset = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2
+    angle = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE)
+    offset = math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2
     middle = math.pi + angle / 2
     by_wave = element_at_phase(middle) + DRIVE_AMPLITUDE * middle
     second = close("bisection", angle / DRIVE_OMEGA, contact_time(), 1e-12)
-    yield digits("`phi`, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    yield digits("`phi`, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
     second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
-    yield digits(r"the constant of line 12, $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
+    yield digits(r"the constant of line 12, $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
     yield text(r"""
         Both are right to their digits, for 100 Hz: the contact angle is [[ angle | f5 ]] rad, and `phi` is
         that angle over $\omega$, in seconds. Two digits are few for the second one: [[ offset | f4 ]] mm is
@@ -215,8 +220,8 @@ def constants(_: Evidence) -> Record:
     """).given(
         angle=angle,
         offset=1e3 * offset,
-        missing=1e6 * (offset - float(PRINTED_OFFSET)),
-        share=100 * (offset - float(PRINTED_OFFSET)) / DRIVE_GAP,
+        missing=1e6 * (offset - float(LISTED_OFFSET)),
+        share=100 * (offset - float(LISTED_OFFSET)) / TIMED_GAP,
     )
 
 
@@ -243,11 +248,11 @@ def equation(_: Evidence) -> Record:
 
 @claim("txt-A.9-frequency", source=ELEMENT, impact=Impact.LOCAL)
 def frequency(_: Evidence) -> Record:
-    angle, in_text = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
-    belonging = angle / (TURN * float(PRINTED_CONTACT))
+    angle, in_text = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
+    belonging = angle / (TURN * float(LISTED_CONTACT))
     instants = (0.5 + np.array([0.0, TURN])) / (TURN * in_text)
     earlier, later = inertia_block(np.full(2, DRIVE_AMPLITUDE * math.sin(0.5)), instants)
-    another = abs(later - earlier) > CLOSE * DRIVE_GAP
+    another = abs(later - earlier) > CLOSE * TIMED_GAP
     own, other = (inertia_difference(each) for each in (DRIVE_FREQUENCY, in_text))
     label = "frequency to which the contact time of line 8 belongs"
     second = close("line 5 of the listing", DRIVE_FREQUENCY, belonging, 1e-5)

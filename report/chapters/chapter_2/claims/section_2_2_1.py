@@ -14,7 +14,7 @@ from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2,
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.independent import bodies_and_pin
+from report.numbers.independent import symbolic
 from report.parts import digits, equal, expression, made_here, matrix, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
@@ -79,7 +79,7 @@ def eccentric_pin(_: Evidence) -> Record:
     across = (turn * sympy.Matrix([0, A]))[0]
     stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)
     turned = across.subs(angle, RATE * t)
-    second = same("its acceleration towards the axis", bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
+    second = same("its acceleration towards the axis", symbolic.pin_from_acceleration(), PIN_MOTION)
     yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text("""
@@ -102,7 +102,7 @@ def pin_motion(_: Evidence) -> Record:
 @claim("eq-2.2", source=MOTION)
 def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
-    derived = kinetic + bodies_and_pin.sign_of_potential_energy(known.derivation) * potential
+    derived = kinetic + symbolic.sign_of_potential_energy(known.derivation) * potential
     yield expression("", total(kinetic, -potential), derived, sympy.Symbol("L"))
     yield text(r"""
         With $L = T + \sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law only for
@@ -117,7 +117,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     values = {mass[i]: m for i, m in enumerate(masses, 1)}
     values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
     printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
-    yield expression("the sum for $n = 4$", printed, bodies_and_pin.work_from_rest(), sympy.Symbol("T"))
+    yield expression("the sum for $n = 4$", printed, symbolic.work_from_rest(), sympy.Symbol("T"))
     yield text("""
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
         are absolute; the sentence before the equation calls them relative, which is true of springs and not
@@ -127,7 +127,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
 
 @claim("eq-2.4", source=ENERGIES)
 def kinetic_energy(known: Evidence) -> Record:
-    derived, work = known.derivation.kinetic_energy, bodies_and_pin.work_from_rest()
+    derived, work = known.derivation.kinetic_energy, symbolic.work_from_rest()
     second = same("the work done on each mass", work, derived)
     yield expression("", trimmer_printed.kinetic_energy(), derived, sympy.Symbol("T"), second=second)
     yield text("The list of four masses gives the printed sum.")

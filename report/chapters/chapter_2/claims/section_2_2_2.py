@@ -14,8 +14,12 @@ from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Claim, Impact, Mathematics
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
-from report.numbers.exact_response import response as exact_response
-from report.numbers.independent.linear_response import laplace_integral, matrix_formula, settled_gain
+from report.numbers.independent.exact_response import response as exact_response
+from report.numbers.independent.linear_trimmer import (
+    matrix_formula,
+    settled_gain,
+)
+from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA

@@ -9,7 +9,7 @@ from derivations import stability
 from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.independent import stability_examples
+from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
 from report.parts import assertion, close, digits, equal, expression, made_here
 from report.record import Record, claim, text
@@ -36,7 +36,7 @@ def eigenvalue_problem(known: Evidence) -> Record:
 def corollary(_: Evidence) -> Record:
     norm = stability.exponential_norm(stability.double_integrator())
     (time,) = norm.free_symbols
-    growth, late = stability_examples.growth_of_double_integrator(1000.0), float(norm.subs(time, 1000))
+    growth, late = examples.growth_of_double_integrator(1000.0), float(norm.subs(time, 1000))
     yield assertion(
         "",
         r"""
@@ -90,7 +90,7 @@ closed_loop_diagram = claim("fig-2.4", source=SOURCE)(closed_loop_fraction.items
 
 @claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", impact=Impact.LOCAL)
 def nyquist_statement(_: Evidence) -> Record:
-    critical, example = stability_examples.critical_point(), stability_examples.unstable_plant()
+    critical, example = examples.critical_point(), examples.unstable_plant()
     yield digits(
         "real part of the critical point",
         "1",

@@ -14,12 +14,12 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import sampled_gain
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.independent.van_der_pol import third_harmonic
+from report.numbers.independent.exact_response import gain_ratio
+from report.numbers.independent.examples import van_der_pol_third_harmonic
 from report.numbers.textbook_loops import relay_loop
 from report.parts import assertion, close, expression, made_here, same
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA
+from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA
 from trimmer import filtering_ratio
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -72,9 +72,9 @@ def harmonic_balance(_: Evidence) -> Record:
 
 @claim("eq-2.26", source="trimmer/linear/low_pass.py")
 def filtering_hypothesis(known: Evidence) -> Record:
-    at, system = 4607.7, known.numbers.displacement_only
+    at, system = LIMIT_CYCLE_OMEGA, known.numbers.displacement_only
     second, third, *others = (float(filtering_ratio(system, at, n)) for n in range(2, 20))
-    exact = float(gain(known.numbers, 3 * at) / gain(known.numbers, at))
+    exact = gain_ratio(known.numbers, at, 3)
     yield assertion(
         "at the predicted limit cycle",
         "the linear part passes every harmonic less than the fundamental",
@@ -133,7 +133,7 @@ def van_der_pol(_: Evidence) -> Record:
 
         None on numbers. The caution is right and section 6.1 repeats it; its example is the other end, large
         $\alpha$.
-    """).given(damping=damping, third=100 * third_harmonic(damping))
+    """).given(damping=damping, third=100 * van_der_pol_third_harmonic(damping))
 
 
 @claim("txt-2.3.3-amplitude-only", source="derivations/elements/backlash.py", impact=Impact.LOCAL)

@@ -17,8 +17,8 @@ from report.claim import Confirmation, Impact, Mathematics, Part
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm, integral
 from report.evidence import Evidence
-from report.numbers.independent.symbolic_roots import first_root
-from report.numbers.independent.traced_play import boundaries, outputs_at, traced
+from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
+from report.numbers.independent.symbolic import first_root
 from report.numbers.independent.waveforms import Values
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text

@@ -25,7 +25,7 @@ from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
-from report.numbers.independent.load_flight import contact_after_flight, contact_by_equation, zero_of_force
+from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values
 from report.parts import close, expression, made_here, part, same, so
 from report.record import Record, claim, text

@@ -13,7 +13,7 @@ from report.claim import Impact, Mathematics
 from report.comparisons.printed import total
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
-from report.numbers.independent.symbolic_roots import zeros_in_turn
+from report.numbers.independent.symbolic import zeros_in_turn
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
 from trimmer.elements.coulomb_friction import CoulombFriction

@@ -12,9 +12,9 @@ from report.claim import Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
-from report.numbers.independent.listed_describing_functions import friction_listing
-from report.numbers.independent.loop_poles import decays, feedback_poles
-from report.numbers.independent.symbolic_roots import first_root
+from report.numbers.independent.loci import decays, feedback_poles
+from report.numbers.independent.symbolic import first_root
+from report.numbers.listed_functions import friction_listing
 from report.numbers.textbook_loops import (
     backlash_history,
     backlash_loop,

@@ -17,6 +17,7 @@ from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
 from report.parts import assertion, close, digits, equal, repeated, so, uncheckable
 from report.record import Record, claim, text
+from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
 PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
@@ -25,7 +26,7 @@ DIFFERENCE = "219.890"
 QUOTED = (
     ("section 3.2 and tables, first peak", peaks.TABLE_1[1]),
     *((place, "109.845") for place in ("section 3.2", "footnote 7 of section 5.2.1", "appendix A.9")),
-    ("table 3.2, measurements 2 and 3", peaks.TABLE_2["M2"][0]),
+    ("table 3.2, measurements 2 and 3", TABLE_2["M2"][0]),
     ("sections 3.2 and 3.3, about", "109"),
 )
 """The drive's frequency wherever it is quoted, Hz."""
@@ -84,19 +85,19 @@ def first_table(_: Evidence) -> Record:
 
 def by_numpy(number: int) -> Confirmation:
     """Confirm the frequency of a bin."""
-    frequencies = bins(peaks.FRAMES_OF_TABLES, float(peaks.SAMPLE_RATE))
+    frequencies = bins(FRAMES_OF_TABLES, SAMPLE_RATE)
     return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
 
 
 @claim("tab-3.2", source=PEAKS, impact=Impact.NOTATION)
 def second_table(_: Evidence) -> Record:
     measured = {}
-    for name, row in peaks.TABLE_2.items():
+    for name, row in TABLE_2.items():
         measured[name] = {order: peaks.nearest_bin(cell) for order, cell in enumerate(row, start=1)}
         for (order, number), printed in zip(measured[name].items(), row, strict=True):
             second = by_numpy(number)
             if not peaks.on_a_bin(printed):
-                first = float(peaks.TABLE_2["M1"][0])
+                first = float(TABLE_2["M1"][0])
                 second = close("the same peak in measurement 1", first, float(number * peaks.BIN), 1e-6)
             yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
     ranges = {name: peaks.common_drive(row, Fraction(1)) for name, row in measured.items()}

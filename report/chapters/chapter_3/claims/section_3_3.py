@@ -11,24 +11,32 @@ from derivations.identity import prove_equal
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
 from report.claim import Impact, Number
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
+from report.numbers.driven_motion import (
+    FORCES,
+    transient_peaks,
+)
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
-from report.numbers.transient_spectrum import transient_peaks
 from report.parts import assertion, close, digits, expression, made_here, same, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import MEASURED_DRIVE_FREQUENCY
+from report.thesis import (
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    TABLE_2,
+)
 
 CONTACT, RELEASED = "derivations/elements/coulomb_contact.py", "report/numbers/released_motion.py"
 PRINTED_RATE = velocities[1] - velocities[0]
 PRINTED_FRICTION = product(FORCE, sympy.sign(total(velocities[1], -velocities[0])))
 PRINTED_SIGNS = (-1, 1, 0, 0)
 """Sign of the friction in each line of equation 3.2."""
-OPEN_LOOP_PEAK, FIFTH = "365.999", "549.999"
-"""Peaks of figure 3.8, Hz."""
+FIFTH = "549.999"
+"""The other peak of figure 3.8, Hz."""
 BIN_OF_FIGURE = 1.0
 """Widest bins of which both peaks are whole multiples together with their digits, Hz."""
 PEAK, PREDICTED = "350", "488"
@@ -132,7 +140,7 @@ def force_of_friction(known: Evidence) -> Record:
 
 @claim("txt-3.3-open-loop-odd", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
 def odd_harmonics(known: Evidence) -> Record:
-    runs, odd = driven.runs_with(known, GAP), driven.has_odd_harmonics_only(known)
+    runs, odd = driven.runs_with(known, EXPERIMENT_GAP), driven.has_odd_harmonics_only(known)
     second = driven.confirm_odd(known)
     largest = [sorted(range(2, run.harmonics.size), key=lambda n: -run.harmonics[n])[:2] for run in runs]
     sizes = ((run.force, *(1e6 * run.harmonics[order] for order in (3, 5, 7))) for run in runs)
@@ -143,7 +151,7 @@ def odd_harmonics(known: Evidence) -> Record:
         all(set(pair) == {3, 5} for pair in largest),
         f"third, fifth and seventh with {'; '.join(rows)}",
         method=driven.BY_LISTING,
-        second=driven.confirm_play(known, GAP),
+        second=driven.confirm_play(known, EXPERIMENT_GAP),
     )
     yield assertion(
         "no others",
@@ -257,7 +265,7 @@ def subharmonic(_: Evidence) -> Record:
 def peak_350(known: Evidence) -> Record:
     mode, least = known.numbers.modes[1].frequency, FORCES_OF_FIGURE[0]
     inside, outside = (
-        [known.motion.released.released(gap, least, start) for gap in (GAP, LARGEST_GAP)]
+        [known.motion.released.released(gap, least, start) for gap in (EXPERIMENT_GAP, LARGEST_GAP)]
         for start in (INSIDE, OUTSIDE)
     )
     small, large = peaks = [released_peak(run) for run in inside]
@@ -318,17 +326,17 @@ def suppression(known: Evidence) -> Record:
     released, branches = known.motion.released, known.cycles.equivalent.in_place_both_channels
     lasting = [run for run in released.by_force if run.goes_on]
     weak, predicted = lasting[1], branches.stable
-    balance = np.interp(weak.force / GAP, predicted.force_per_gap, predicted.amplitude)
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.amplitude)
     yield assertion(
         "amplitude",
         "the amplitude of the limit cycle falls as friction rises",
         bool((np.diff([run.amplitude for run in lasting]) < 0).all()),
         ", ".join(f"{1e6 * run.amplitude:.0f} µm with {run.force:g} N" for run in lasting),
         method=RISING,
-        second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / GAP, 0.02),
+        second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / EXPERIMENT_GAP, 0.02),
     )
     *_, before, last = released.by_force
-    merger = GAP * branches.merger.force_per_gap
+    merger = EXPERIMENT_GAP * branches.merger.force_per_gap
     merge = f"harmonic balance, whose two solutions merge at {merger:.3f} N"
     yield assertion(
         "existence",
@@ -382,7 +390,7 @@ def frequency_under_friction(known: Evidence) -> Record:
     without, weak, *_, strong = lasting
     slower = without.frequency - strong.frequency
     predicted = known.cycles.equivalent.in_place_both_channels.stable
-    balance = np.interp(weak.force / GAP, predicted.force_per_gap, predicted.frequency)
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.frequency)
     yield assertion(
         "self-sustained oscillation",
         "friction leaves its frequency",

@@ -28,11 +28,16 @@ from report.chapters.chapter_5.claims.section_5_2_5 import (
 from report.claim import Impact
 from report.comparisons.second_ways import by_matching_real_parts
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE, OTHER_GAP, listing_element
-from report.numbers.limit_cycle_numbers import friction_exactly
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    FORCES,
+    OTHER_FORCE,
+    listing_element,
+)
+from report.numbers.independent.limit_cycles import friction_exactly
 from report.parts import assertion, close, digits, equal, expression, made_here, repeated
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
+from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 NEWTON = "Newton's method in 30 digits"
@@ -67,7 +72,7 @@ def three_panels(known: Evidence) -> Record:
         len(found) > 1,
         f"at {inner.frequency:.1f} Hz, unstable, and at {outer.frequency:.1f} Hz, stable",
         method=BY_LISTING,
-        second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / OTHER_GAP, len(found)),
+        second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / LARGER_GAP, len(found)),
     )
     yield text(r"""
         The contours are those of Listing A.6, whose friction term has the wrong sign and a factor $1/\omega$
@@ -77,7 +82,7 @@ def three_panels(known: Evidence) -> Record:
 
         The dependence on frequency is that of the wrong factor. The likeness to viscous-controlled backlash
         comes from the wrong sign, which makes friction a lag, as inertia is.
-    """).given(share=OTHER_FORCE / OTHER_GAP / known.numbers.parameters.k2)
+    """).given(share=OTHER_FORCE / LARGER_GAP / known.numbers.parameters.k2)
 
 
 @claim("fig-5.22", source=SOURCE, impact=Impact.LOCAL)

@@ -9,18 +9,18 @@ from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
 from report.comparisons.second_ways import by_grid, by_waveform, sampled_gain
 from report.evidence import Evidence
-from report.numbers.independent.backlash_loci import (
+from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
+from report.numbers.independent.loci import (
     LIBRARY_GAP,
     LIBRARY_GRID,
     distance_from_curve,
     intersections_by_library,
 )
-from report.numbers.independent.listed_describing_functions import friction_listing
-from report.numbers.limit_cycle_numbers import friction_by_newton, inertia_by_newton
-from report.numbers.viscous_listing import intersections, listing_contour
+from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
+from report.numbers.listed_functions import friction_listing, intersections, listing_contour
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET, TURN
+from report.thesis import LARGE_GAP, PLOT_OFFSET, TURN
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
@@ -57,8 +57,7 @@ def second_implementation(known: Evidence) -> Record:
     )
     (second, _), (first, omega) = intersections_by_library(known.cycles.listing)
     stable = known.cycles.friction_listing.stable
-    above, below = (tuple(map(float, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR))
-    by_newton, _ = friction_by_newton(above, below, stable)
+    by_newton, _ = friction_as_listed(stable)
     error = abs(first / LIBRARY_GAP / stable.amplitude - 1)
     yield assertion(
         "the outer intersection",
@@ -164,7 +163,7 @@ def larger_gap(known: Evidence) -> Record:
 def inertia(known: Evidence) -> Record:
     system, stable = known.numbers.displacement_only, known.cycles.inertia.stable
     found, scaled = (limit_cycles(system, InertiaBacklash(gap)) for gap in (1.0, 1e-3))
-    _, omega = inertia_by_newton(known.numbers, stable)
+    _, omega = inertia_exactly(known.numbers, stable)
     below_two = sum(1 / cycle.amplitude <= 2 for cycle in found)
     yield digits(
         "intersections",
@@ -225,11 +224,11 @@ def higher_harmonics(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-5.16", source="report/numbers/viscous_listing.py", impact=Impact.DOWNSTREAM)
+@claim("fig-5.16", source="report/numbers/listed_functions.py", impact=Impact.DOWNSTREAM)
 def viscous(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     listing = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
-    balanced = {gamma: limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0)) for gamma in GAMMAS}
+    balanced = {gamma: cycles_of_constant_gamma(system, gamma) for gamma in GAMMAS}
     found = [(gamma, cycle) for gamma, cycles in balanced.items() for cycle in cycles]
     on_outer = [(gamma, cycle) for gamma, cycle in found if cycle.omega > STABLE_SIDE]
     outer = [(ViscousBacklash(1.0, gamma / cycle.omega), cycle) for gamma, cycle in on_outer]

@@ -7,7 +7,6 @@ import math
 from report.chapters.chapter_5.claims.driven_open_loop import REPEATS, line_part, size_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import SECOND_WAY, one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
-from report.chapters.chapter_5.claims.section_5_2_2 import largest_other_line
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
 from report.chapters.chapter_5.claims.section_5_2_4 import (
     FIGURE_FORCE,
@@ -25,7 +24,7 @@ from report.record import Record, claim, text
 from report.thesis import ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
-DRIVEN, RELAY = "report/numbers/reference_loop.py", "report/numbers/relay_loop.py"
+DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"
 STANDS_OUT = 0.01
 """Share of the largest line below which another does not show beside it."""
 UNIT = 1e-8
@@ -137,7 +136,7 @@ def driven_spectrum(known: Evidence) -> Record:
 
 @claim("fig-5.14", source="report/numbers/timed_block.py", impact=Impact.DOWNSTREAM)
 def inertia(known: Evidence) -> Record:
-    read, size = largest_other_line(known.motion.closed.timed_block)
+    read, size = known.motion.closed.timed_block.largest_other_line
     yield from peaks_of_inertia(known)
     yield text("""
         As for friction-controlled backlash, what is printed belongs to a closed loop with the drive as

@@ -12,7 +12,7 @@ import sympy
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
-from report.numbers.exact_response import gain, gain_crossing
+from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
 from report.numbers.independent.linear_trimmer import (
     highest_unfiltered,
     impulse_response_grows,
@@ -22,7 +22,7 @@ from report.numbers.independent.linear_trimmer import (
 from report.numbers.linear_numbers import LinearNumbers
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
+from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import (
     Body,
     asymptotic_roll_off,
@@ -42,8 +42,6 @@ PRINTED_DENOMINATOR = (
     *("2.676e17", "4.889e21", "4.595e23", "5.971e27"),
 )
 CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
-LIMIT_CYCLE_OMEGA = 4607.7
-"""Angular frequency of the limit cycle that table 5.1 predicts at 733.33 Hz, rad/s."""
 MUCH_SMALLER = 0.1
 HARMONICS = range(2, 40)
 CLEAR = 2.0
@@ -158,11 +156,6 @@ def nyquist_locus(known: Evidence) -> Record:
     """)
 
 
-def exact_ratio(numbers: LinearNumbers, omega: float, harmonic: int) -> float:
-    """Return how well a harmonic of ω (rad/s) passes over the fundamental, from exact coefficients."""
-    return float(gain(numbers, harmonic * omega) / gain(numbers, omega))
-
-
 @claim("txt-5.1.2-filtering", source=LOW_PASS, impact=Impact.DOWNSTREAM)
 def filtering(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
@@ -177,7 +170,7 @@ def filtering(known: Evidence) -> Record:
         third <= MUCH_SMALLER,
         rf"$|G(3j\omega)|/|G(j\omega)| = {third:.4f}$, higher ones less",
         method="frequency response",
-        second=close(exact, exact_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
+        second=close(exact, gain_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
     )
     yield assertion(
         "at every frequency, as equation 2.26 asks",
@@ -194,7 +187,7 @@ def filtering(known: Evidence) -> Record:
             "fifth": fifth_measured,
         },
         method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
-        second=close(exact, exact_ratio(numbers, measured, 5), fifth_measured),
+        second=close(exact, gain_ratio(numbers, measured, 5), fifth_measured),
     )
     yield text("""
         Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: the third
@@ -258,9 +251,9 @@ def cutoff(known: Evidence) -> Record:
 def roll_off(known: Evidence) -> Record:
     numbers = known.numbers
     slope = asymptotic_roll_off(numbers.displacement_only)
-    chord = 20 * math.log10(exact_ratio(numbers, 1e3, 10))
+    chord = 20 * math.log10(gain_ratio(numbers, 1e3, 10))
     steepness = local_slope(numbers.displacement_only, np.geomspace(ROLL_OFF_FROM, HIGH_OMEGA, 4000))
-    far = 20 * math.log10(exact_ratio(numbers, HIGH_OMEGA, 10))
+    far = 20 * math.log10(gain_ratio(numbers, HIGH_OMEGA, 10))
     misread = "the fall over the decade from $10^{3}$ to $10^{4}$ rad/s is read as the slope"
     second = close("the slope of the exact gain at $10^{8}$ rad/s", far, slope, 1e-6)
     yield digits("roll-off", "-20", slope, "dB/decade", second=second, slip=made_here(misread, chord))

@@ -5,35 +5,38 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import control
 import numpy as np
 import sympy
 
 from derivations.state_space import output_row
-from report.chapters.chapter_5.claims.section_5_1_2 import exact_ratio
 from report.claim import Confirmation, Impact, Part
 from report.evidence import Evidence
-from report.numbers.exact_response import eigenvalues, gain, peak
-from report.numbers.independent.antiresonances import antiresonances, antiresonances_without_damping
-from report.numbers.independent.linear_trimmer import gain_of_state_space
-from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
+from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
+from report.numbers.independent.linear_trimmer import (
+    antiresonances,
+    antiresonances_without_damping,
+    matrix_formula,
+)
+from report.numbers.linear_numbers import (
+    DAMPING_FACTOR,
+    lightly_damped,
+    lightly_damped_response,
+    sum_of_displacements,
+)
 from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import (
     Body,
     Displacement,
-    InputChannels,
-    TrimmerParameters,
     filtering_ratio,
     frequency_response,
     linear_model,
     resonance_peaks,
-    transfer_function,
 )
 from trimmer.linear.extrema import Extremum
 
-MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/light_damping.py"
+MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/linear_numbers.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -137,7 +140,7 @@ def first_resonance(known: Evidence) -> Record:
         """,
         numbers={"fifth": fifth, "fifth_measured": fifth_measured, "measured": MEASURED_DRIVE_FREQUENCY},
         method="frequency response at multiples of the drive",
-        second=close("exact coefficients, 40 digits", exact_ratio(numbers, measured, 5), fifth_measured),
+        second=close("exact coefficients, 40 digits", gain_ratio(numbers, measured, 5), fifth_measured),
     )
     yield text("""
         The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
@@ -170,7 +173,7 @@ def output_matrix(known: Evidence) -> Record:
         second=small("the numeric model with each displacement as an output", float(difference)),
         slip=made_here("the four rows are added up into one", added),
     )
-    system = lightly_damped_trimmer(parameters)
+    system = lightly_damped_response(parameters)
     highest = known.numbers.undamped[-1].omega
     beside = abs(frequency_response(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
@@ -183,14 +186,10 @@ def output_matrix(known: Evidence) -> Record:
     """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
 
 
-def lightly_damped_trimmer(parameters: TrimmerParameters) -> control.TransferFunction:
-    return transfer_function(lightly_damped(parameters), channels=InputChannels.DISPLACEMENT_ONLY)
-
-
 @claim("txt-5.1.3-damping", source=MODES, impact=Impact.LOCAL)
 def damping(known: Evidence) -> Record:
     numbers, parameters = known.numbers, known.numbers.parameters
-    systems = numbers.displacement_only, lightly_damped_trimmer(parameters)
+    systems = numbers.displacement_only, lightly_damped_response(parameters)
     damped, light = (
         [nearest(resonance_peaks(system), mode.omega) for mode in numbers.undamped[:VISIBLE]]
         for system in systems
@@ -198,8 +197,8 @@ def damping(known: Evidence) -> Record:
     ratios = [each.magnitude / other.magnitude for each, other in zip(light, damped, strict=True)]
     least, most = min(ratios), max(ratios)
     solved = [
-        gain_of_state_space(lightly_damped(parameters), each.omega)
-        / gain_of_state_space(parameters, other.omega)
+        abs(matrix_formula(lightly_damped(parameters), 1j * each.omega))
+        / abs(matrix_formula(parameters, 1j * other.omega))
         for each, other in zip(light, damped, strict=True)
     ]
     yield assertion(
@@ -255,7 +254,7 @@ def valleys(known: Evidence) -> Record:
     parameters = known.numbers.parameters
     first = antiresonances(known.numbers.displacement_only)
     other = antiresonances(sum_of_displacements(lightly_damped(parameters)))
-    undamped = antiresonances(lightly_damped_trimmer(parameters))
+    undamped = antiresonances(lightly_damped_response(parameters))
     free = "frequencies where a constrained system without damping is free to swing"
     of_sum, of_output = (antiresonances_without_damping(parameters, weights)[1] for weights in (SUM, OUTPUT))
     in_5_2, in_5_4 = (", ".join(f"{omega:.0f}" for omega in omegas) for omegas in (first, other))

@@ -14,7 +14,7 @@ from report.claim import Impact
 from report.comparisons.printed import power_of
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
-from report.numbers.independent.friction_contact import least_amplitude_with_contact
+from report.numbers.independent.symbolic import least_amplitude_with_contact
 from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
 from trimmer.elements.friction_backlash import FrictionBacklash

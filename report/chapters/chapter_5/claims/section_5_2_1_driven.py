@@ -15,13 +15,12 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
 )
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.reference_loop import GAP
 from report.numbers.time_stepping import lines_in_steps, steps
 from report.parts import assertion, close, small
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 
-SOURCE = "report/numbers/reference_loop.py"
+SOURCE = "report/numbers/drive_amplitudes.py"
 UNALTERED = 0.05
 """Share by which an amplitude may change and still be called unaltered."""
 
@@ -79,7 +78,7 @@ def drive_amplitude(known: Evidence) -> Record:
     lines = [run.line for run in runs]
     references = [steps(run.amplitude, DRIVE_FREQUENCY) for run in runs]
     frequencies = [run.frequency if run.line else orbit.frequency for run in runs]
-    in_steps = lines_in_steps(orbit, GAP, references, frequencies)
+    in_steps = lines_in_steps(orbit, LARGE_GAP, references, frequencies)
     seen = [f"{1e6 * run.line:.1f} µm" if run.line else "none" for run in runs]
     yield assertion(
         "open loop",
@@ -115,7 +114,7 @@ def drive_amplitude(known: Evidence) -> Record:
         drive smaller than half of the gap cannot start it from rest either.
 
         The conclusion of chapter 7 holds for weak drives of a closed loop, not for the trimmer's.
-    """).given(gaps=DRIVE_AMPLITUDE / GAP)
+    """).given(gaps=DRIVE_AMPLITUDE / LARGE_GAP)
 
 
 def _unaltered(lines: Sequence[float]) -> bool:

@@ -10,7 +10,8 @@ from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power
 from report.comparisons.second_ways import by_floquet, by_waveform
 from report.evidence import Evidence
-from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_exactly
+from report.numbers.independent.limit_cycles import friction_exactly
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.parts import assertion, close, digits, made_here, repeated
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP

@@ -13,14 +13,13 @@ from report.claim import Impact, Part
 from report.comparisons.printed import total
 from report.comparisons.second_ways import by_division_back, by_floquet
 from report.evidence import Evidence
-from report.numbers.limit_cycle_numbers import inertia_by_newton
-from report.numbers.record import largest_peaks, line_amplitudes
-from report.numbers.timed_block import GAP, RECORD, TimedBlockNumbers
+from report.numbers.independent.harmonics import harmonic_behind
+from report.numbers.independent.limit_cycles import inertia_exactly
 from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
 from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
-from trimmer import InertiaBacklash, frequency_response
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
+from trimmer import InertiaBacklash
 
 NEWTON = "Newton's method in 30 digits"
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
@@ -28,8 +27,6 @@ OBSERVED = 660.0
 ISOLATED = 1e-6
 """Distance of a Floquet multiplier from one below which orbits may stand side by side."""
 PEAK = "659"
-MOST = 40
-"""Peaks among which the largest is sought that is no multiple of the drive's frequency."""
 SETTLED = 1e-6
 BIN = 10.0
 """Width of a bin over 0.1 s, Hz."""
@@ -100,7 +97,7 @@ def beta_range(_: Evidence) -> Record:
 def prediction(known: Evidence) -> Record:
     cycles = known.cycles
     cycle = cycles.inertia.stable
-    second = close(NEWTON, inertia_by_newton(known.numbers, cycle)[1], cycle.omega)
+    second = close(NEWTON, inertia_exactly(known.numbers, cycle)[1], cycle.omega)
     yield digits("angular frequency", "5.12e3", cycle.omega, "rad/s", second=second)
     yield digits("frequency", "814.9", cycle.frequency, "Hz", second=second)
     yield converted("conversion of 5120 rad/s", "814.9", 5.12e3)
@@ -143,7 +140,7 @@ def error(known: Evidence) -> Record:
     cycle, orbit = known.cycles.inertia.stable, known.orbits.inertia.stable
     printed = 100 * abs(814.9 - OBSERVED) / OBSERVED
     right = 100 * abs(cycle.frequency - OBSERVED) / OBSERVED
-    by_newton = 100 * (inertia_by_newton(known.numbers, cycle)[1] / TURN / OBSERVED - 1)
+    by_newton = 100 * (inertia_exactly(known.numbers, cycle)[1] / TURN / OBSERVED - 1)
     exact, by_durations = (
         100 * (cycle.frequency / each - 1) for each in (orbit.frequency, known.orbits.inertia_by_durations)
     )
@@ -163,26 +160,14 @@ def error(known: Evidence) -> Record:
     """).given(right=right, frequency=orbit.frequency, exact=exact)
 
 
-def largest_other_line(numbers: TimedBlockNumbers) -> tuple[float, float]:
-    """Return frequency (Hz) and amplitude (m) of the largest line of Listing A.8's block in the loop.
-
-    Multiples of the drive's frequency do not count.
-    """
-    amplitudes = line_amplitudes(numbers.block_in_loop)
-    bins_of_drive = round(DRIVE_FREQUENCY * RECORD.duration)
-    other = next(number for number in largest_peaks(amplitudes, MOST) if number % bins_of_drive)
-    return RECORD.frequency(other), float(amplitudes[other])
-
-
 def peak_parts(known: Evidence) -> tuple[Part, ...]:
     """Return the parts on the peak at 659 Hz and its reading."""
     block, peak = known.motion.closed.timed_block, float(PEAK)
     nearest = min((mode.frequency for mode in known.numbers.modes), key=lambda each: abs(each - peak))
     multiple = DRIVE_FREQUENCY * round(peak / DRIVE_FREQUENCY)
     seventh = float(block.harmonics[7])
-    gain = InertiaBacklash(GAP).describing_function(DRIVE_AMPLITUDE, harmonic=7)
-    response = frequency_response(known.numbers.displacement_only, 7 * DRIVE_OMEGA)
-    by_balance = DRIVE_AMPLITUDE * abs(complex(gain * response))
+    system, element = known.numbers.displacement_only, InertiaBacklash(TIMED_GAP)
+    by_balance = harmonic_behind(system, element, DRIVE_AMPLITUDE, DRIVE_OMEGA, 7)
     in_open_loop = assertion(
         f"a line at {PEAK} Hz in open loop",
         "the open loop driven at 100 Hz has one",
@@ -216,7 +201,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
         exact,
         "Hz",
         second=close(means, known.orbits.inertia_by_durations, exact),
-        slip=made_here(slip, math.floor(largest_other_line(block)[0])),
+        slip=made_here(slip, math.floor(block.largest_other_line[0])),
     )
     return in_open_loop, of_limit_cycle
 
@@ -224,7 +209,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
 @claim("txt-5.2.2-open-loop-659", source="report/numbers/timed_block.py", impact=Impact.DOWNSTREAM)
 def peak(known: Evidence) -> Record:
     block = known.motion.closed.timed_block
-    read, size = largest_other_line(block)
+    read, size = block.largest_other_line
     # A Floquet exponent is known up to multiples of the drive's frequency, and shows at all of them.
     turns, decay = block.exponents.imag / TURN, -block.exponents.real
     shown = turns + DRIVE_FREQUENCY * np.round((float(PEAK) - turns) / DRIVE_FREQUENCY)

@@ -14,8 +14,9 @@ from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
 from report.comparisons.second_ways import by_division_back, by_floquet, by_waveform
 from report.evidence import Evidence
-from report.numbers.independent.backlash_loci import lies_between_the_limits
-from report.numbers.limit_cycle_numbers import TIME_CONSTANTS, friction_exactly, inertia_by_newton
+from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
+from report.numbers.independent.loci import lies_between_the_limits
+from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.parts import assertion, close, digits, expression, repeated
 from report.record import Record, claim, text
 from report.thesis import ROUNDED, TURN
@@ -31,7 +32,7 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
     """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
-    by_inertia = close(NEWTON, inertia_by_newton(known.numbers, high)[1], high.omega)
+    by_inertia = close(NEWTON, inertia_exactly(known.numbers, high)[1], high.omega)
     slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
     return (
         digits("lower end", "733", low.frequency, "Hz", second=by_friction, slip=slip),
@@ -116,7 +117,7 @@ def only_between(known: Evidence) -> Record:
 def identify(known: Evidence) -> Record:
     limit = known.cycles.inertia.stable
     highest = max(cycle.frequency for each in known.cycles.viscous for cycle in each if cycle.stable)
-    by_newton = inertia_by_newton(known.numbers, limit)[1]
+    by_newton = inertia_exactly(known.numbers, limit)[1]
     yield digits("conversion", "4775", 760 * TURN, "rad/s", second=by_division_back(760 * TURN, 760))
     yield assertion(
         "a ratio M/D for 760 Hz",

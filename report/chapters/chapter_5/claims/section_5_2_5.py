@@ -13,26 +13,29 @@ from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, printed_function
-from report.numbers.independent.listing_a6 import (
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    EquivalentNumbers,
+    Point,
+    printed_function,
+)
+from report.numbers.independent.limit_cycles import (
+    equivalent_as_listed,
     frequency_of_strong_friction,
-    listing_by_newton,
-    listing_function,
     loop_at_merger,
 )
+from report.numbers.listed_functions import equivalent_listing
 from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, TURN
-from trimmer import frequency_response
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP, TURN
+from trimmer import LimitCycle, frequency_response
 
 OPERATOR, BODIES = "derivations/elements/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 LINE_18 = "line 18 of Listing A.6 is used for the friction term"
 BY_LISTING = "all solutions of harmonic balance with the listing's function"
-PEAKS = ("221.989", "369.996", "736.993")
-"""Hz."""
 DIED_OUT = 1e-9
 """Share of the start that may be left of a motion that has died out."""
 
@@ -117,7 +120,7 @@ def difference(_: Evidence) -> Record:
 
 def intersections_part(numbers: EquivalentNumbers) -> Part:
     """Return the part on the number of limit cycles, which the figure and the text share."""
-    found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / GAP)
+    found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / SMALL_GAP)
     return digits(
         "limit cycles with the right friction term, over $k_2$",
         "1",
@@ -130,7 +133,7 @@ def intersections_part(numbers: EquivalentNumbers) -> Part:
 def frequency_part(numbers: EquivalentNumbers) -> Part:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
-    _, by_newton = listing_by_newton(cycle, FORCE, GAP, OMEGA)
+    _, by_newton = equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
     slip = "0.15 N, the force of figure 5.21, is used instead of 0.6 N, and the last digit is cut off"
     return digits(
         "frequency by Listing A.6 with the coefficients of Listing A.9",
@@ -140,6 +143,11 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
         second=close("Newton's method in 30 digits", by_newton, cycle.omega),
         slip=made_here(slip, math.floor(1000 * less_force.frequency) / 1000),
     )
+
+
+def by_listing_a6(solution: LimitCycle | Point, turning: float) -> complex:
+    """Return N of Listing A.6 at a solution, with an angular frequency (rad/s) in its friction term."""
+    return equivalent_listing(solution.amplitude, FORCE, SMALL_GAP, turning)
 
 
 def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmation:
@@ -160,7 +168,7 @@ def prediction(known: Evidence) -> Record:
     own, as_printed = numbers.own_frequency, numbers.as_printed
     yield intersections_part(numbers)
     yield frequency_part(numbers)
-    exact, free = listing_function(listing.amplitude, OMEGA), listing_function(own.amplitude, own.omega)
+    exact, free = by_listing_a6(listing, DRIVE_OMEGA), by_listing_a6(own, own.omega)
     yield solution_part(known, "frequency by Listing A.6 with exact coefficients", listing.omega, exact)
     label = "the same, with the loop's frequency in the friction term instead of the drive's"
     yield solution_part(known, label, own.omega, free)
@@ -199,7 +207,7 @@ def at_the_merger(known: Evidence) -> Confirmation:
 def amplitude(known: Evidence) -> Record:
     numbers, friction = known.cycles.equivalent, known.cycles.friction.stable
     (listing,) = numbers.listing
-    without = GAP * friction.amplitude
+    without = SMALL_GAP * friction.amplitude
     growth, shift = listing.amplitude / without, listing.frequency / friction.frequency - 1
     yield assertion(
         "by Listing A.6",
@@ -217,19 +225,19 @@ def amplitude(known: Evidence) -> Record:
             "shift": 100 * shift,
         },
         method=BY_LISTING,
-        second=loop_closes(known, listing.omega, listing_function(listing.amplitude, OMEGA)),
+        second=loop_closes(known, listing.omega, by_listing_a6(listing, DRIVE_OMEGA)),
     )
     yield assertion(
         "with friction as the stiffness that it is",
         "a limit cycle with another amplitude is left at 0.6 N",
-        numbers.in_place.limit_cycles(FORCE / GAP) > 0,
+        numbers.in_place.limit_cycles(FORCE / SMALL_GAP) > 0,
         """
         the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
         force there is no limit cycle
         """,
         numbers={
             "without": 1e6 * without,
-            "last": 1e6 * GAP * numbers.in_place.merger.amplitude,
+            "last": 1e6 * SMALL_GAP * numbers.in_place.merger.amplitude,
             "most": numbers.force_of_merger,
         },
         method="all solutions of harmonic balance, friction between cutter and guard",
@@ -251,7 +259,7 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
     numbers, branch = known.motion.closed.released_bodies, known.cycles.equivalent.in_place
     read = [RECORD.frequency(number) for number in numbers.runs[0].peaks]
     parts = []
-    for number, printed, frequency, mode in zip((1, 2, 3), PEAKS, read, numbers.modes, strict=False):
+    for number, printed, frequency, mode in zip((1, 2, 3), RELEASED_PEAKS, read, numbers.modes, strict=False):
         label = f"{prefix}peak {number} of {RECORD.duration:.0f} s, all bodies released alike"
         second = close(f"natural mode {number} of the loop without play and friction", mode, frequency, 2e-3)
         shown = f"{frequency:.3f}"
@@ -259,7 +267,7 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
         parts.append(digits(label, printed, frequency, "Hz", second=second, slip=slip))
     left = max(run.left / run.displacement for run in numbers.runs)
     reading = assertion(
-        f"{prefix}what the peak at {PEAKS[2]} Hz is",
+        f"{prefix}what the peak at {RELEASED_PEAKS[2]} Hz is",
         f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
         left > DIED_OUT,
         """
@@ -269,7 +277,7 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
         """,
         numbers={"left": left, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
         method="exact simulation with true stick",
-        second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / GAP) == 0),
+        second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / SMALL_GAP) == 0),
     )
     return (*parts, reading)
 
@@ -277,18 +285,18 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
 @claim("txt-5.2.5-fft", source=BODIES, impact=Impact.DOWNSTREAM)
 def peaks(known: Evidence) -> Record:
     numbers = known.motion.closed.released_bodies
-    modes, (_, second, third) = numbers.modes, map(float, PEAKS)
+    modes, (_, second, third) = numbers.modes, map(float, RELEASED_PEAKS)
     apart = abs(2 * second - third) / RECORD.bin_width
     yield from peak_parts(known)
     yield assertion(
-        f"what the peak at {PEAKS[1]} Hz is",
-        f"it is a harmonic of the one at {PEAKS[2]} Hz",
+        f"what the peak at {RELEASED_PEAKS[1]} Hz is",
+        f"it is a harmonic of the one at {RELEASED_PEAKS[2]} Hz",
         apart < 1,
         """
         twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
         odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
         """,
-        numbers={"peaks": PEAKS, "apart": apart, "mode": modes[1]},
+        numbers={"peaks": RELEASED_PEAKS, "apart": apart, "mode": modes[1]},
         method="the printed frequencies and bins",
         second=close("the natural modes of the loop", modes[1], second, 2e-3),
     )

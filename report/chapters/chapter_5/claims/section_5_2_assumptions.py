@@ -15,9 +15,9 @@ from report.claim import Impact
 from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
-from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
-from report.numbers.independent.listed_blocks import inertia_block
+from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
+from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA

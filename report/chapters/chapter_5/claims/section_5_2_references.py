@@ -8,7 +8,7 @@ from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
 from report.inventory import read_inventory
-from report.numbers.limit_cycle_numbers import LISTING_DENOMINATOR, LISTING_NUMERATOR, friction_by_newton
+from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits, repeated
 from report.record import Record, claim, text
 from report.sections import read_sections
@@ -88,7 +88,7 @@ def of_zero_force(_: Evidence) -> Record:
 def quoted_prediction(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.frequency
-    _, omega = friction_by_newton(LISTING_NUMERATOR, LISTING_DENOMINATOR, cycle)
+    _, omega = friction_as_listed(cycle)
     cut_off = [
         printed for printed in QUOTED.values() if not PrintedDigits(printed, predicted).compare().agrees
     ]
@@ -122,7 +122,7 @@ def amplitude_symbols(known: Evidence) -> Record:
     under_the_symbol, simulated = "3.2995e-5", 3.2995e-5
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.amplitude * SMALL_GAP
-    ratio, _ = friction_by_newton(LISTING_NUMERATOR, LISTING_DENOMINATOR, cycle)
+    ratio, _ = friction_as_listed(cycle)
     readings = (3.303e-5 - -3.2961e-5) / 2
     yield assertion(
         "nomenclature: the value that section 5.2.1 calls $A_{lcs}$",

@@ -18,7 +18,7 @@ from derivations.elements.waveform import THETA, Segment, Waveform, describing_f
 from derivations.symbols import A
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.independent import cubic_spring
+from report.numbers.independent import examples
 from report.parts import assertion, close, expression
 from report.record import Record, claim, text
 from trimmer.balance.leakage import harmonic_leakage
@@ -96,7 +96,7 @@ def hard_nonlinearities(_: Evidence) -> Record:
     period = Segment(sympy.Integer(0), 2 * sympy.pi, (A * sympy.sin(THETA)) ** 3)
     gain = describing_function(Waveform((period,)), A)
     at_one = float(gain.subs(A, 1))
-    predicted, exact = math.sqrt(at_one), cubic_spring.exact_frequency()
+    predicted, exact = math.sqrt(at_one), examples.cubic_frequency()
     yield assertion(
         "",
         "a describing function can be derived only for hard nonlinearities",
@@ -107,7 +107,7 @@ def hard_nonlinearities(_: Evidence) -> Record:
         """,
         numbers={"gain": gain, "predicted": predicted, "exact": exact},
         method="Fourier integral of a smooth odd nonlinearity",
-        second=close("quadrature", cubic_spring.sampled_gain(), at_one),
+        second=close("quadrature", examples.cubic_gain(), at_one),
     )
     yield text("""
         All that the derivation in section 2.3.3 asks for is an output of the input's period; a corner or a

@@ -11,8 +11,8 @@ from derivations.elements.waveform import THETA
 from report.claim import Impact
 from report.comparisons.quadrature import coefficient, confirm
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
 from report.numbers.independent import loci
+from report.numbers.independent.exact_response import gain_ratio
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from trimmer import asymptotic_roll_off
@@ -26,7 +26,7 @@ HIGH_OMEGA = 1e8
 @claim("txt-6.2-filter-order", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
 def filter_order(known: Evidence) -> Record:
     order = -asymptotic_roll_off(known.numbers.displacement_only) / 20
-    slope = -math.log10(float(gain(known.numbers, 10 * HIGH_OMEGA) / gain(known.numbers, HIGH_OMEGA)))
+    slope = -math.log10(gain_ratio(known.numbers, HIGH_OMEGA, 10))
     second = close("the slope of the exact gain at $10^{8}$ rad/s", slope, order, 1e-6)
     yield digits("", "1", order, second=second)
     yield text("""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from report.claim import Impact
 from report.comparisons.printed import power
 from report.evidence import Evidence
-from report.numbers.independent.let_go_load import LetGoLoad
+from report.numbers.independent.load_in_play import LetGoLoad
 from report.parts import assertion, close
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP

@@ -21,18 +21,25 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
     REPEATS,
     line_part,
     open_loop,
+    open_loop_harmonic,
     open_loop_repeats,
 )
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
-from report.numbers.independent.waveforms import inertia_contact_angle
-from report.numbers.record import line_amplitudes
+from report.numbers.listed_blocks import contact_angle
+from report.numbers.record import change, line_amplitudes
 from report.parts import assertion, close, expression, small, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import frequency_response
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LARGE_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    MEASURED_DRIVE_OMEGA,
+)
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -43,17 +50,10 @@ SIMULATED = "exact simulation with 1.5 mm and 100 Hz"
 BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 
-def fifth_harmonic(known: Evidence, amplitude: float, frequency: float) -> float:
-    """Return the amplitude of the fifth harmonic behind backlash and linear part in open loop, m."""
-    gain = FrictionBacklash(LARGE_GAP).describing_function(amplitude, harmonic=FIFTH)
-    response = frequency_response(known.numbers.displacement_only, TURN * FIFTH * frequency)
-    return float(amplitude * abs(gain * response))
-
-
 @claim("txt-7-input-amplitude", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
 def input_amplitude(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
-    fifth = [fifth_harmonic(known, amplitude, DRIVE_FREQUENCY) for amplitude in DRIVE_AMPLITUDES]
+    fifth = [open_loop_harmonic(known, FIFTH, amplitude) for amplitude in DRIVE_AMPLITUDES]
     yield assertion(
         "what oscillates in open loop",
         "besides the drive and its harmonics a limit cycle goes on",
@@ -111,7 +111,7 @@ def input_frequency(known: Evidence) -> Record:
         second=so(general, max(changes) < 1e-4),
     )
     fifth, measured = (
-        fifth_harmonic(known, DRIVE_AMPLITUDE, each) for each in (DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY)
+        open_loop_harmonic(known, FIFTH, omega=each) for each in (DRIVE_OMEGA, MEASURED_DRIVE_OMEGA)
     )
     yield assertion(
         "what follows for the output",
@@ -157,7 +157,7 @@ def input_frequency(known: Evidence) -> Record:
         second=small("its size at $10^{12}$ rad/s, raised by one", far_up),
     )
     slow = complex(sympy.limit(-1 / LISTING.subs({A: GAP}), omega, 0))
-    at_gap = complex((-1 / inertia).subs(CONTACT, inertia_contact_angle(1)).evalf())
+    at_gap = complex((-1 / inertia).subs(CONTACT, contact_angle(1.0)).evalf())
     element = -1 / complex(InertiaBacklash(1.0).describing_function(1.0))
     yield assertion(
         "equivalent nonlinearity, with falling frequency",
@@ -198,20 +198,20 @@ def input_frequency(known: Evidence) -> Record:
 def subharmonics(known: Evidence) -> Record:
     run, orbit = open_loop(known), known.orbits.friction.stable
     first, second = run.output[:SAMPLES], run.output[SAMPLES:]
-    change = float(abs(second - first).max() / abs(second).max())
-    fifth = fifth_harmonic(known, DRIVE_AMPLITUDE, DRIVE_FREQUENCY)
+    between_periods = change(first, second)
+    fifth = open_loop_harmonic(known, FIFTH)
     by_response = "the fifth harmonic by describing function and frequency response"
     yield assertion(
         "open loop: what the peaks are",
         "they are subharmonics of the drive",
-        change > REPEATS,
+        between_periods > REPEATS,
         """
         two periods differ by [[ change | power0 ]] of the output, and at half of the [[ drive | f0 ]] Hz
         there are [[ half | power0 ]] of the first harmonic; the lines are at three, five and seven times the
         drive
         """,
         numbers={
-            "change": change,
+            "change": between_periods,
             "drive": DRIVE_FREQUENCY,
             "half": float(line_amplitudes(run.output)[1]) / run.harmonics[1],
         },

@@ -7,8 +7,7 @@ import numpy as np
 from report.claim import Impact
 from report.comparisons.second_ways import by_floquet
 from report.evidence import Evidence
-from report.numbers.independent.closed_linear_loop import slowest_growth
-from report.numbers.independent.loci import phase_range
+from report.numbers.independent.loci import feedback_poles, phase_range
 from report.numbers.independent.relay_and_friction import on_the_imaginary_axis
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
@@ -52,7 +51,7 @@ def only_stable(known: Evidence) -> Record:
 def play_and_stability(known: Evidence) -> Record:
     stable, unstable = known.orbits.friction.stable, known.orbits.friction.unstable
     inside, outside = known.orbits.left_by
-    slowest = slowest_growth(known.numbers.displacement_only)
+    slowest = float(feedback_poles(known.numbers.displacement_only).real.max())
     from_outside = "a motion from 0.1 % outside of the unstable orbit, which ends on it"
     yield assertion(
         "the loop without play and with it",

@@ -6,12 +6,12 @@ import math
 
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.light_damping import lightly_damped
+from report.numbers.independent.exact_response import gain, gain_ratio
+from report.numbers.linear_numbers import lightly_damped_response
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, TURN
-from trimmer import InputChannels, frequency_response, resonance_peaks, transfer_function
+from trimmer import frequency_response, resonance_peaks
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
@@ -21,7 +21,7 @@ EXACTLY = "exact coefficients, 40 digits"
 @claim("txt-7-damping", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
 def damping(known: Evidence) -> Record:
     numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
-    light = transfer_function(lightly_damped(numbers.parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+    light = lightly_damped_response(numbers.parameters)
     highest, without = (max(peak.magnitude for peak in peaks) for peaks in (damped, resonance_peaks(light)))
     exact = max(float(gain(numbers, peak.omega)) for peak in damped)
     yield assertion(
@@ -84,7 +84,7 @@ def resonance(known: Evidence) -> Record:
     )
     shares = {peak.omega: share_of_third(known, peak.omega) for peak in peaks}
     at_peaks = ", ".join(f"{share:.2g} at {omega / TURN:.1f} Hz" for omega, share in shares.items())
-    exact = float(gain(numbers, THIRD * highest) / gain(numbers, highest))
+    exact = gain_ratio(numbers, highest, THIRD)
     yield assertion(
         "what a resonance would do",
         "at a resonance the harmonics are not attenuated",
