@@ -30,10 +30,11 @@ if TYPE_CHECKING:
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
 MARK = "\0"
+MOST_PARAGRAPHS = 2
 
 
 class RecordError(ValueError):
-    """A record is not complete, or its text asks for what it does not give."""
+    """A record is not complete, or its text asks for what the record does not give."""
 
 
 @final
@@ -61,9 +62,13 @@ class Text:
         """The paragraphs with the numbers in their places.
 
         Raises:
+            RecordError: if there are more than two.
             TextError: if the prose asks for other numbers than are given.
         """
-        return filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        found = filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        if len(found) > MOST_PARAGRAPHS:
+            raise RecordError(f"the text {found[0][:60]!r} has {len(found)} paragraphs, not one or two")
+        return found
 
 
 Item = Part | Uncheckable | Text
@@ -103,7 +108,7 @@ class ClaimRecord:
         try:
             items = tuple(self.items(known))
             texts = [item.paragraphs for item in items if isinstance(item, Text)]
-        except TextError as error:
+        except (RecordError, TextError) as error:
             raise RecordError(f"claim {self.id}: {error}") from error
         if len(texts) != 1:
             raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")

@@ -8,10 +8,11 @@ import pytest
 from report.claim import Claim, ContradictionError, Part, judge
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import power, power_of
-from report.comparisons.second_ways import by_division_back, by_grid, by_matching_real_parts, second_way
+from report.comparisons.second_ways import by_division_back, by_grid, by_matching_real_parts
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
+from report.parts import so
 from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import Body, frequency_response, real_axis_crossings
 
@@ -21,7 +22,7 @@ CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):
     finding = Assertion(statement="it is so", derived=True, evidence="", method="one way")
     sound, unsound = (
-        Claim("eq-2.1", (Part("", finding, second_way("another", holds)),), "", "") for holds in (True, False)
+        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "", "") for holds in (True, False)
     )
     (part,) = judge(sound, inventory["eq-2.1"]).parts
     assert part.method == "one way; confirmed by another"

@@ -47,7 +47,7 @@ def matrices(system):
 @pytest.mark.parametrize("which", ["stable", "unstable"])
 def test_orbits_agree_with_the_solution_for_two_durations(closed, name, which):
     orbit = getattr(getattr(closed.orbits, name), which)
-    amplitude, frequency = orbit_by_durations(orbit, heavy=name == "inertia")
+    amplitude, frequency = orbit_by_durations(orbit, inertia=name == "inertia")
     assert frequency == pytest.approx(orbit.frequency, rel=1e-11)
     if name != "inertia":
         assert amplitude == pytest.approx(orbit.amplitude, rel=1e-11)

@@ -16,9 +16,10 @@ from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.claim import Impact, Mathematics
-from report.comparisons import quadrature
 from report.comparisons.printed import product
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
+from report.numbers.independent.waveforms import integral as quadrature_integral
 from report.parts import assertion, close, expression, matrix, same, small
 from report.record import ClaimRecord, Record, claim, text
 from report.thesis import LIMIT_CYCLE_OMEGA
@@ -74,8 +75,8 @@ def integral(
         limits = (tau, lower, upper)
         derived = sympy.simplify(sympy.integrate(integrand, limits))
         segment = Segment(lower, upper, integrand.subs(tau, THETA))
-        numeric = quadrature.integral(segment, sympy.Integer(1), VALUES)
-        second = quadrature.confirm(derived, numeric, VALUES)
+        numeric = quadrature_integral(segment, sympy.Integer(1), VALUES)
+        second = by_quadrature(derived, numeric, VALUES)
         left = latex(sympy.Integral(integrand, limits))
         yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
         yield text("""

@@ -17,7 +17,7 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.friction import FORCE
 from derivations.elements.friction import friction_waveform as coulomb_waveform
-from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
+from derivations.elements.waveform import describing_function, simplified_describing_function
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     general_describing_function,
@@ -25,9 +25,10 @@ from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     quadrature_part,
 )
 from report.claim import Impact, Part
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
+from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.listed_functions import (
     friction_listing,
     inertia_formula,
@@ -52,14 +53,13 @@ def formula_part() -> Part:
     """Return the part on the formula of friction-controlled backlash."""
     waveform, values = friction_waveform(), {A: sympy.Rational(17, 10), GAP: sympy.Rational(6, 7)}
     derived = simplified_describing_function(waveform, A)
-    sine, cosine = (coefficient(waveform, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
     return expression(
         "formula, with $b$ the total gap",
         friction_expression(),
         derived,
         left="N",
         assume=REACHED,
-        second=confirm(derived, (sine + 1j * cosine) / float(values[A]), values),
+        second=by_quadrature(derived, quadrature_gain(waveform, A, values), values),
     )
 
 

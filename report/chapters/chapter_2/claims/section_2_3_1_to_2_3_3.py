@@ -12,10 +12,10 @@ from derivations.symbols import A, omega, t
 from report.claim import Confirmation, Impact, Mathematics
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import sampled_gain
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.examples import van_der_pol_third_harmonic
+from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.textbook_loops import relay_loop
 from report.parts import assertion, close, expression, made_here, same
 from report.record import Record, claim, text

@@ -15,11 +15,11 @@ from derivations.elements.waveform import THETA, Segment, Waveform, segment_inte
 from derivations.symbols import A, omega
 from report.claim import Confirmation, Impact, Mathematics, Part
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm, integral
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
 from report.numbers.independent.symbolic import first_root
-from report.numbers.independent.waveforms import Values
+from report.numbers.independent.waveforms import Values, coefficient, integral
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -236,7 +236,7 @@ def integrals(
             slip=made_here(EXCHANGED, -derived),
         )
         area = sympy.simplify(segment_integral(segment, weight))
-        second = confirm(area, integral(segment, weight, VALUES), VALUES)
+        second = by_quadrature(area, integral(segment, weight, VALUES), VALUES)
         yield expression(f"{line} value", value, area, assume=REACHED, second=second)
 
 
@@ -273,7 +273,7 @@ def sine_integrals(_: Evidence) -> Record:
 def cosine_part(label: str) -> Part:
     """Return the part on a1."""
     derived = sympy.simplify(WAVEFORM.cosine_coefficient())
-    second = confirm(derived, coefficient(WAVEFORM, COSINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(WAVEFORM, COSINE, VALUES), VALUES)
     printed = 4 * b / sympy.pi * (b / A - 1)
     return expression(label, printed, derived, "a_{1}", assume=REACHED, second=second)
 
@@ -281,7 +281,7 @@ def cosine_part(label: str) -> Part:
 def sine_part(label: str) -> Part:
     """Return the part on b1."""
     derived = sympy.simplify(WAVEFORM.sine_coefficient())
-    second = confirm(derived, coefficient(WAVEFORM, SINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(WAVEFORM, SINE, VALUES), VALUES)
     printed = product(A / sympy.pi, total(*printed_sine_terms()))
     return expression(label, printed, derived, "b_{1}", assume=REACHED, second=second)
 

@@ -15,11 +15,12 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
-from report.chapters.chapter_2.claims.section_2_3_4_friction import COSINE, LINES, SINE, continuous
+from report.chapters.chapter_2.claims.section_2_3_4_friction import LINES, SINE, continuous
 from report.claim import Impact
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
+from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, expression, made_here, same, so
 from report.record import Record, claim, text
 
@@ -114,13 +115,12 @@ def describing_function(_: Evidence) -> Record:
     imaginary = product(-1, sympy.I / sympy.pi * (1 - cosine) ** 2)
     derived = simplified_describing_function(IN_GAP, A, (GAP, A * ratio))
     values = {A: sympy.Integer(1), CONTACT: ANGLE, GAP: ratio.subs(CONTACT, ANGLE)}
-    numeric = coefficient(IN_GAP, SINE, values) + 1j * coefficient(IN_GAP, COSINE, values)
     yield expression(
         "",
         total(product(1 / sympy.pi, real), imaginary),
         derived,
         "N",
-        second=confirm(derived, numeric, values),
+        second=by_quadrature(derived, quadrature_gain(IN_GAP, A, values), values),
     )
     yield text(r"""
         The describing function of the right waveform, with $b$ the total gap. It holds as long as the bridge

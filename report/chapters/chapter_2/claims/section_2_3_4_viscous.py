@@ -23,10 +23,10 @@ from derivations.symbols import DIMENSIONS, A, omega
 from report.claim import Impact, Mathematics, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
-from report.numbers.independent.waveforms import Values
+from report.numbers.independent.waveforms import Values, quadrature_gain
 from report.parts import close, expression, made_here, part, same, so
 from report.record import Record, claim, text
 from report.text import filled
@@ -87,8 +87,7 @@ def point() -> Values:
 @cache
 def numeric() -> complex:
     """Return N at that point by quadrature."""
-    real, imaginary = (coefficient(general_waveform(), f(THETA), point()) for f in (sympy.sin, sympy.cos))
-    return real + 1j * imaginary
+    return quadrature_gain(general_waveform(), A, point())
 
 
 @claim("fig-2.11", source=SOURCE)
@@ -181,7 +180,7 @@ def complex_form(_: Evidence) -> Record:
     derived = general_describing_function()
     printed = sympy.re(derived) + sympy.I * sympy.im(derived)
     form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
-    second = confirm(derived, numeric(), point())
+    second = by_quadrature(derived, numeric(), point())
     yield expression("", printed, derived, second=second, printed_form=form, derived_form=form)
     yield text("""
         $n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in
@@ -204,7 +203,7 @@ def in_phase_part(label: str, derived: sympy.Expr) -> Part:
         2 * GAMMA**2 / (sympy.pi * (1 + GAMMA**2)) * bracket,
         real,
         assume=flight_lasts(),
-        second=confirm(real, complex(numeric().real), point()),
+        second=by_quadrature(real, complex(numeric().real), point()),
         printed_form=form,
         derived_form=form,
     )
@@ -227,7 +226,7 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
         factor * (behind + left_out),
         imaginary,
         assume=flight_lasts(),
-        second=confirm(imaginary, complex(numeric().imag), point()),
+        second=by_quadrature(imaginary, complex(numeric().imag), point()),
         printed_form=QUADRATURE,
         derived_form=QUADRATURE,
     )
@@ -252,7 +251,7 @@ def quadrature(_: Evidence) -> Record:
         factor * behind + left_out,
         imaginary,
         assume=flight_lasts(),
-        second=confirm(imaginary, complex(numeric().imag), point()),
+        second=by_quadrature(imaginary, complex(numeric().imag), point()),
         slip=made_here("the bracket is closed before its last two terms", slipped),
         printed_form=Mathematics(rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}"),
         derived_form=QUADRATURE,

@@ -11,9 +11,10 @@ from derivations.elements.waveform import describing_function as derived_functio
 from derivations.symbols import A
 from report.claim import Impact, Mathematics
 from report.comparisons.printed import total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.symbolic import zeros_in_turn
+from report.numbers.independent.waveforms import coefficient, quadrature_gain
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
 from trimmer.elements.coulomb_friction import CoulombFriction
@@ -89,7 +90,7 @@ def cosine_coefficient(_: Evidence) -> Record:
         label = f"integral over the {half} half"
         yield expression(label, sympy.Integer(0), segment_integral(segment, COSINE))
     derived = RELAY.cosine_coefficient()
-    second = confirm(derived, coefficient(RELAY, COSINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(RELAY, COSINE, VALUES), VALUES)
     yield expression("$a_1$, switched by its own input", sympy.Integer(0), derived, "a_{1}", second=second)
     yield text(r"""
         Right for a relay that its own sinusoidal input switches; for friction that input is the velocity.
@@ -108,13 +109,13 @@ def sine_coefficient(_: Evidence) -> Record:
         "second line, the bracket",
         printed.doit(),
         bracket,
-        second=confirm(bracket, 2.0 * numeric / float(4 * VALUES[FORCE] / sympy.pi), VALUES),
+        second=by_quadrature(bracket, 2.0 * numeric / float(4 * VALUES[FORCE] / sympy.pi), VALUES),
         slip=made_here("the lower limit is added instead of subtracted", bracket - 2),
         printed_form=Mathematics(r"[-\cos(\pi) - \cos(0)]"),
         derived_form=Mathematics(r"[-\cos(\pi) + \cos(0)]"),
     )
     derived = RELAY.sine_coefficient()
-    second = confirm(derived, numeric, VALUES)
+    second = by_quadrature(derived, numeric, VALUES)
     yield expression("third line, $b_1$", 4 * FORCE / sympy.pi, derived, "b_{1}", second=second)
     yield text("""
         The bracket of the second line, taken as printed, is zero; the lower limit has to be subtracted, which
@@ -127,7 +128,7 @@ def sine_coefficient(_: Evidence) -> Record:
 @claim("eq-2.52", source=SOURCE)
 def describing_function(_: Evidence) -> Record:
     derived = derived_function(RELAY, A)
-    second = confirm(derived, coefficient(RELAY, SINE, VALUES) / float(VALUES[A]), VALUES)
+    second = by_quadrature(derived, quadrature_gain(RELAY, A, VALUES), VALUES)
     label = "switched by its own input of amplitude $A$"
     yield expression(label, 4 * FORCE / (A * sympy.pi), derived, "N", second=second)
     yield text("""
@@ -140,13 +141,12 @@ def describing_function(_: Evidence) -> Record:
 @claim("txt-2.3.5-input-choice", source=SOURCE, impact=Impact.DOWNSTREAM)
 def input_choice(_: Evidence) -> Record:
     by_velocity, by_displacement = derived_function(RELAY, A), derived_function(FRICTION, A)
-    numeric = coefficient(FRICTION, SINE, VALUES) + 1j * coefficient(FRICTION, COSINE, VALUES)
     yield expression(
         "friction with the displacement as input",
         by_velocity,
         by_displacement,
         "N",
-        second=confirm(by_displacement, numeric / float(VALUES[A]), VALUES),
+        second=by_quadrature(by_displacement, quadrature_gain(FRICTION, A, VALUES), VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", by_velocity),
     )
     yield text(r"""
@@ -164,7 +164,7 @@ def locus(_: Evidence) -> Record:
     relay, friction = (sympy.simplify(-1 / derived_function(each, A)) for each in (RELAY, FRICTION))
     statement = "$-1/N$ lies on the negative real axis"
     method = "sign of the derived expression for every positive amplitude"
-    second = confirm(relay, -float(VALUES[A]) / coefficient(RELAY, SINE, VALUES), VALUES)
+    second = by_quadrature(relay, -1 / quadrature_gain(RELAY, A, VALUES), VALUES)
     negative, evidence = relay.is_negative is True, f"$-1/N = {sympy.latex(relay)}$"
     yield assertion("with the velocity as input", statement, negative, evidence, method=method, second=second)
     amplitude, force = float(VALUES[A]), float(VALUES[FORCE])

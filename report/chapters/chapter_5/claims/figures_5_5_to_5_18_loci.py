@@ -7,7 +7,10 @@ import control
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
-from report.comparisons.second_ways import by_grid, by_waveform, sampled_gain
+from report.comparisons.second_ways import (
+    by_grid,
+    by_waveform,
+)
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
 from report.numbers.independent.loci import (
@@ -16,6 +19,7 @@ from report.numbers.independent.loci import (
     distance_from_curve,
     intersections_by_library,
 )
+from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, intersections, listing_contour
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable

@@ -8,13 +8,13 @@ import control
 import sympy
 
 from derivations.elements.backlash import GAP, friction_waveform
-from derivations.elements.waveform import THETA, describing_function
+from derivations.elements.waveform import describing_function
 from derivations.symbols import A
 from report.claim import Impact
 from report.comparisons.printed import power_of
-from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
 from report.numbers.independent.symbolic import least_amplitude_with_contact
+from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -123,8 +123,7 @@ def library(_: Evidence) -> Record:
         for a in (0.51, 0.7, 1.0, 4.0, 90.0)
     )
     values = {A: sympy.Integer(4), GAP: sympy.Integer(1)}
-    sine, cosine = (coefficient(friction_waveform(), wave(THETA), values) for wave in (sympy.sin, sympy.cos))
-    quadrature, theirs = (sine + 1j * cosine) / 4, LIBRARY.describing_function(4.0)
+    quadrature, theirs = quadrature_gain(friction_waveform(), A, values), LIBRARY.describing_function(4.0)
     yield assertion(
         "agreement",
         "the library's describing function of backlash agrees with the listing's",

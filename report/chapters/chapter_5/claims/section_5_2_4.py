@@ -9,12 +9,15 @@ import sympy
 from derivations.dimensions import FORCE as DIMENSION_OF_FORCE
 from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
-from derivations.elements.waveform import THETA, describing_function
+from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power_of
-from report.comparisons.quadrature import coefficient, confirm
-from report.comparisons.second_ways import by_grid, by_harmonics
+from report.comparisons.second_ways import (
+    by_grid,
+    by_harmonics,
+    by_quadrature,
+)
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import (
     difference_of_scaled,
@@ -22,6 +25,7 @@ from report.numbers.independent.relay_and_friction import (
     highest_phase,
     on_the_imaginary_axis,
 )
+from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
 from report.numbers.time_stepping import FINE_STEP
 from report.parts import assertion, close, digits, expression, made_here, so
@@ -52,15 +56,14 @@ def limit_of_response(known: Evidence) -> Record:
 @claim("eq-5.13", source="derivations/elements/friction.py", impact=Impact.DOWNSTREAM)
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
-    for_friction, wave = sympy.simplify(-1 / FRICTION), friction_waveform()
-    sine, cosine = (coefficient(wave, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
+    for_friction, gain = sympy.simplify(-1 / FRICTION), quadrature_gain(friction_waveform(), A, VALUES)
     yield expression("for a relay on the loop's signal", printed, -1 / RELAY, left)
     yield expression(
         "for friction, in a loop whose signal is a displacement",
         printed,
         for_friction,
         left,
-        second=confirm(for_friction, -float(VALUES[A]) / (sine + 1j * cosine), VALUES),
+        second=by_quadrature(for_friction, -1 / gain, VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", -1 / RELAY),
     )
     yield text(r"""

@@ -12,10 +12,10 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.claim import Impact
-from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
+from report.numbers.independent.waveforms import coefficient
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so

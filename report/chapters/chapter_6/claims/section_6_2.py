@@ -9,10 +9,11 @@ import sympy
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
 from report.claim import Impact
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent import loci
 from report.numbers.independent.exact_response import gain_ratio
+from report.numbers.independent.waveforms import coefficient
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from trimmer import asymptotic_roll_off
@@ -48,7 +49,7 @@ def higher_terms(known: Evidence) -> Record:
         any(sympy.simplify(each) != 0 for each in zero) or sympy.simplify(b_3) == 0,
         f"a relay's square wave has all of these zero and $b_3 = {sympy.latex(b_3)}$",
         method="Fourier coefficients of the relay's waveform",
-        second=confirm(b_3, coefficient(wave, sympy.sin(3 * THETA), values), values),
+        second=by_quadrature(b_3, coefficient(wave, sympy.sin(3 * THETA), values), values),
     )
     cycle, exact = known.cycles.friction.stable, known.orbits.friction.stable.amplitude
     element = FrictionBacklash(1.0)
