@@ -16,16 +16,11 @@ import numpy as np
 
 from report.numbers.record import harmonics
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import Drive, FrictionBacklash, OpenLoop, simulate
+from trimmer import Drive, Element, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, Window, peaks, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.element import Element
 from trimmer.motion.interconnection import Interconnection, realized
 from trimmer.motion.loops import Loop, element_around
-from trimmer.motion.motion import Motion
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
 
 AMPLITUDES = (1.5e-6, 1.5e-4, DRIVE_AMPLITUDE, 1.5e-2, 1.5e-1)
 """Amplitudes of the drive in figure E.2, m, in rising order."""

@@ -21,15 +21,10 @@ from report.thesis import (
     MEASURED_DRIVE_OMEGA,
     SAMPLE_RATE,
 )
+from trimmer import CoulombFriction, Drive, FrictionBacklash, Motion, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.loops import Drive
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
 DURATION = 0.6
 """Length of a run from rest, s: fifteen time constants of the slowest mode."""

@@ -17,11 +17,7 @@ import mpmath
 from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
-from trimmer import InputChannels, frequency_response
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
+from trimmer import CoulombFriction, Element, InputChannels, LimitCycle, frequency_response, limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 FORCE = 0.6

@@ -14,14 +14,9 @@ from scipy.optimize import fsolve
 
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, Pair
 from report.numbers.linear_numbers import LinearNumbers
+from trimmer import Element, FrictionBacklash, InertiaBacklash, PeriodicOrbit, periodic_orbits, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.motion.simulation import simulate
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.orbits.periodic_orbits import periodic_orbits
 
 ASIDE = 1e-3
 """How far beside the unstable limit cycle two motions start, relative."""

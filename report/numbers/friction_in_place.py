@@ -14,10 +14,8 @@ import control
 import numpy as np
 
 from report.thesis import TURN
-from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
+from trimmer import Body, InputChannels, LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 BACKLASH = FrictionBacklash(1.0)

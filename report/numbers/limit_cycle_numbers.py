@@ -11,11 +11,7 @@ from scipy.optimize import minimize_scalar
 from report.numbers.equivalent_nonlinearity import EquivalentNumbers, solve_equivalent
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, limit_cycles
 
 TIME_CONSTANTS = tuple(float(each) for each in np.geomspace(1e-6, 1.0, 9))
 """Load time constants M/D between the friction- and the inertia-controlled limit, s."""

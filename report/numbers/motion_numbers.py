@@ -20,7 +20,7 @@ from report.numbers.relay_loop import RelayNumbers, solve_relay
 from report.numbers.released_bodies import ReleasedBodiesNumbers, solve_released_bodies
 from report.numbers.released_motion import ReleasedNumbers, solve_released
 from report.numbers.timed_block import TimedBlockNumbers, solve_timed_block
-from trimmer.linear.model import InputChannels, pin_model
+from trimmer import InputChannels, pin_model
 
 
 @dataclass(frozen=True, eq=False)

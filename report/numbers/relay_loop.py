@@ -14,13 +14,8 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from report.numbers.time_stepping import last_turn_in_steps, linear_step
+from trimmer import ClosedLoop, CoulombFriction, Motion, Relay, ViscousFriction, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
-from trimmer.motion.loops import ClosedLoop
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
 
 IMPULSES = (1e-6, 1e-3, 1.0)
 """Impulse over force, s."""

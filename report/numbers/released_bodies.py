@@ -14,13 +14,8 @@ from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.equivalent_nonlinearity import FORCE
 from report.numbers.record import Record, largest_peaks, line_amplitudes
 from report.thesis import SMALL_GAP, TURN
+from trimmer import Body, FrictionBacklash, InputChannels, TrimmerLoop, TrimmerParameters, pin_model, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import Body
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.motion.simulation import simulate
-from trimmer.motion.trimmer_loop import TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
 DISPLACEMENTS = (0.01, 0.1, 1.0)
 """Displacement that all bodies share at the start, m."""

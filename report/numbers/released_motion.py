@@ -13,14 +13,8 @@ import numpy as np
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import padded_spectrum
 from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
+from trimmer import Body, FrictionBacklash, InputChannels, Motion, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import Body
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
-from trimmer.motion.trimmer_loop import TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
 DURATION = 0.3
 """Length of a run, s."""

@@ -14,10 +14,7 @@ import control
 import numpy as np
 
 from report.numbers.time_stepping import linear_step
-from trimmer import frequency_response
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.relay import Relay
+from trimmer import FrictionBacklash, Relay, frequency_response, limit_cycles
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals

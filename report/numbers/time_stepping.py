@@ -14,8 +14,8 @@ import numpy as np
 from scipy.linalg import expm
 
 from report.thesis import TURN
+from trimmer import PeriodicOrbit
 from trimmer.arrays import Reals
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 STEP = 2e-5
 """Step of the loop with backlash, s."""

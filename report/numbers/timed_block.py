@@ -22,10 +22,8 @@ from report.thesis import (
     LISTED_OFFSET,
     TIMED_GAP,
 )
+from trimmer import Drive, InertiaBacklash, OpenLoop, simulate
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.motion.loops import Drive, OpenLoop
-from trimmer.motion.simulation import simulate
 
 RECORD = Record(0.1, 2_001)
 """A record from rest with the length of section 5.2.1, ten periods."""

@@ -29,9 +29,8 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
+from trimmer import Spectrum, Window, amplitude_spectrum
 from trimmer.arrays import Reals
-from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
-from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,8 +10,7 @@ import numpy as np
 import sympy
 
 from derivations.elements.waveform import THETA, Segment, Waveform
-from trimmer import frequency_response
-from trimmer.elements.element import Element
+from trimmer import Element, frequency_response
 
 DIGITS = 30
 PHASES = 2**15

@@ -5,16 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.claim import Impact
-from report.comparisons.second_ways import by_waveform
+from report.comparisons.second_ways import NEWTON, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
-from trimmer import frequency_response
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import ViscousBacklash, frequency_response, limit_cycles
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"
 GRID_END, GRID_POINTS = 0.0025, 10000
@@ -29,7 +27,7 @@ def search(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     amplitude, omega = friction_as_listed(cycle)
     label = "the two equations of lines 23 to 26, at their solution: amplitude over gap"
-    second = close("Newton's method in 30 digits", amplitude, cycle.amplitude)
+    second = close(NEWTON, amplitude, cycle.amplitude)
     yield digits(label, "8.2845", cycle.amplitude, second=second)
     yield assertion(
         "order of the lines",

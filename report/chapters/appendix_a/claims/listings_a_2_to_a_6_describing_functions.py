@@ -25,7 +25,7 @@ from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     quadrature_part,
 )
 from report.claim import Impact, Part
-from report.comparisons.second_ways import by_quadrature
+from report.comparisons.second_ways import REPEATED, by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain
@@ -39,7 +39,6 @@ from report.record import ClaimRecord, Record, claim, text
 
 BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
-REPEATED = "the listing, repeated line by line"
 
 
 def friction_expression() -> sympy.Expr:

@@ -13,6 +13,7 @@ from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.claim import Impact, Mathematics, Part
 from report.comparisons.printed import product, total
+from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.listed_blocks import (
@@ -36,10 +37,9 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer import InertiaBacklash
 
 SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"
-REPEATED = "the listing, repeated line by line"
 FRICTION_LINES = (
     *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
     *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),

@@ -15,9 +15,7 @@ from report.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import close, expression, part
 from report.record import Record, claim, text
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer import CoulombFriction, FrictionBacklash, SumOfElements
 
 SAMPLES = 4096
 

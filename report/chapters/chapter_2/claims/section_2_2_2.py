@@ -13,6 +13,7 @@ from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Claim, Impact, Mathematics
 from report.comparisons.digits import CloseNumbers
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
 from report.numbers.independent.linear_trimmer import (
@@ -27,7 +28,6 @@ from trimmer import frequency_response
 
 SOURCE = "derivations/laplace.py"
 IN_TIME = "trimmer/linear/time_response.py"
-IN_MANY_DIGITS = "exact coefficients, 40 digits"
 
 
 def responses(known: Evidence) -> tuple[complex, complex, complex]:
@@ -43,7 +43,7 @@ def magnitude(known: Evidence) -> Record:
     yield part(
         f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {settled:.5f}",
         CloseNumbers(gain, settled, 1e-4),
-        second=close(IN_MANY_DIGITS, exact, gain),
+        second=close(EXACTLY, exact, gain),
         **as_printed(r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|"),
     )
     yield text(r"""
@@ -59,7 +59,7 @@ def phase(known: Evidence) -> Record:
     yield part(
         f"at 100 Hz: the phase is {angle:.6f} rad, a simulation gives {settled:.6f} rad",
         CloseNumbers(angle, settled, 1e-3),
-        second=close(IN_MANY_DIGITS, exact, angle),
+        second=close(EXACTLY, exact, angle),
         **as_printed(r"\angle G(j\omega) = \phi(j\omega) = \phi"),
     )
     yield text(r"""

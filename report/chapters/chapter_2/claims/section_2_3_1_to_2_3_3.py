@@ -12,6 +12,7 @@ from derivations.symbols import A, omega, t
 from report.claim import Confirmation, Impact, Mathematics
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.examples import van_der_pol_third_harmonic
@@ -20,9 +21,7 @@ from report.numbers.textbook_loops import relay_loop
 from report.parts import assertion, close, expression, made_here, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA
-from trimmer import filtering_ratio
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, ViscousBacklash, filtering_ratio
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_to_2_3_3.py"
 LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")
@@ -81,7 +80,7 @@ def filtering_hypothesis(known: Evidence) -> Record:
         max(second, third, *others) < 1,
         f"at {at} rad/s the second is passed {second:.3f}, the third {third:.3f} times as well",
         method="frequency response at the harmonics",
-        second=close("exact coefficients, 40 digits", exact, third),
+        second=close(EXACTLY, exact, third),
         printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
     )
     yield text("""

@@ -22,8 +22,7 @@ from report.numbers.independent.symbolic import first_root
 from report.numbers.independent.waveforms import Values, coefficient, integral
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)

@@ -30,7 +30,7 @@ from report.numbers.independent.waveforms import Values, quadrature_gain
 from report.parts import close, expression, made_here, part, same, so
 from report.record import Record, claim, text
 from report.text import filled
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"
 SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)

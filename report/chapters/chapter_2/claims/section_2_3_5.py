@@ -17,8 +17,7 @@ from report.numbers.independent.symbolic import zeros_in_turn
 from report.numbers.independent.waveforms import coefficient, quadrature_gain
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
+from trimmer import CoulombFriction, Relay
 
 SOURCE = "derivations/elements/friction.py"
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)

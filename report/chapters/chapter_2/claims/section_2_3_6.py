@@ -25,8 +25,7 @@ from report.numbers.textbook_loops import (
 )
 from report.parts import assertion, close, digits, equal, expression, made_here, part
 from report.record import Record, claim, text
-from trimmer import frequency_response
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, frequency_response
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
 LOOPS = "report/numbers/textbook_loops.py"

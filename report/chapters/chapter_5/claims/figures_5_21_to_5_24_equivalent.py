@@ -26,7 +26,7 @@ from report.chapters.chapter_5.claims.section_5_2_5 import (
     peak_parts,
 )
 from report.claim import Impact
-from report.comparisons.second_ways import by_matching_real_parts
+from report.comparisons.second_ways import NEWTON, by_matching_real_parts
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import (
     FORCE,
@@ -40,7 +40,6 @@ from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
-NEWTON = "Newton's method in 30 digits"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 """What Listing A.6 computes."""
 

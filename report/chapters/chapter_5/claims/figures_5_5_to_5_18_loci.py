@@ -8,6 +8,8 @@ from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
 from report.comparisons.second_ways import (
+    LOEB,
+    NEWTON,
     by_grid,
     by_waveform,
 )
@@ -35,7 +37,6 @@ from trimmer import (
 )
 
 SOURCE = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
 THICK_BAND = (4.6e3, 5.38e3)
@@ -143,7 +144,7 @@ def larger_gap(known: Evidence) -> Record:
         "the outer one is stable, the inner one unstable",
         outer.stable and not inner.stable,
         f"{small:.2f} µm at {low:.2f} Hz is unstable, {large:.1f} µm at {high:.2f} Hz stable",
-        method="Loeb's criterion, from analytic derivatives of both curves",
+        method=LOEB,
         second=so("the Floquet multipliers of the exact orbits", as_exact),
     )
     means = "a motion that starts 0.1 % outside of the unstable orbit and ends on this one"

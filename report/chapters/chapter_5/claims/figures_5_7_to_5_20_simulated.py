@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.driven_open_loop import REPEATS, line_part, size_part
-from report.chapters.chapter_5.claims.section_5_2_1_simulated import SECOND_WAY, one_impulse_part
+from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
 from report.chapters.chapter_5.claims.section_5_2_4 import (
@@ -15,7 +15,7 @@ from report.chapters.chapter_5.claims.section_5_2_4 import (
     relay_part,
 )
 from report.claim import Confirmation, Impact
-from report.comparisons.second_ways import by_harmonics
+from report.comparisons.second_ways import TWO_DURATIONS, by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
@@ -77,7 +77,7 @@ def small_gap(known: Evidence) -> Record:
         SMALL_GAP * pair.stable.amplitude for pair in (orbits.friction, orbits.friction_listing)
     )
     sizes = abs(orbits.friction.stable.harmonics)
-    second = close(SECOND_WAY, SMALL_GAP * orbits.friction_by_durations[0], exact)
+    second = close(TWO_DURATIONS, SMALL_GAP * orbits.friction_by_durations[0], exact)
     slip = repeated(f"{ROUNDED}, and the last digit is cut off", UNIT * math.floor(rounded / UNIT))
     yield digits("a: upper reading", "3.303e-5", exact, "m", second=second, slip=slip)
     yield digits("a: lower reading", "-3.2961e-5", -exact, "m", second=second)

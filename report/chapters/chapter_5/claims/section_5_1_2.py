@@ -11,6 +11,7 @@ import sympy
 
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
 from report.numbers.independent.linear_trimmer import (
@@ -163,14 +164,13 @@ def filtering(known: Evidence) -> Record:
     third = float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3))
     fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
     every = highest_unfiltered(system, HARMONICS)
-    exact = "exact coefficients, 40 digits"
     yield assertion(
         f"at the predicted limit cycle, {LIMIT_CYCLE_OMEGA} rad/s",
         f"every odd harmonic is passed at most {MUCH_SMALLER:g} times as well",
         third <= MUCH_SMALLER,
         rf"$|G(3j\omega)|/|G(j\omega)| = {third:.4f}$, higher ones less",
         method="frequency response",
-        second=close(exact, gain_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
+        second=close(EXACTLY, gain_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
     )
     yield assertion(
         "at every frequency, as equation 2.26 asks",
@@ -187,7 +187,7 @@ def filtering(known: Evidence) -> Record:
             "fifth": fifth_measured,
         },
         method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
-        second=close(exact, gain_ratio(numbers, measured, 5), fifth_measured),
+        second=close(EXACTLY, gain_ratio(numbers, measured, 5), fifth_measured),
     )
     yield text("""
         Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: the third

@@ -10,6 +10,7 @@ import sympy
 
 from derivations.state_space import output_row
 from report.claim import Confirmation, Impact, Part
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
 from report.numbers.independent.linear_trimmer import (
@@ -26,14 +27,7 @@ from report.numbers.linear_numbers import (
 from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import (
-    Body,
-    Displacement,
-    filtering_ratio,
-    frequency_response,
-    linear_model,
-    resonance_peaks,
-)
+from trimmer import Body, Displacement, filtering_ratio, frequency_response, linear_model, resonance_peaks
 from trimmer.linear.extrema import Extremum
 
 MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/linear_numbers.py"
@@ -140,7 +134,7 @@ def first_resonance(known: Evidence) -> Record:
         """,
         numbers={"fifth": fifth, "fifth_measured": fifth_measured, "measured": MEASURED_DRIVE_FREQUENCY},
         method="frequency response at multiples of the drive",
-        second=close("exact coefficients, 40 digits", gain_ratio(numbers, measured, 5), fifth_measured),
+        second=close(EXACTLY, gain_ratio(numbers, measured, 5), fifth_measured),
     )
     yield text("""
         The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion

@@ -17,7 +17,7 @@ from report.numbers.independent.symbolic import least_amplitude_with_contact
 from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash
 
 SOURCE = "trimmer/elements/friction_backlash.py"
 OURS = FrictionBacklash(1.0)

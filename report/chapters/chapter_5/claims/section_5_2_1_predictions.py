@@ -8,20 +8,16 @@ from dataclasses import dataclass, replace
 
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power
-from report.comparisons.second_ways import by_floquet, by_waveform
+from report.comparisons.second_ways import LOEB, NEWTON, by_floquet, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.parts import assertion, close, digits, made_here, repeated
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 
 SOURCE = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
-LOEB = "Loeb's criterion, from analytic derivatives of both curves"
 SCALING = "scaling of the describing function in the gap"
 TINY_GAP = 2e-11
 TABLE_5_2 = {

@@ -9,6 +9,7 @@ import numpy as np
 
 from report.claim import Impact, Part
 from report.comparisons.printed import power_of
+from report.comparisons.second_ways import TWO_DURATIONS
 from report.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.impulse_response import ABOVE, CHECKED
@@ -16,8 +17,7 @@ from report.numbers.record import Record as Samples
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, ROUNDED, SMALL_GAP
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/numbers/exact_orbits.py"
 STATED = Samples(0.1, 1_000_231)
@@ -29,13 +29,12 @@ THIRD_OF_A_SECOND = Samples(0.3, 1_000_231)
 PEAK = "734.00"
 EDGE = 2e-8
 """Gap that the section takes for the smallest with a limit cycle, m."""
-SECOND_WAY = "the state at the impact and two durations, solved for with SciPy's matrix exponential"
 
 
 def peak_part(orbits: ExactOrbits, label: str) -> Part:
     """Return the part on the peak of figure 5.9b."""
     exact = orbits.friction.stable.frequency
-    second = close(SECOND_WAY, orbits.friction_by_durations[1], exact)
+    second = close(TWO_DURATIONS, orbits.friction_by_durations[1], exact)
     name = "the nearest bin of a spectrum over one second is read, of which bins are 1 Hz apart"
     return digits(label, PEAK, exact, "Hz", second=second, slip=repeated(name, ONE_SECOND.nearest(exact)))
 
@@ -43,7 +42,7 @@ def peak_part(orbits: ExactOrbits, label: str) -> Part:
 def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> Part:
     """Return the part on a simulated amplitude."""
     exact = gap * orbits.friction.stable.amplitude
-    second = close(SECOND_WAY, gap * orbits.friction_by_durations[0], exact)
+    second = close(TWO_DURATIONS, gap * orbits.friction_by_durations[0], exact)
     return digits(label, printed, exact, "m", second=second)
 
 
@@ -81,7 +80,7 @@ def amplitude_error(known: Evidence) -> Record:
     other = known.cycles.inertia.unstable.amplitude / orbits.inertia.unstable.amplitude - 1
     by_fractions = close("exact fractions", in_fractions, quotient)
     yield digits("arithmetic", "0.4334", 100 * quotient, "%", second=by_fractions)
-    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    by_durations = close(TWO_DURATIONS, second, error, 1e-6)
     yield digits("error of the prediction", "0.4334", error, "%", second=by_durations)
     yield text("""
         The quotient of the printed numbers is right. Prediction and exact limit cycle of one and the same
@@ -126,7 +125,7 @@ def frequency_error(known: Evidence) -> Record:
     name = "733.00 Hz is used for the simulated frequency, printed as 734.00"
     slip = made_here(name, 100 * abs(listing - 733.00) / 733.00)
     yield digits("arithmetic", "0.046", quoted, "%", second=by_logarithms, slip=slip)
-    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    by_durations = close(TWO_DURATIONS, second, error, 1e-6)
     name = f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz"
     slip = repeated(name, 100 * (listing / ONE_SECOND.nearest(orbits.friction_listing.stable.frequency) - 1))
     yield digits("error of the prediction", "0.046", error, "%", second=by_durations, slip=slip)
@@ -272,7 +271,7 @@ def larger_gap(known: Evidence) -> Record:
     inner, outer = orbits.friction.unstable, orbits.friction.stable
     stable, unstable = (abs(orbit.nontrivial_multipliers).max() for orbit in (outer, inner))
     yield amplitude_part(orbits, "amplitude", "3.2995e-04", LARGE_GAP)
-    second = close(SECOND_WAY, orbits.friction_by_durations[1], outer.frequency)
+    second = close(TWO_DURATIONS, orbits.friction_by_durations[1], outer.frequency)
     name = "the nearest bin of a spectrum over 0.3 s is read, of which bins are 3.33 Hz apart"
     slip = repeated(name, THIRD_OF_A_SECOND.nearest(outer.frequency))
     yield digits("frequency", "733.33", outer.frequency, "Hz", second=second, slip=slip)

@@ -11,7 +11,7 @@ import sympy
 from report.chapters.chapter_5.claims.driven_open_loop import LOOP_CLOSED
 from report.claim import Impact, Part
 from report.comparisons.printed import total
-from report.comparisons.second_ways import by_division_back, by_floquet
+from report.comparisons.second_ways import LOEB, NEWTON, TWO_DURATIONS, by_division_back, by_floquet
 from report.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
 from report.numbers.independent.limit_cycles import inertia_exactly
@@ -21,7 +21,6 @@ from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
 from trimmer import InertiaBacklash
 
-NEWTON = "Newton's method in 30 digits"
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
 OBSERVED = 660.0
 ISOLATED = 1e-6
@@ -126,7 +125,7 @@ def stable(known: Evidence) -> Record:
         "the outer intersection is a stable limit cycle",
         bool(outer.stable) and outer.omega > inner.omega,
         f"Loeb's criterion at {outer.frequency:.2f} Hz",
-        method="Loeb's criterion, from analytic derivatives of both curves",
+        method=LOEB,
         second=by_floquet([known.orbits.inertia.stable], stable=True),
     )
     yield text(r"""
@@ -187,7 +186,6 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
         second=close("harmonic 7 by describing function and frequency response", by_balance, seventh, 1e-4),
     )
     exact = known.orbits.inertia.stable.frequency
-    means = "the state at the impact and two durations, solved for with SciPy's matrix exponential"
     slip = filled(
         """
         [[ closed ]]; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins
@@ -200,7 +198,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
         PEAK,
         exact,
         "Hz",
-        second=close(means, known.orbits.inertia_by_durations, exact),
+        second=close(TWO_DURATIONS, known.orbits.inertia_by_durations, exact),
         slip=made_here(slip, math.floor(block.largest_other_line[0])),
     )
     return in_open_loop, of_limit_cycle

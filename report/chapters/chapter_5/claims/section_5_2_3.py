@@ -12,7 +12,7 @@ from derivations.identity import UnprovenError
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
-from report.comparisons.second_ways import by_division_back, by_floquet, by_waveform
+from report.comparisons.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
 from report.numbers.independent.loci import lies_between_the_limits
@@ -23,8 +23,6 @@ from report.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
 SOLVER = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
-ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 

@@ -12,6 +12,7 @@ from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
+from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import (
     FORCE,
@@ -140,7 +141,7 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
         PRINTED,
         cycle.frequency,
         "Hz",
-        second=close("Newton's method in 30 digits", by_newton, cycle.omega),
+        second=close(NEWTON, by_newton, cycle.omega),
         slip=made_here(slip, math.floor(1000 * less_force.frequency) / 1000),
     )
 

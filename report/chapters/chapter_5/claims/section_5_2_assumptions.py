@@ -12,6 +12,7 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.claim import Impact
+from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
@@ -21,11 +22,7 @@ from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import frequency_response
-from trimmer.balance.leakage import harmonic_leakage
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, frequency_response, harmonic_leakage
 
 LITTLE = 0.05
 """Share of the fundamental below which a harmonic that comes back is taken as filtered."""
@@ -107,7 +104,7 @@ def _static_and_time_invariant() -> Record:
         "a delayed input gives the same output, delayed",
         distance < 1e-3 * DRIVE_AMPLITUDE,
         f"for a delay of a quarter period the output is off by up to {off} mm at a stroke of 1.5 mm",
-        method="the listing, repeated line by line",
+        method=REPEATED,
         second=so(means, at_rest > DRIVE_AMPLITUDE),
     )
 

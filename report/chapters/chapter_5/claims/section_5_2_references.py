@@ -6,6 +6,7 @@ import math
 
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
+from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
 from report.inventory import read_inventory
 from report.numbers.independent.limit_cycles import friction_as_listed
@@ -17,7 +18,6 @@ from report.thesis import SMALL_GAP, TURN
 SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
 QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 and section 5.2.5": "733.33"}
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
-NEWTON = "Newton's method in 30 digits"
 
 
 def refers(label: str, named: str, meant: str, what: str) -> Part:

@@ -16,8 +16,7 @@ from report.numbers.relay_loop import HALF_PERIODS, IMPULSES, STEP, VISCOUS, fri
 from report.numbers.released_bodies import RECORD
 from report.record import figure
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels, pin_model
+from trimmer import FrictionBacklash, InputChannels, pin_model
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -16,9 +16,7 @@ from report.numbers.record import Record, line_amplitudes
 from report.numbers.timed_block import RECORD as SHORT
 from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer import FrictionBacklash, Window, amplitude_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -21,10 +21,7 @@ from report.evidence import Evidence
 from report.numbers.independent import examples
 from report.parts import assertion, close, expression
 from report.record import Record, claim, text
-from trimmer.balance.leakage import harmonic_leakage
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage
 
 GAP_HERE, TIME_CONSTANT = 0.2, 1.0
 """Gap over amplitude, and M/D in s, for which the numeric elements are looked at."""

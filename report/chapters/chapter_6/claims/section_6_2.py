@@ -16,10 +16,8 @@ from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.waveforms import coefficient
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from trimmer import asymptotic_roll_off
-from trimmer.balance.leakage import harmonic_leakage
+from trimmer import FrictionBacklash, asymptotic_roll_off, harmonic_leakage
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
-from trimmer.elements.friction_backlash import FrictionBacklash
 
 HIGH_OMEGA = 1e8
 

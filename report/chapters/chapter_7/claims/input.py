@@ -26,6 +26,7 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
 )
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
+from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.listed_blocks import contact_angle
@@ -40,9 +41,7 @@ from report.thesis import (
     MEASURED_DRIVE_FREQUENCY,
     MEASURED_DRIVE_OMEGA,
 )
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
 FIFTH = 5
@@ -178,7 +177,7 @@ def input_frequency(known: Evidence) -> Record:
         "stable limit cycles have nearly one frequency whatever $M/D$ is",
         highest / lowest < 1.03,
         f"from {lowest:.1f} to {highest:.1f} Hz",
-        method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+        method=ALL_LOADS,
         second=close(by_orbits, exact_ratio, highest / lowest, 0.005),
     )
     yield text("""

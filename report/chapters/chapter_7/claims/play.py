@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from report.claim import Impact
-from report.comparisons.second_ways import by_floquet
+from report.comparisons.second_ways import ALL_LOADS, by_floquet
 from report.evidence import Evidence
 from report.numbers.independent.loci import feedback_poles, phase_range
 from report.numbers.independent.relay_and_friction import on_the_imaginary_axis
@@ -20,7 +20,6 @@ ALIKE = 0.1
 """Share by which frequencies may differ and still be called approximately equal."""
 BELOW = 0.05
 """Share by which the recommended model's amplitude may stay below another's and still stand for it."""
-ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 
 
 @claim("txt-7-only-stable", source=SOURCE, impact=Impact.LOCAL)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from report.claim import Impact
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_ratio
 from report.numbers.linear_numbers import lightly_damped_response
@@ -15,7 +16,6 @@ from trimmer import frequency_response, resonance_peaks
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
-EXACTLY = "exact coefficients, 40 digits"
 
 
 @claim("txt-7-damping", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
