@@ -11,7 +11,7 @@ from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.claim import Comparison, Confirmation, Part, Shown, Slip, Uncheckable, Verdict, Words
+from report.claim import Comparison, Confirmation, Mathematics, Part, Shown, Slip, Uncheckable, Verdict, Words
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.comparisons.expression import SameExpression, SameMatrix
@@ -21,14 +21,16 @@ from report.text import filled
 class More(TypedDict, total=False):
     """What any part may have.
 
-    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds; ``item`` names the
-    printed thing that the part judges.
+    ``form`` is TeX that is shown on both sides in place of what the comparison holds, ``printed_form`` and
+    ``derived_form`` are shown on one side, as TeX if they are strings; ``item`` names the printed thing that
+    the part judges.
     """
 
     second: Confirmation | None
     slip: Slip | None
-    printed_form: Shown | None
-    derived_form: Shown | None
+    form: str
+    printed_form: Shown | str
+    derived_form: Shown | str
     item: str
 
 
@@ -90,13 +92,16 @@ def matrix(
 
 def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
     """Return a part that makes a comparison."""
+    both = more.get("form")
+    shown = (more.get("printed_form", both), more.get("derived_form", both))
+    printed, derived = (Mathematics(form) if isinstance(form, str) else form for form in shown)
     return Part(
         filled(label),
         comparison,
         more.get("second"),
         more.get("slip"),
-        more.get("printed_form"),
-        more.get("derived_form"),
+        printed,
+        derived,
         more.get("item", ""),
     )
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import sympy
 
 from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u, u_dot, velocities
-from report.chapters.chapter_2.claims import trimmer_printed
-from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
+from report.chapters.chapter_2.claims import section_2_2_2, trimmer_printed
 from report.claim import Impact
 from report.comparisons.printed import total
 from report.evidence import Evidence
@@ -83,8 +82,5 @@ def equation_of_motion(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-D.6", source="derivations/laplace.py")
-def laplace_domain(known: Evidence) -> Record:
-    printed_before = transformed_state_space(known, "eq-D.6")
-    yield from printed_before.parts
-    yield text(printed_before.explanation)
+again = section_2_2_2.state_space_in_laplace_domain.items
+laplace_domain = claim("eq-D.6", source="derivations/laplace.py")(again)

@@ -15,7 +15,7 @@ from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
-from report.claim import Impact, Mathematics
+from report.claim import Impact
 from report.comparisons.printed import product
 from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
@@ -44,8 +44,8 @@ def states(known: Evidence) -> Record:
     )
     for line, (*sides, words) in enumerate(rows, start=1):
         left, right = (sympy.ImmutableMatrix(side) for side in sides)
-        form = Mathematics(words)
-        yield matrix(f"line {line}", left, right, printed_form=form, derived_form=form)
+        form = words
+        yield matrix(f"line {line}", left, right, form=form)
     yield text("All three lines hold for a general system of two states that starts at rest.")
 
 
@@ -59,9 +59,9 @@ def output(known: Evidence) -> Record:
         (transfer_formula(known) * system.input_transform, "Y(s) = (C(sI - A)^{-1}B + D)U(s)"),
     )
     for line, (printed, words) in enumerate(rows, start=1):
-        form = Mathematics(words)
+        form = words
         derived = known.transformed.output
-        yield expression(f"line {line}", printed, derived, printed_form=form, derived_form=form)
+        yield expression(f"line {line}", printed, derived, form=form)
     yield text("Both lines equal the output that solving the equations one by one gives.")
 
 

@@ -11,7 +11,7 @@ import sympy
 from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from report.claim import Impact, Mathematics, Part
+from report.claim import Impact, Part
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
@@ -80,8 +80,8 @@ def friction_parts(place: str = "") -> tuple[Part, ...]:
         derived = sympy.simplify(friction_step().subs(LOAD, load))
         library = friction_by_python_control(values[PIN], values[GAP], float(load.subs(values)))
         second = close("python-control's backlash", float(returned.subs(values)), library)
-        form = Mathematics(rf"u = {value} \quad \text{{if }} {condition}")
-        more = More(second=second, printed_form=form, derived_form=form)
+        form = rf"u = {value} \quad \text{{if }} {condition}"
+        more = More(second=second, form=form)
         parts.append(expression(f"{place}{label}", returned, derived, **more))
     return tuple(parts)
 

@@ -10,7 +10,7 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.state_space import output_row
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
-from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2, c3, c4, k1, k2, k3, k4, k5
+from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
@@ -156,7 +156,7 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     inertia = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q_i}\right)"
     forces = r"\frac{\partial L}{\partial q_i} + \frac{\partial R}{\partial \dot q_i} = Q_i"
     printed, derived = sympy.ImmutableMatrix(balances), sympy.ImmutableMatrix(newton)
-    yield matrix("the four bodies, $Q_i = 0$", printed, derived, **as_printed(f"{inertia} - {forces}"))
+    yield matrix("the four bodies, $Q_i = 0$", printed, derived, form=f"{inertia} - {forces}")
     yield text("""
         For each of the four bodies the printed left side equals mass times acceleration less the forces of
         Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that $Q_i$
@@ -259,12 +259,12 @@ def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.Matri
 @claim("eq-2.10", source=STATE_SPACE)
 def general_form(known: Evidence) -> Record:
     space = known.derivation.space
-    printed = as_printed(r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)")
+    form = r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)"
     rates = space.a * STATE + space.b * INPUT
     output = (OUTPUT * STATE)[0] + (sympy.zeros(1, INPUT.rows) * INPUT)[0]
     relative = coordinates[1] - coordinates[3]
-    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), **printed)
-    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, **printed)
+    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), form=form)
+    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, form=form)
     yield text("""
         With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
         Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four

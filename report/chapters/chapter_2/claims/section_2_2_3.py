@@ -6,7 +6,6 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations import stability
-from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.independent import examples
@@ -24,8 +23,8 @@ def eigenvalue_problem(known: Evidence) -> Record:
     shifted = DomainMatrix.from_Matrix(state_matrix - eigenvalue * sympy.eye(state_matrix.rows))
     determinant = sympy.expand(shifted.domain.to_sympy(shifted.det()))
     dynamics = sympy.Poly([sympy.Rational(c) for c in known.numbers.denominator], eigenvalue).as_expr()
-    form = as_printed(r"\det(A - \lambda I) = 0")
-    yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, **form)
+    form = r"\det(A - \lambda I) = 0"
+    yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, form=form)
     yield text(r"""
         For the trimmer the printed determinant equals $\det(M\lambda^2 + C\lambda + K)/\det M$, the condition
         for a motion $q\,e^{\lambda t}$ without input, in exact arithmetic.

@@ -9,7 +9,7 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.claim import Confirmation, Impact, Mathematics
+from report.claim import Confirmation, Impact
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import EXACTLY
@@ -81,7 +81,7 @@ def filtering_hypothesis(known: Evidence) -> Record:
         f"at {at} rad/s the second is passed {second:.3f}, the third {third:.3f} times as well",
         method="frequency response at the harmonics",
         second=close(EXACTLY, exact, third),
-        printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
+        printed_form=r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots",
     )
     yield text("""
         As a condition this is the usual one. It is stricter than needed: a nonlinearity that is odd makes no
@@ -220,8 +220,8 @@ def fourier_series(_: Evidence) -> Record:
         for n in (1, 2)
     )
     rebuilt = WAVE.cosine_coefficient(0) / 2 + sympy.Add(*harmonics)
-    form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
-    yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), printed_form=form, derived_form=form)
+    form = r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)"
+    yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), form=form)
     yield text("""
         A signal of two harmonics is rebuilt from its coefficients by the printed series, with half of $a_0$.
     """)
@@ -248,7 +248,7 @@ def fundamental_coefficients(_: Evidence) -> Record:
 def first_harmonic(_: Evidence) -> Record:
     printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
     shifted = sympy.simplify(sympy.expand_trig(MODULUS * sympy.sin(THETA + ANGLE)))
-    form = Mathematics(r"M \sin(\omega t + \phi)")
+    form = r"M \sin(\omega t + \phi)"
     yield expression(r"with $M$ and $\phi$ of equations 2.32 and 2.33", printed, shifted, derived_form=form)
     yield text("The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$.")
 

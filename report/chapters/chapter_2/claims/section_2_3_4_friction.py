@@ -13,7 +13,7 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
-from report.claim import Confirmation, Impact, Mathematics, Part
+from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
@@ -116,10 +116,10 @@ def input_characteristic_output(_: Evidence) -> Record:
         second = close(TRACING, start, float(segment.start.subs(values)), STEP_ERROR)
         label = f"start of the {name} region"
         yield expression(label, phase, segment.start, r"\omega t", assume=REACHED, second=second)
-    form = Mathematics("k = 1")
+    form = "k = 1"
     for name, segment in (("falling", FALLING), ("rising", RISING)):
         label = f"slope of the {name} side"
-        yield expression(label, sympy.Integer(1), slope(segment), printed_form=form, derived_form=form)
+        yield expression(label, sympy.Integer(1), slope(segment), form=form)
     yield expression("gap to overcome", 2 * b, sympy.simplify(FALLING.value - RISING.value))
     yield text("""
         Tracing the input through the characteristic gives an output of four regions that begin where the text

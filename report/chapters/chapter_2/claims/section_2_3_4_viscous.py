@@ -20,7 +20,7 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
-from report.claim import Impact, Mathematics, Part, Words
+from report.claim import Impact, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.comparisons.second_ways import by_quadrature
@@ -54,7 +54,7 @@ LEFT_OUT = filled(
     """
 )
 """The terms of n_q behind the factor in equation B.4, and those that its bracket leaves out."""
-QUADRATURE = Mathematics(rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)")
+QUADRATURE = rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)"
 LOAD, PLAY = 1.7, 0.6
 """M omega / D and gap over amplitude for which the flight is integrated numerically."""
 
@@ -163,8 +163,8 @@ def contact_equation(_: Evidence) -> Record:
         assume=sympy.Lt(GAMMA, 1),
         second=same("the distance between flight and pin", meeting, ROOT - SINE - flight),
         slip=made_here("the sign under the root is minus instead of plus", derived - ROOT + wrong_root),
-        printed_form=Mathematics(rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}"),
-        derived_form=Mathematics(rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}"),
+        printed_form=rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}",
+        derived_form=rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}",
     )
     yield text(r"""
         The sum $\sin\phi_s + \gamma\cos\phi_s$ of the flight is $\sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
@@ -179,9 +179,9 @@ def contact_equation(_: Evidence) -> Record:
 def complex_form(_: Evidence) -> Record:
     derived = general_describing_function()
     printed = sympy.re(derived) + sympy.I * sympy.im(derived)
-    form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
+    form = r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)"
     second = by_quadrature(derived, numeric(), point())
-    yield expression("", printed, derived, second=second, printed_form=form, derived_form=form)
+    yield expression("", printed, derived, second=second, form=form)
     yield text("""
         $n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in
         equation 2.35.
@@ -197,15 +197,14 @@ def in_phase_part(label: str, derived: sympy.Expr) -> Part:
         -(SINE**2) / GAMMA,
         -SINE * COSINE,
     )
-    form, real = Mathematics(IN_PHASE), sympy.re(derived)
+    real = sympy.re(derived)
     return expression(
         label,
         2 * GAMMA**2 / (sympy.pi * (1 + GAMMA**2)) * bracket,
         real,
         assume=flight_lasts(),
         second=by_quadrature(real, complex(numeric().real), point()),
-        printed_form=form,
-        derived_form=form,
+        form=IN_PHASE,
     )
 
 
@@ -227,8 +226,7 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
         imaginary,
         assume=flight_lasts(),
         second=by_quadrature(imaginary, complex(numeric().imag), point()),
-        printed_form=QUADRATURE,
-        derived_form=QUADRATURE,
+        form=QUADRATURE,
     )
 
 
@@ -253,7 +251,7 @@ def quadrature(_: Evidence) -> Record:
         assume=flight_lasts(),
         second=by_quadrature(imaginary, complex(numeric().imag), point()),
         slip=made_here("the bracket is closed before its last two terms", slipped),
-        printed_form=Mathematics(rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}"),
+        printed_form=rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}",
         derived_form=QUADRATURE,
     )
     yield text(r"""

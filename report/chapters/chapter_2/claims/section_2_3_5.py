@@ -9,7 +9,7 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
-from report.claim import Impact, Mathematics
+from report.claim import Impact
 from report.comparisons.printed import total
 from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
@@ -32,8 +32,8 @@ def law(_: Evidence) -> Record:
         "power lost by a body that feels $-F$",
         FORCE * sympy.sign(SPEED) * SPEED,
         FORCE * sympy.Abs(SPEED),
-        printed_form=Mathematics(r"F(\dot x) = F_c \operatorname{sign}(\dot x)"),
-        derived_form=Mathematics(r"F(\dot x)\,\dot x = F_c |\dot x| \ge 0"),
+        printed_form=r"F(\dot x) = F_c \operatorname{sign}(\dot x)",
+        derived_form=r"F(\dot x)\,\dot x = F_c |\dot x| \ge 0",
     )
     yield text(r"""
         A force of constant size against the motion takes the power $F_c|\dot x|$, so the printed law
@@ -110,8 +110,8 @@ def sine_coefficient(_: Evidence) -> Record:
         bracket,
         second=by_quadrature(bracket, 2.0 * numeric / float(4 * VALUES[FORCE] / sympy.pi), VALUES),
         slip=made_here("the lower limit is added instead of subtracted", bracket - 2),
-        printed_form=Mathematics(r"[-\cos(\pi) - \cos(0)]"),
-        derived_form=Mathematics(r"[-\cos(\pi) + \cos(0)]"),
+        printed_form=r"[-\cos(\pi) - \cos(0)]",
+        derived_form=r"[-\cos(\pi) + \cos(0)]",
     )
     derived = RELAY.sine_coefficient()
     second = by_quadrature(derived, numeric, VALUES)

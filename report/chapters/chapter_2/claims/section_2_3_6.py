@@ -8,7 +8,7 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Impact, Mathematics, Part, Words
+from report.claim import Impact, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -245,8 +245,8 @@ def side_of_the_crossing() -> Part:
         product(sympy.Abs(gain) ** 2, crossing),
         loeb,
         second=close(means, sine, math.sin(cycle.crossing_angle), 1e-6),
-        printed_form=Mathematics(r"|N|^2\,\operatorname{Im}\left(\overline{G_\omega}\,(-1/N)_A\right) > 0"),
-        derived_form=Mathematics(r"X_A Y_\omega - X_\omega Y_A > 0"),
+        printed_form=r"|N|^2\,\operatorname{Im}\left(\overline{G_\omega}\,(-1/N)_A\right) > 0",
+        derived_form=r"X_A Y_\omega - X_\omega Y_A > 0",
     )
 
 
