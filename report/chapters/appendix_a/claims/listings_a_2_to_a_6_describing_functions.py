@@ -24,8 +24,8 @@ from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     in_phase_part,
     quadrature_part,
 )
+from report.chapters.second_ways import REPEATED, by_quadrature
 from report.claim import Impact, Part
-from report.comparisons.second_ways import REPEATED, by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain

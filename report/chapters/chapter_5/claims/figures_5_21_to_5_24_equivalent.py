@@ -25,8 +25,8 @@ from report.chapters.chapter_5.claims.section_5_2_5 import (
     intersections_part,
     peak_parts,
 )
+from report.chapters.second_ways import NEWTON, by_matching_real_parts
 from report.claim import Impact
-from report.comparisons.second_ways import NEWTON, by_matching_real_parts
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import (
     FORCE,

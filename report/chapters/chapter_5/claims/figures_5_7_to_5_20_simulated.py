@@ -14,8 +14,8 @@ from report.chapters.chapter_5.claims.section_5_2_4 import (
     friction_part,
     relay_part,
 )
+from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
 from report.claim import Confirmation, Impact
-from report.comparisons.second_ways import TWO_DURATIONS, by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS

@@ -11,13 +11,9 @@ from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
+from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power_of
-from report.comparisons.second_ways import (
-    by_grid,
-    by_harmonics,
-    by_quadrature,
-)
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import (
     difference_of_scaled,

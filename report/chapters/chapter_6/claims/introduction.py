@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from report.chapters.second_ways import by_grid
 from report.claim import Impact
-from report.comparisons.second_ways import by_grid
 from report.evidence import Evidence
 from report.parts import digits, made_here
 from report.record import Record, claim, text

@@ -25,8 +25,8 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
     open_loop_repeats,
 )
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.second_ways import ALL_LOADS
 from report.claim import Impact
-from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.listed_blocks import contact_angle
