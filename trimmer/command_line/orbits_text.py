@@ -14,11 +14,12 @@ if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
+    from trimmer.orbits.search import PeriodicOrbits
 
 HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "error", "predicted Hz", "error")
 
 
-def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
+def as_text(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbits) -> str:
     """Lay orbits out as a table, each beside its prediction, followed by what is certain of those."""
     lines = [f"Exact limit cycles of {element!r}", *table(HEADS, [_row(orbit) for orbit in orbits])]
     lines += [
@@ -26,13 +27,13 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[Per
         for each in _without_orbit(predictions.limit_cycles, orbits)
     ]
     searched, *undecided = certificate_as_text(predictions.certificate)
-    lines += [f"predictions {searched}", *undecided]
+    lines += [f"predictions {searched}", *undecided, orbits.search.sentence]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
 
 
-def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
+def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbits) -> str:
     """Give orbits as JSON: full precision, SI units."""
     content = {
         "element": repr(element),
@@ -42,6 +43,7 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[Per
             for each in _without_orbit(predictions.limit_cycles, orbits)
         ],
         "certificate": certificate_as_json(predictions.certificate),
+        "search": orbits.search.sentence,
     }
     return json.dumps(content, indent=2, allow_nan=False)
 
@@ -52,10 +54,14 @@ def _largest(orbit: PeriodicOrbit) -> float:
 
 def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     prediction = orbit.prediction
-    assert prediction is not None, "every orbit here comes from a prediction"
-    return (
+    measured = (
         *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", "yes" if orbit.stable else "no"),
         f"{_largest(orbit):.4g}",
+    )
+    if prediction is None:
+        return (*measured, "none", "", "", "")
+    return (
+        *measured,
         *(f"{prediction.amplitude:.6g}", f"{orbit.amplitude_error:+.2%}"),
         *(f"{prediction.frequency:.6g}", f"{orbit.frequency_error:+.3%}"),
     )
@@ -71,8 +77,8 @@ def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
         "switching_times": orbit.switching_times.tolist(),
         "residual": orbit.residual,
-        "amplitude_error": orbit.amplitude_error,
-        "frequency_error": orbit.frequency_error,
+        "amplitude_error": finite(orbit.amplitude_error),
+        "frequency_error": finite(orbit.frequency_error),
     }
 
 

@@ -74,13 +74,13 @@ class Return:
     def shoot(self, mode: int, state: Reals, span: float) -> Shot | None:
         """Follow the motion; None if events accumulate or it does not end in the mode it has to."""
         log = follow(self.modes, mode, state, span)
-        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self._final(mode):
+        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self.final(mode):
             return None
         chain = arcs(self.modes, log, span)
         slope, end = derivative(self.modes, chain)
         rate = self.modes.mode(int(log.mode[-1])).matrix @ end
         if self.mirrored:
-            slope, end, rate = self._signs[:, None] * slope, self._signs * end, self._signs * rate
+            slope, end, rate = self.signs[:, None] * slope, self.signs * end, self.signs * rate
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
@@ -103,7 +103,7 @@ class Return:
         return correction, float(solution[-1]) * shot.span
 
     @cached_property
-    def _signs(self) -> Reals:
+    def signs(self) -> Reals:
         """Return what mirroring does to each entry of the extended state."""
         layout = self.modes.layout
         signs = np.full(layout.size, -1.0)
@@ -112,7 +112,8 @@ class Return:
             signs[end - component.even_states : end] = 1.0
         return signs
 
-    def _final(self, mode: int) -> int:
+    def final(self, mode: int) -> int:
+        """Return the mode in which a motion that begins in a mode has to end."""
         if not self.mirrored:
             return mode
         components = self.modes.system.components
