@@ -52,7 +52,9 @@ def shortest(problem: Return, shot: Shot) -> tuple[Return, Shot]:
 def _part_of(problem: Return, shot: Shot, part: int) -> Shot | None:
     """Return the return after a part of the span, if the motion is back by then; None if not."""
     trial = problem.shoot(shot.mode, shot.state, shot.span / part)
-    return None if trial is None or trial.miss > ALIKE else solve(problem, trial.mode, trial.state, trial.span)
+    return (
+        None if trial is None or trial.miss > ALIKE else solve(problem, trial.mode, trial.state, trial.span)
+    )
 
 
 def _prime_factors(number: int) -> list[int]:

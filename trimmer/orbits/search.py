@@ -97,7 +97,8 @@ class SimulationSearch:
         settled: How many motions settled on an orbit.
         at_rest: How many ended without further events.
         diverged: How many grew without bound.
-        left: How many did neither within the steps allowed, or stopped as their events accumulate.
+        accumulated: How many stopped as their events accumulate, which most often is rest, too.
+        left: How many did none of this within the steps and events allowed.
     """
 
     starts: int
@@ -105,6 +106,7 @@ class SimulationSearch:
     settled: int
     at_rest: int
     diverged: int
+    accumulated: int
     left: int
 
     @property
@@ -114,7 +116,8 @@ class SimulationSearch:
             (self.settled, "settled on an orbit"),
             (self.at_rest, "came to rest"),
             (self.diverged, "grew without bound"),
-            (self.left, "did not settle"),
+            (self.accumulated, "ended as their events accumulate"),
+            (self.left, "did not settle in time"),
         )
         told = ", ".join(f"{count} {what}" for count, what in ends if count)
         return f"stable orbits by simulation from {self.starts} initial states (seed {self.seed}: {told})"
@@ -149,7 +152,7 @@ class OrbitSearched:
     def _near_guesses(self) -> str:
         what = "prediction of harmonic balance" if self.predicted else "guess"
         if not self.guesses:
-            return f"harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
+            return "harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
         led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
         return f"near {_counted(self.guesses, what)} ({led})"
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
-from trimmer.motion.kernel import DIVERGED, EVENT_LIMIT, FULL, REACHED_END, UNKNOWN_MODE, march
+from trimmer.motion.kernel import CYCLING, DIVERGED, FULL, REACHED_END, STEP_LIMIT, UNKNOWN_MODE, march
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
@@ -28,14 +28,20 @@ if TYPE_CHECKING:
 
 FIRST_EVENTS = 128
 """Events after which the motion is first looked at; then after half as many again, and so on."""
-MOST_EVENTS = 20_000
+MOST_EVENTS = 10_000
 """Events of one motion."""
+RECENT = 64
+"""Events at the end of a motion that show how far it swings."""
 RETURNING = 1e-2
 """Difference of two states, relative to their sizes, below which the motion may be near an orbit."""
 CLOSER = 10.0
 """A return counts that is at most so many times worse than the best one; the latest of them is the period."""
 ARRIVED = 1e-8
 """Difference below which the motion is on the orbit, to rounding."""
+SHRUNK = 1e-7
+"""Swing of all states, relative to the largest one of the motion, below which it has come to rest."""
+COLLAPSED = 1e-6
+"""Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
 NEAR = 0.1
 """Change of state and span by Newton's method that leaves them near where they were."""
 SILENCE = 2.0
@@ -48,7 +54,8 @@ class Ending(Enum):
     SETTLED = "settled on an orbit"
     AT_REST = "came to rest"
     DIVERGED = "grew without bound"
-    LEFT = "neither"
+    ACCUMULATED = "ended as its events accumulate"
+    LEFT = "did none of this in time"
 
 
 @dataclass(frozen=True)
@@ -92,13 +99,14 @@ def settled_orbits(
     bar = tqdm(starts, desc="simulate", total=search.starts, delay=SILENCE, leave=False, disable=None)
     for mode, state in bar:
         endings[_follow(loop, mode, state, search.steps, orbits)] += 1
-    counts = (endings[each] for each in (Ending.SETTLED, Ending.AT_REST, Ending.DIVERGED, Ending.LEFT))
-    return orbits[len(known) :], SimulationSearch(search.starts, search.seed, *counts)
+    found = SimulationSearch(search.starts, search.seed, *(endings[each] for each in Ending))
+    return orbits[len(known) :], found
 
 
 def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> Ending:
     """Follow a motion until it has settled, and add the orbits that it settles on or passes by."""
     quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
+    widest = np.zeros(loop.modes.layout.order)
     while total < MOST_EVENTS and steps > 0:
         reason, log, end = _march(loop, mode, state, quiet, events, steps)
         total += events
@@ -106,8 +114,14 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
             return Ending.DIVERGED
         if reason == REACHED_END and not (np.diff(log.start) > 0).any():
             return Ending.AT_REST
-        if reason not in (REACHED_END, EVENT_LIMIT):
+        if reason == CYCLING:
+            return Ending.ACCUMULATED
+        if reason == STEP_LIMIT:
             return Ending.LEFT
+        swing = np.ptp(log.state[-RECENT:, : widest.size], axis=0)
+        widest = np.maximum(widest, np.ptp(log.state[:, : widest.size], axis=0))
+        if (swing <= SHRUNK * widest).all():
+            return Ending.AT_REST
         turn = _last_turn(loop, log)
         if turn is not None and (turn.miss < 0.5 * best or turn.miss < ARRIVED):
             best = turn.miss
@@ -122,7 +136,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
 def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
     """Add the orbit near a turn, if there is one, and tell whether the motion stays there."""
     found = _polished(loop, turn)
-    if found is None:
+    if found is None or _collapsed(found[1], turn):
         return False
     problem, shot = found
     orbit = orbit_of(loop, *shortest(problem, shot), None)
@@ -131,6 +145,12 @@ def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
     change = float((abs(shot.state - turn.state) / turn.sizes).max())
     near = max(change, abs(shot.span / turn.span - 1.0)) < NEAR
     return turn.miss < ARRIVED or (orbit.stable and near)
+
+
+def _collapsed(shot: Shot, turn: Turn) -> bool:
+    """Tell whether Newton's method has ended where nothing moves, or nothing happens."""
+    swing = np.ptp(np.vstack([shot.log.state, shot.state]), axis=0) / turn.sizes
+    return len(shot.log.start) < 2 or float(swing.max()) < COLLAPSED
 
 
 def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
@@ -153,7 +173,7 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
         return None
     last, earlier = lasting[-1], lasting[:-1]
     free = slice(loop.modes.layout.sine)
-    recent = log.state[lasting[-min(len(lasting), 64) :]]
+    recent = log.state[lasting[-RECENT:]]
     sizes = abs(recent).max(axis=0)
     sizes[sizes == 0.0] = 1.0
     problem = Return(loop.modes, mirrored=True, driven=False, sizes=sizes)

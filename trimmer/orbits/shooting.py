@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 40
 MOST_HALVINGS = 8
 """Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
+LONGEST_STRIDE = 4.0
+"""Factor by which a Newton step may lengthen the span; a longer one has lost the orbit, and would take ages."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
 SETTLED = 1e-14
@@ -143,7 +145,8 @@ def _improved(problem: Return, shot: Shot) -> Shot | None:
     share = 1.0
     for _ in range(MOST_HALVINGS):
         span = shot.span + share * longer
-        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if span > 0 else None
+        allowed = 0 < span <= LONGEST_STRIDE * shot.span
+        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if allowed else None
         if trial is not None and trial.miss < shot.miss:
             return trial
         share *= 0.5
