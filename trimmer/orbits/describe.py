@@ -42,8 +42,8 @@ def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | N
 def _multipliers(problem: Return, shot: Shot) -> Complexes:
     """Return the eigenvalues of the derivative of the return.
 
-    What is left of a load's velocity follows from the time since its separation and nothing depends on it, so it
-    is left out.
+    What is left of a load's velocity follows from the time since its separation and nothing depends on it, so
+    it is left out.
     """
     modes = problem.modes
     kept = [*range(modes.layout.order)]

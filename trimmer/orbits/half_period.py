@@ -1,7 +1,8 @@
 """The half-period equation of a relay, and all its zeros on an interval (Hamel; Tsypkin 1984).
 
-While the output of the relay is constant, x' = A x + b. If x returns with its signs changed after T, it began at
-x(0) = -A^-1 tanh(A T/2) b. The relay switches there, so c x(0) = 0 with the row c of its switching function.
+While the output of the relay is constant, x' = A x + b. If x returns with its signs changed after T, it began
+at x(0) = -A^-1 tanh(A T/2) b. The relay switches there, so c x(0) = 0, with the row c of its switching
+function.
 
 On a piece of the interval the left side is interpolated in Chebyshev points until the last coefficients are
 rounding, which they are as soon as no pole of tanh is near; all roots of the interpolant are eigenvalues of a
@@ -172,9 +173,9 @@ def _tanh(matrices: Reals) -> Reals:
     one, square = np.eye(matrices.shape[-1]), small @ small
     odd = ((square + 378.0 * one) @ square + 17325.0 * one) @ square + 135135.0 * one
     even = ((28.0 * square + 3150.0 * one) @ square + 62370.0 * one) @ square + 135135.0 * one
-    result = np.linalg.solve(even, odd @ small)
+    result = np.asarray(np.linalg.solve(even, odd @ small), dtype=np.float64)
     for _ in range(doublings):
-        result = np.linalg.solve(one + result @ result, 2.0 * result)
+        result = np.asarray(np.linalg.solve(one + result @ result, 2.0 * result), dtype=np.float64)
     return result
 
 

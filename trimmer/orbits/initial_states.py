@@ -27,8 +27,8 @@ def initial_states(loop: ClosedLoop, count: int, seed: int) -> Iterator[tuple[in
     """Draw modes and extended states, the same ones for the same seed.
 
     Each begins with a frequency between the slowest and the fastest root of the loop, and an amplitude. Every
-    other state is one that the linear system would be in under a sinusoid of these; the others lie anywhere in
-    the box that this sinusoid fills.
+    other state is one that the linear system would be in under a sinusoid of these; the others lie anywhere
+    in the box that this sinusoid fills.
 
     Args:
         loop: The closed loop.
@@ -59,7 +59,7 @@ def quiet_time(loop: ClosedLoop) -> float:
 
 
 def _rates(loop: ClosedLoop) -> tuple[float, float]:
-    """Return the smallest and the largest modulus of a root of the linear system, alone or in a rigid loop."""
+    """Return the smallest and the largest modulus of a pole, of the system alone or in a rigid loop."""
     system = loop.modes.system
     rigid = system.A + system.B @ system.C
     rates = abs(np.concatenate([np.linalg.eigvals(system.A), np.linalg.eigvals(rigid)]))

@@ -44,10 +44,10 @@ def periodic_orbits(
     contacts, more harmonics are balanced first. All elements are odd, so the orbits that harmonic balance can
     predict have this symmetry.
 
-    Not every orbit is near a guess. Those of a relay that return with their signs changed after one switch are
-    found all, on an interval of periods (``trimmer.orbits.half_period``). Other stable ones are found by long
-    simulations from many initial states, if these are asked for, or if harmonic balance predicts nothing or a
-    guess leads to no orbit. The answer tells what was searched.
+    Not every orbit is near a guess. Those of a relay that return with their signs changed after one switch
+    are all found, on an interval of periods (``trimmer.orbits.half_period``). Other stable ones are found by
+    long simulations from many initial states, if these are asked for, or if harmonic balance predicts nothing
+    or a guess leads to no orbit. The answer tells what was searched.
 
     Args:
         system: G, strictly proper, one input and one output, continuous in time.
@@ -57,8 +57,8 @@ def periodic_orbits(
         search: What to search beside the guesses; ``OrbitSearch()`` if there are none, nothing if there are.
 
     Returns:
-        The orbits found, by falling amplitude, each once, whatever its phase; an orbit that is not its own mirror
-        image stands for that, too. Its ``search`` is what was searched.
+        The orbits found, by falling amplitude, each once, whatever its phase; an orbit that is not its own
+        mirror image stands for that, too. Its ``search`` is what was searched.
 
     Raises:
         ValueError: if a guess is not positive and finite, or the loop is not well posed.

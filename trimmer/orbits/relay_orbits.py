@@ -1,4 +1,4 @@
-"""Orbits of a relay that return with their signs changed after one switch: all on an interval of half periods."""
+"""Orbits of a relay that return with their signs changed after one switch: all, on an interval of periods."""
 
 from __future__ import annotations
 

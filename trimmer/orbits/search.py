@@ -78,8 +78,8 @@ class RelaySearch:
         """What was searched, in words."""
         shortest, longest = self.half_periods
         told = (
-            "all orbits of the relay that return with their signs changed after one switch, with half periods "
-            f"from {shortest:.6g} to {longest:.6g} s"
+            "all orbits of the relay that return with their signs changed after one switch, with half "
+            f"periods from {shortest:.6g} to {longest:.6g} s"
         )
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 FIRST_EVENTS = 128
 """Events after which the motion is first looked at; then after half as many again, and so on."""
-MOST_EVENTS = 10_000
+MOST_EVENTS = 5_000
 """Events of one motion."""
 RECENT = 64
 """Events at the end of a motion that show how far it swings."""
@@ -38,6 +38,10 @@ CLOSER = 10.0
 """A return counts that is at most so many times worse than the best one; the latest of them is the period."""
 ARRIVED = 1e-8
 """Difference below which the motion is on the orbit, to rounding."""
+ITERATIONS = 12
+"""Of Newton's method, which needs about five from so near; a spiral into a point would use up any number."""
+PROGRESS = 0.2
+"""Share of the best difference so far that is worth another attempt."""
 SHRUNK = 1e-7
 """Swing of all states, relative to the largest one of the motion, below which it has come to rest."""
 COLLAPSED = 1e-6
@@ -123,7 +127,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
         if (swing <= SHRUNK * widest).all():
             return Ending.AT_REST
         turn = _last_turn(loop, log)
-        if turn is not None and (turn.miss < 0.5 * best or turn.miss < ARRIVED):
+        if turn is not None and (turn.miss < PROGRESS * best or turn.miss < ARRIVED):
             best = turn.miss
             if _settles(loop, turn, orbits):
                 return Ending.SETTLED
@@ -160,7 +164,7 @@ def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
     whole = 2.0 * turn.span if turn.mirrored else turn.span
     trials.append((replace(symmetric, mirrored=False), whole))
     for problem, span in trials:
-        shot = solve(problem, turn.mode, turn.state, span)
+        shot = solve(problem, turn.mode, turn.state, span, ITERATIONS)
         if shot is not None:
             return problem, shot
     return None
@@ -201,7 +205,7 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
 def _march(
     loop: ClosedLoop, mode: int, state: Reals, duration: float, events: int, steps: int
 ) -> tuple[int, Log, float]:
-    """Follow a motion for a time, s, or some events; return why it stopped, what happened, and when it ended."""
+    """Follow a motion for a time, s, or some events; return why it stopped, the log, and its end."""
     modes, log, segment = loop.modes, empty_log(events + 2, mode, state), 0
     while True:
         reason, segment, reached = march(modes.tables, log, segment, duration, events + 1, steps)
@@ -219,7 +223,7 @@ def _steps(loop: ClosedLoop, log: Log, end: float) -> int:
 
 
 def _quiet_state(loop: ClosedLoop, log: Log, end: float) -> tuple[int, Reals]:
-    """Return mode and extended state in the middle of the last segment of positive length, far from events."""
+    """Return mode and extended state in the middle of the last segment that lasts, far from events."""
     stops = np.append(log.start[1:], end)
     last = int(np.flatnonzero(stops > log.start)[-1])
     mode = int(log.mode[last])

@@ -20,7 +20,7 @@ MOST_ITERATIONS = 40
 MOST_HALVINGS = 8
 """Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
 LONGEST_STRIDE = 4.0
-"""Factor by which a Newton step may lengthen the span; a longer one has lost the orbit, and would take ages."""
+"""Factor by which a Newton step may lengthen the span; a longer one has lost the orbit."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
 SETTLED = 1e-14
@@ -123,10 +123,12 @@ class Return:
         return self.modes.number(tuple(component.mirrored(one) for component, one in each))
 
 
-def solve(problem: Return, mode: int, state: Reals, span: float) -> Shot | None:
+def solve(
+    problem: Return, mode: int, state: Reals, span: float, most_iterations: int = MOST_ITERATIONS
+) -> Shot | None:
     """Find the return near a guess, or None if Newton's method does not get there."""
     shot = problem.shoot(mode, state, span)
-    for _ in range(MOST_ITERATIONS):
+    for _ in range(most_iterations):
         if shot is None or shot.miss <= SETTLED:
             break
         following = _improved(problem, shot)
