@@ -26,7 +26,6 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.orbits_text import as_json, as_text
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
-    from trimmer.orbits.search import OrbitSearch
 
     element, system = chosen_element(arguments), linear_part(arguments)
     predictions = harmonic_balance(system, element)
@@ -34,7 +33,7 @@ def _run(arguments: Namespace) -> int:
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions.limit_cycles, OrbitSearch())
+            orbits = periodic_orbits(system, element, predictions)
         except ValueError as error:
             raise OptionError(str(error)) from error
     print((as_json if arguments.json else as_text)(element, predictions, orbits))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.errors import OrbitNotFoundWarning
 from trimmer.motion.loops import ClosedLoop
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 def periodic_orbits(
     system: control.LTI,
     element: Element,
-    guesses: Sequence[LimitCycle | tuple[float, float]] | None = None,
+    guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None = None,
     search: OrbitSearch | None = None,
 ) -> PeriodicOrbits:
     """Find exact periodic motions of the loop 1 + N G = 0, stable or not, by Newton's method.
@@ -52,9 +52,10 @@ def periodic_orbits(
     Args:
         system: G, strictly proper, one input and one output, continuous in time.
         element: The nonlinear element.
-        guesses: Limit cycles, or pairs of amplitude and omega (rad/s); those of ``limit_cycles`` if none are
-            given.
-        search: What to search beside the guesses; ``OrbitSearch()`` if there are none, nothing if there are.
+        guesses: All limit cycles that harmonic balance predicts, as it gives them or, if none are given, as
+            ``limit_cycles`` does; or else limit cycles and pairs of amplitude and omega (rad/s).
+        search: What to search beside them; if not given ``OrbitSearch()`` beside all predictions, and nothing
+            beside other guesses.
 
     Returns:
         The orbits found, by falling amplitude, each once, whatever its phase; an orbit that is not its own
@@ -69,7 +70,8 @@ def periodic_orbits(
     """
     loop = ClosedLoop(system, element)
     orbits: list[PeriodicOrbit] = []
-    tried = list(limit_cycles(system, element) if guesses is None else guesses)
+    predicted = guesses is None or isinstance(guesses, HarmonicBalance)
+    tried = _guesses(system, element, guesses)
     failed = 0
     for guess in tried:
         amplitude, omega = (
@@ -85,11 +87,21 @@ def periodic_orbits(
             )
         else:
             _add(orbits, [orbit])
-    settings = OrbitSearch() if search is None and guesses is None else search
+    settings = OrbitSearch() if search is None and predicted else search
     relay, simulated = _wider(loop, settings, orbits, failed > 0 or not tried)
     by_amplitude = sorted(orbits, key=lambda orbit: -orbit.amplitude)
-    searched = OrbitSearched(len(tried), guesses is None, failed, relay, simulated)
+    searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
     return PeriodicOrbits(tuple(by_amplitude), searched)
+
+
+def _guesses(
+    system: control.LTI,
+    element: Element,
+    guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None,
+) -> Sequence[LimitCycle | tuple[float, float]]:
+    if guesses is None:
+        return limit_cycles(system, element)
+    return guesses.limit_cycles if isinstance(guesses, HarmonicBalance) else guesses
 
 
 def _wider(

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 40
 MOST_HALVINGS = 8
 """Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
-LONGEST_STRIDE = 4.0
-"""Factor by which a Newton step may lengthen the span; a longer one has lost the orbit."""
+MOST_LENGTHENED = 4.0
+"""Factor by which Newton's method may lengthen the span; longer ones have lost the orbit, and take ages."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
 SETTLED = 1e-14
@@ -131,14 +131,14 @@ def solve(
     for _ in range(most_iterations):
         if shot is None or shot.miss <= SETTLED:
             break
-        following = _improved(problem, shot)
+        following = _improved(problem, shot, MOST_LENGTHENED * span)
         if following is None:
             break
         shot = following
     return shot if shot is not None and shot.miss <= CLOSED else None
 
 
-def _improved(problem: Return, shot: Shot) -> Shot | None:
+def _improved(problem: Return, shot: Shot, longest: float) -> Shot | None:
     """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
     try:
         correction, longer = problem.step(shot)
@@ -146,9 +146,9 @@ def _improved(problem: Return, shot: Shot) -> Shot | None:
         return None
     share = 1.0
     for _ in range(MOST_HALVINGS):
-        span = shot.span + share * longer
-        allowed = 0 < span <= LONGEST_STRIDE * shot.span
-        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if allowed else None
+        trial_span = shot.span + share * longer
+        allowed = 0 < trial_span <= longest
+        trial = problem.shoot(shot.mode, shot.state + share * correction, trial_span) if allowed else None
         if trial is not None and trial.miss < shot.miss:
             return trial
         share *= 0.5

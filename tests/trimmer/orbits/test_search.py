@@ -38,8 +38,8 @@ def test_an_empty_answer_says_what_was_searched() -> None:
     assert orbits.search.simulations.at_rest == 32
     assert orbits.search.sentence == (
         "searched: harmonic balance, which predicts no limit cycle; stable orbits by simulation from 32 "
-        "initial states (seed 0: 32 came to rest). Not searched: other unstable orbits, stable orbits that none of "
-        "these initial states leads to."
+        "initial states (seed 0: 32 came to rest). Not searched: other unstable orbits, stable orbits that "
+        "none of these initial states leads to."
     )
 
 
