@@ -65,8 +65,21 @@ class HalfPeriodEquation:
 
     def states(self, halves: Reals) -> Reals:
         """Return x(0) for half periods, s: (number of half periods, n)."""
-        balanced, sizes = self._balanced
-        return -_tanh(0.5 * halves[:, None, None] * balanced)[:, :-1, -1] * sizes
+        return -self.tangents(halves)[:, :-1, -1] * self.state_sizes
+
+    def tangents(self, durations: Reals) -> Reals:
+        """Return tanh(matrix T/2) in balanced coordinates for durations T, s."""
+        return _tanh(0.5 * durations[:, None, None] * self._balanced[0])
+
+    @property
+    def state_sizes(self) -> Reals:
+        """What turns states in balanced coordinates into x: factors of shape (n,)."""
+        return self._balanced[1]
+
+    @property
+    def balanced_row(self) -> Reals:
+        """The row c for states in balanced coordinates, of shape (n,)."""
+        return self.row * self.state_sizes
 
     @cached_property
     def _balanced(self) -> tuple[Reals, Reals]:

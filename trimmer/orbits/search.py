@@ -67,11 +67,14 @@ class RelaySearch:
         half_periods: Shortest and longest half period searched, s.
         zeros: Zeros on this interval; not all are orbits, as the relay may switch in between.
         undecided: Parts of the interval that may hold others.
+        grid: Number of durations on this interval, in a fixed ratio, from whose pairs orbits with two
+            switches at unequal distances were looked for.
     """
 
     half_periods: Interval
     zeros: int
     undecided: tuple[Interval, ...]
+    grid: int
 
     @property
     def sentence(self) -> str:
@@ -84,7 +87,7 @@ class RelaySearch:
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)
             told += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
-        return told
+        return f"{told}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
 
 
 @dataclass(frozen=True)
