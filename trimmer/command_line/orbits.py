@@ -33,7 +33,7 @@ def _run(arguments: Namespace) -> int:
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions.limit_cycles)
+            orbits = periodic_orbits(system, element, predictions)
         except ValueError as error:
             raise OptionError(str(error)) from error
     print((as_json if arguments.json else as_text)(element, predictions, orbits))
