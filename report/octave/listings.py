@@ -8,14 +8,7 @@ from typing import Any
 import sympy
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    GAP,
-    SEPARATION,
-    inertia_contact_ratio,
-    separation_angle,
-)
+from derivations.elements import backlash
 from derivations.elements.friction import FORCE
 from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
@@ -31,12 +24,12 @@ from trimmer import TrimmerParameters, parameter_table
 NAMES: dict[sympy.Expr, str] = {
     **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},
     A: "amplitude",
-    GAP: "gap",
+    backlash.GAP: "gap",
     formulas.RATIO: "ratio",
-    CONTACT: "contact",
-    SEPARATION: "separation",
+    backlash.CONTACT: "contact",
+    backlash.SEPARATION: "separation",
     formulas.FLIGHT: "flight",
-    GAMMA: "load_gamma",
+    backlash.GAMMA: "load_gamma",
     THETA: "phase",
     FORCE: "force",
     formulas.STIFFNESS: "stiffness",
@@ -117,9 +110,9 @@ def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[
     return {
         "A.1": _linear_context(derivation, parameters),
         "A.2": {"gain": formulas.friction_gain()},
-        "A.4": {"reached": inertia_contact_ratio(), "gain": formulas.inertia_gain()},
+        "A.4": {"reached": backlash.inertia_contact_ratio(), "gain": formulas.inertia_gain()},
         "A.5": {
-            "separation": separation_angle(),
+            "separation": backlash.separation_angle(),
             "reached": formulas.general_ratio(),
             "gain": formulas.general_gain(),
         },

@@ -8,13 +8,7 @@ import numpy as np
 import sympy
 
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    inertia_contact_ratio,
-    inertia_waveform,
-    separation_angle,
-)
+from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
@@ -26,14 +20,7 @@ from report.numbers import listed_blocks as blocks
 from report.numbers.independent import load_in_play
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import (
-    DRIVE_AMPLITUDE,
-    DRIVE_FREQUENCY,
-    DRIVE_OMEGA,
-    LISTED_OFFSET,
-    TIMED_GAP,
-    TURN,
-)
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LISTED_OFFSET, TIMED_GAP, TURN
 from trimmer import FrictionBacklash, InertiaBacklash
 
 SOURCE, BLOCKS = (
@@ -107,7 +94,7 @@ def gaps(_: Evidence) -> Record:
     yield assertion(
         "$b$ = 0",
         "the output is the input",
-        distance <= VANISHING and inertia_contact_ratio().subs(CONTACT, 0) == 0,
+        distance <= VANISHING and backlash.inertia_contact_ratio().subs(backlash.CONTACT, 0) == 0,
         f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
@@ -153,14 +140,14 @@ def equivalent_blocks(_: Evidence) -> Record:
 
 @claim("txt-4.2.2-zero-gap", source=SOURCE)
 def zero_gap(_: Evidence) -> Record:
-    flight, contact = inertia_contact_ratio(), inertia_waveform(b).segments[1].value
-    slope = sympy.diff(flight, CONTACT) - 2 * sympy.sin(CONTACT / 2) ** 2
+    flight, contact = backlash.inertia_contact_ratio(), backlash.inertia_waveform(b).segments[1].value
+    slope = sympy.diff(flight, backlash.CONTACT) - 2 * sympy.sin(backlash.CONTACT / 2) ** 2
     root = "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad"
     zero = r"$b/A = \phi - \sin\phi$ is zero for $\phi = 0$"
     yield assertion(
         "flight",
         "without a gap there is no flight",
-        flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        flight.subs(backlash.CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
@@ -236,7 +223,7 @@ def gamma(_: Evidence) -> Record:
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
 def angle_of_separation(_: Evidence) -> Record:
     gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
-    printed, right = (float(separation_angle().subs(GAMMA, each)) for each in gammas)
+    printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)
     of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
     means = r"the angle of $\gamma + j$"
     second = close(means, of_printed, printed)
