@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.chapters.chapter_5.claims.driven_open_loop import open_loop_harmonic
+from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims import section_5_2_4
-from report.chapters.chapter_5.claims.driven_open_loop import REPEATS, line_part, size_part
+from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_part, size_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia

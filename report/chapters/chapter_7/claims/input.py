@@ -10,14 +10,14 @@ from derivations.elements.friction import FORCE
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A, omega
 from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import friction_expression
-from report.chapters.chapter_5.claims.driven_open_loop import (
+from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     REPEATS,
     line_part,
     open_loop,
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
 from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
