@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 TURN: Final = 2 * math.pi
-"""rad."""
+"""A full turn, rad."""
 DRIVE_FREQUENCY: Final = 100.0
 """Of the models of chapters 4 and 5, Hz."""
 DRIVE_OMEGA: Final = TURN * DRIVE_FREQUENCY

@@ -27,17 +27,17 @@ class _TwoSides:
         return replace(self, derived=derived)
 
     def corrected(self) -> Self:
-        """Print what was derived."""
+        """Put the derived side in the place of the printed one."""
         return replace(self, printed=self.derived)
 
     @property
     def printed_shown(self) -> Mathematics:
-        """The printed equation."""
+        """The printed side as an equation, if there is a left side."""
         return self._equation(self.printed)
 
     @property
     def derived_shown(self) -> Mathematics:
-        """The derived equation."""
+        """The derived side in the same way."""
         return self._equation(self.derived)
 
     def _equation(self, right: sympy.Basic) -> Mathematics:

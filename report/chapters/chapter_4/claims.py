@@ -32,10 +32,10 @@ MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
 ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
-"""A gap, m."""
+"""Gap that stands for no gap, m."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
 RATIO = 1 / 99
-"""Printed M/D, s."""
+"""M/D as section 4.2.3 prints it, s."""
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 
 

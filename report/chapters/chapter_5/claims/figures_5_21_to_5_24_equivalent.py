@@ -28,7 +28,7 @@ from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_G
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
-"""What Listing A.6 computes."""
+"""N of Listing A.6."""
 
 
 @claim("fig-5.21", source=SOURCE, impact=Impact.DOWNSTREAM)

@@ -28,7 +28,7 @@ VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
 FIGURE_FORCE = 0.015
-"""Relay of figure 5.19."""
+"""Level of the relay of figure 5.19."""
 STEADY = 1.0
 """Rate below which a frequency may be said to stay, 1/s."""
 PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.22 and 5.23")
