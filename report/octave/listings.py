@@ -19,6 +19,7 @@ from report.folders import templates
 from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, RELAY_LEVEL, TIME_CONSTANT, TIMED_GAP
 from trimmer import TrimmerParameters, parameter_table
 
 NAMES: dict[sympy.Expr, str] = {
@@ -47,12 +48,12 @@ class Example:
     the drive is that of Listing A.8.
     """
 
-    gap: float = 4e-5
-    time_constant: float = 1 / 99
-    force: float = 0.015
-    drive_gap: float = 4e-4
-    drive_amplitude: float = 1.5e-3
-    drive_frequency: float = 100.0
+    gap: float = LARGE_GAP
+    time_constant: float = TIME_CONSTANT
+    force: float = RELAY_LEVEL
+    drive_gap: float = TIMED_GAP
+    drive_amplitude: float = DRIVE_AMPLITUDE
+    drive_frequency: float = DRIVE_FREQUENCY
 
 
 @dataclass(frozen=True)

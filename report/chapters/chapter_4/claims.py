@@ -20,7 +20,15 @@ from report.numbers import listed_blocks as blocks
 from report.numbers.independent import load_in_play
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LISTED_OFFSET, TIMED_GAP, TURN
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_OFFSET,
+    TIME_CONSTANT,
+    TIMED_GAP,
+    TURN,
+)
 from trimmer import FrictionBacklash, InertiaBacklash
 
 SOURCE, BLOCKS = (
@@ -34,8 +42,6 @@ ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
 """Gap that stands for no gap, m."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
-RATIO = 1 / 99
-"""M/D as section 4.2.3 prints it, s."""
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 
 
@@ -170,7 +176,9 @@ def zero_gap(_: Evidence) -> Record:
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
 def roles(_: Evidence) -> Record:
     free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
-    lighter, usual, heavier = (load_in_play.speed_left(each * RATIO, RATIO) for each in (0.5, 1, 2))
+    lighter, usual, heavier = (
+        load_in_play.speed_left(each * TIME_CONSTANT, TIME_CONSTANT) for each in (0.5, 1, 2)
+    )
     means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
     yield assertion(
         "$D$ as the amount of inertia, $M$ as the amount of friction",
@@ -195,9 +203,9 @@ def roles(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
 def gamma(_: Evidence) -> Record:
-    right = RATIO * DRIVE_OMEGA
+    right = TIME_CONSTANT * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
-    by_decay = -1 / math.log(load_in_play.speed_left(RATIO, 1 / DRIVE_OMEGA))
+    by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
@@ -209,7 +217,7 @@ def gamma(_: Evidence) -> Record:
         unit == TIME**-1,
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
-        second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
+        second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
     )
     yield text(r"""
         With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
@@ -222,7 +230,7 @@ def gamma(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
 def angle_of_separation(_: Evidence) -> Record:
-    gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
+    gammas = (float(PRINTED_GAMMA), TIME_CONSTANT * DRIVE_OMEGA)
     printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)
     of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
     means = r"the angle of $\gamma + j$"

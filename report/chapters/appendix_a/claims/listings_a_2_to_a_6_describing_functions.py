@@ -20,8 +20,8 @@ from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import describing_function, simplified_describing_function
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
+from report.chapters.second_ways import REPEATED, by_quadrature
 from report.claim import Impact, Part
-from report.comparisons.second_ways import REPEATED, by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain

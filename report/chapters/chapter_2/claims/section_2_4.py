@@ -13,10 +13,10 @@ from derivations.elements.friction import relay_waveform
 from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_friction import printed_sine_terms
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact, Part
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, close, equal, expression, made_here, part, so

@@ -17,8 +17,8 @@ from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions 
     friction_expression,
 )
 from report.chapters.chapter_5.claims import section_5_2_5
+from report.chapters.second_ways import NEWTON, by_matching_real_parts
 from report.claim import Impact
-from report.comparisons.second_ways import NEWTON, by_matching_real_parts
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE, listing_element
 from report.numbers.independent.limit_cycles import friction_exactly

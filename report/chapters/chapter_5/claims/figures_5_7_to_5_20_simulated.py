@@ -9,14 +9,14 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
+from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
 from report.claim import Confirmation, Impact
-from report.comparisons.second_ways import TWO_DURATIONS, by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
 from report.parts import assertion, close, digits, repeated, so
 from report.record import Record, claim, text
-from report.thesis import ROUNDED, SMALL_GAP
+from report.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
 DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"
@@ -146,7 +146,7 @@ def inertia(known: Evidence) -> Record:
 def relay(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     means = f"exact simulation, whose last two of {SETTLED_AFTER} periods are alike"
-    difference = difference_of_last_periods(known.numbers.parameters, section_5_2_4.FIGURE_FORCE)
+    difference = difference_of_last_periods(known.numbers.parameters, RELAY_LEVEL)
     yield section_5_2_4.relay_part(known.motion.closed.relay, "relay of 0.015 in the loop")
     yield assertion(
         "in open loop, as the caption has it",

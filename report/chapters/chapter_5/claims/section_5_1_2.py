@@ -9,9 +9,9 @@ import control
 import numpy as np
 import sympy
 
+from report.chapters.second_ways import EXACTLY
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent import linear_trimmer
 from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio

@@ -11,8 +11,8 @@ from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
+from report.chapters.second_ways import NEWTON
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point, printed_function
 from report.numbers.independent import limit_cycles

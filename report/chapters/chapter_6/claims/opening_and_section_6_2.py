@@ -8,8 +8,8 @@ import sympy
 
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
+from report.chapters.second_ways import by_grid, by_quadrature
 from report.claim import Impact
-from report.comparisons.second_ways import by_grid, by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent import loci
 from report.numbers.independent.exact_response import gain_ratio

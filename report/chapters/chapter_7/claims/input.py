@@ -18,8 +18,8 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
+from report.chapters.second_ways import ALL_LOADS
 from report.claim import Impact
-from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.listed_blocks import contact_angle
