@@ -156,7 +156,7 @@ class FigureRecord:
     draw: Draw = field(repr=False)
 
     def finished(self, known: Evidence) -> Figure:
-        """Draw it."""
+        """Draw the figure; it is then an SVG with its words."""
         svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
         return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
 

@@ -15,10 +15,7 @@ from report.claim import Impact
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
-from report.numbers.independent.linear_trimmer import (
-    matrix_formula,
-    settled_gain,
-)
+from report.numbers.independent.linear_trimmer import matrix_formula, settled_gain
 from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text

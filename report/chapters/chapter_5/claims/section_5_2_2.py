@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import sympy
 
-from report.chapters.chapter_5.claims.driven_open_loop import LOOP_CLOSED
+from report.chapters.chapter_5.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.chapters.second_ways import LOEB, NEWTON, TWO_DURATIONS, by_division_back, by_floquet
 from report.claim import Impact, Part
 from report.comparisons.printed import total
