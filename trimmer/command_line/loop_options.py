@@ -124,7 +124,10 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
     from trimmer.displacement import Displacement
     from trimmer.linear.model import InputChannels, pin_model
 
-    output, channels = Displacement.parse(arguments.output), InputChannels(arguments.channels)
+    output, channels = (
+        Displacement.parse(arguments.output),
+        InputChannels.chosen(arguments.channels, "--channels"),
+    )
     return pin_model(chosen_parameters(arguments), output, channels)
 
 

@@ -102,14 +102,13 @@ def _predictions(arguments: Namespace) -> Predictions:
 
 def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) -> SpectrumAnalysis:
     from trimmer.spectra.analysis import analyse_signal
-    from trimmer.spectra.window import Window
 
     return analyse_signal(
         signal,
         arguments.drive,
         predictions.natural_frequencies,
         predictions.limit_cycles,
-        Window[arguments.window.upper().replace("-", "_")],
+        arguments.window,
         arguments.limit,
     )
 
@@ -125,9 +124,9 @@ def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
     if arguments.wav is None:
         return None
-    from trimmer.signals.wav import BitDepth, write_wav
+    from trimmer.signals.wav import write_wav
 
-    return write_wav(arguments.wav, signal.values, signal.sample_rate, BitDepth(arguments.bits))
+    return write_wav(arguments.wav, signal.values, signal.sample_rate, arguments.bits)
 
 
 COMMAND = Command("spectrum", "spectrum of a measured signal, and what its peaks may be", _configure, _run)

@@ -56,14 +56,19 @@ class LinearSummary:
 
 def summarise(
     parameters: TrimmerParameters,
-    output: Displacement = CUTTER_RELATIVE_TO_GUARD,
-    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY,
+    output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
 ) -> LinearSummary:
     """Analyse the transfer function from pin displacement to an output.
 
+    Output and channels are chosen as in ``transfer_function``, also by their words.
+
     Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
         UnsupportedSystemError: if the pin does not reach the output, so that G = 0.
     """
+    output, channels = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     system = transfer_function(parameters, output, channels)
     return LinearSummary(
         parameters=parameters,
