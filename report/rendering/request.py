@@ -26,7 +26,8 @@ class Paper(Choice):
 class Request:
     """Which chapters (names such as ``ch5`` and ``appA``; none means all), which forms, on which paper.
 
-    Forms and paper may also be given by their words.
+    ``overwrite`` lets files of another kind be replaced, where there are such. Forms and paper may also be
+    given by their words.
 
     Raises:
         ChoiceError: if a form or paper is none of those there are.
@@ -35,6 +36,7 @@ class Request:
     chapters: tuple[str, ...] = ()
     formats: frozenset[Format] = frozenset(Format)
     paper: Paper = Paper.A4
+    overwrite: bool = False
 
     def __post_init__(self) -> None:
         formats = frozenset(Format.chosen(form, "format") for form in self.formats)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import OptionError, add_loop_options, linear_part
+from trimmer.command_line.loop_options import add_loop_options, linear_part
+from trimmer.command_line.parser import OptionError
 
 
 def _configure(parser: ArgumentParser) -> None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
+
+from trimmer.command_line.file_options import file_to_read
 
 if TYPE_CHECKING:
     from trimmer.signals.signal import Signal
@@ -37,9 +38,9 @@ def add_signal_options(parser: ArgumentParser) -> None:
     """Add the file of the signal, and the options that say how to read it."""
     parser.add_argument(
         "file",
-        type=Path,
+        type=file_to_read,
         metavar="FILE",
-        help="CSV file with the samples, one row each, with a heading or not",
+        help="CSV file with the samples, one row each, with a heading or not; - for standard input",
     )
     parser.add_argument(
         "--rate",
@@ -78,19 +79,14 @@ def chosen_signal(arguments: Namespace) -> Signal:
     Raises:
         TrimmerError: if the file cannot be used.
     """
-    from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
-    from trimmer.signals.missing import MissingValues
+    from trimmer.signals.csv_layout import CsvLayout
     from trimmer.signals.read import read_signal
 
-    delimiter, decimal = arguments.delimiter, arguments.decimal
     return read_signal(
         arguments.file,
         column=arguments.column,
         time_column=arguments.time,
         sample_rate=arguments.rate,
-        layout=CsvLayout(
-            Delimiter[delimiter.upper()] if delimiter else None,
-            DecimalSign[decimal.upper()] if decimal else None,
-        ),
-        missing=MissingValues(arguments.missing),
+        layout=CsvLayout(arguments.delimiter, arguments.decimal),
+        missing=arguments.missing,
     )

@@ -38,7 +38,7 @@ def read_signal(
     and never evaluated as anything but numbers.
 
     Args:
-        path: The file.
+        path: The file; ``-`` is standard input.
         column: Column of the signal, by name or number. Not needed if there is one beside the time stamps.
         time_column: Column of the time stamps. Not needed if it is named ``t``, ``time`` or ``timestamp``.
         sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used.

@@ -85,6 +85,8 @@ def write_wav(
     sample_rate: float,
     bit_depth: BitDepth | int = BitDepth.SIXTEEN,
     peak: float = 0.9,
+    *,
+    overwrite: bool = False,
 ) -> WavFile:
     """Write a vibration as a mono PCM WAV file, whole or not at all.
 
@@ -99,6 +101,7 @@ def write_wav(
         sample_rate: Samples per second, Hz.
         bit_depth: Bits of a sample: a member, or 16 or 24.
         peak: Largest sample as a share of full scale, 0 < peak <= 1.
+        overwrite: Replace a file of any kind; see ``write_atomically``.
 
     Returns:
         What was written, with the normalisation.
@@ -126,7 +129,7 @@ def write_wav(
     sound = _resampled(vibration, used)
     loudest = float(np.abs(sound).max())
     samples = np.rint(sound * (peak * bit_depth.full_scale / loudest if loudest else 0.0)).astype("<i4")
-    write_atomically(Path(path), _content(samples, wav_rate, bit_depth))
+    write_atomically(Path(path), _content(samples, wav_rate, bit_depth), overwrite=overwrite)
     return WavFile(
         sample_rate=wav_rate,
         samples=samples.size,

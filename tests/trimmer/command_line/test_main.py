@@ -78,11 +78,17 @@ def test_a_broken_command_does_not_take_the_others_with_it(entry, capsys, target
 @pytest.mark.parametrize(
     "arguments", [[], ["nonsense"], ["linear", "--nonsense"], ["linear", "--channels", "x"]]
 )
-def test_wrong_use_is_exit_code_2_with_the_usage(capsys, arguments: list[str]) -> None:
+def test_wrong_use_is_exit_code_2_with_a_sentence(capsys, arguments: list[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
         main(arguments)
     assert stopped.value.code == 2
-    assert "usage: trimmer" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.startswith("trimmer: ")
+    assert told.err.endswith(
+        f"; see {' '.join(['trimmer', *arguments[:1]]) if arguments[1:] else 'trimmer'} --help\n"
+    )
+    assert told.err.count("\n") == 1
 
 
 def test_what_the_user_can_put_right_is_told_without_a_traceback(entry, capsys, monkeypatch) -> None:
