@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from trimmer.command_line.loop_options import (
     chosen_element,
     linear_part,
 )
+from trimmer.command_line.parser import OptionError
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -42,14 +44,24 @@ def _run(arguments: Namespace) -> int:
     from trimmer.files import write_atomically
 
     element = chosen_element(arguments)
+    omegas = _omega_range(arguments)
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     G = linear_part(arguments)
-    balance = harmonic_balance(G, element, arguments.omega_range and tuple(arguments.omega_range))
+    balance = harmonic_balance(G, element, omegas)
     if arguments.plot is not None:
         picture = draw(G, element, balance, arguments.plot.suffix[1:].lower())
         write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
     show((as_json if arguments.json else as_text)(G, element, balance), arguments.plot)
     return 0
+
+
+def _omega_range(arguments: Namespace) -> tuple[float, float] | None:
+    if arguments.omega_range is None:
+        return None
+    lowest, highest = arguments.omega_range
+    if not 0 < lowest < highest < math.inf:
+        raise OptionError(f"--omega-range {lowest:g} {highest:g}: needs 0 < lowest < highest < inf (rad/s)")
+    return lowest, highest
 
 
 COMMAND = Command(

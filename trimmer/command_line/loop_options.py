@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
-from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.parser import OptionError, as_option, is_given, require_positive
 
 if TYPE_CHECKING:
     import control
@@ -73,8 +73,8 @@ ELEMENTS = (
 )
 
 
-ELEMENT_OPTIONS = ("gap", "time_constant", "force")
-"""Options that have a meaning with an element only."""
+ELEMENT_OPTIONS = {"gap": "m", "time_constant": "s", "force": "N"}
+"""Options that have a meaning with an element only, each with its unit."""
 
 
 def add_loop_options(parser: ArgumentParser) -> None:
@@ -155,7 +155,11 @@ def chosen_element(arguments: Namespace) -> Element:
         if given != (option in choice.options):
             verb = "does not use" if given else "needs"
             raise OptionError(f"--element {choice.name} {verb} {as_option(option)}")
-    try:
-        return choice.make(*(getattr(arguments, option) for option in choice.options))
-    except ValueError as error:
-        raise OptionError(f"--element {choice.name}: {error}") from error
+    values = [getattr(arguments, option) for option in choice.options]
+    for option, value in zip(choice.options, values, strict=True):
+        unit = ELEMENT_OPTIONS[option]
+        if option != "time_constant":
+            require_positive(arguments, option, unit)
+        elif not value >= 0:  # 0 is friction alone, infinity inertia alone
+            raise OptionError(f"--time-constant {value:g}: must be zero, positive or inf ({unit})")
+    return choice.make(*values)

@@ -13,7 +13,7 @@ from trimmer.command_line.loop_options import (
     chosen_element,
     chosen_parameters,
 )
-from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.command_line.parser import OptionError, refuse_unused, require_positive
 
 if TYPE_CHECKING:
     from trimmer.motion.loops import Drive
@@ -72,7 +72,7 @@ def impulse_of(arguments: Namespace) -> float:
     """
     if arguments.impulse is not None:
         if not math.isfinite(arguments.impulse):
-            raise OptionError(f"--impulse {arguments.impulse}: must be finite")
+            raise OptionError(f"--impulse {arguments.impulse:g}: must be finite (m s)")
         return float(arguments.impulse)
     if arguments.drive is None:
         raise OptionError("the closed loop stays at rest: give --impulse (m s), or --drive for the open loop")
@@ -87,8 +87,7 @@ def _drive(arguments: Namespace) -> Drive | None:
         raise OptionError(f"a drive has a frequency and an amplitude: {missing} is missing")
     if arguments.drive is None:
         return None
-    if not 0 < arguments.drive < math.inf:
-        raise OptionError(f"--drive {arguments.drive:g}: the frequency must be positive and finite (Hz)")
+    require_positive(arguments, "drive", "Hz")
     if not 0 <= arguments.amplitude < math.inf:
         raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
     return Drive(arguments.amplitude, 2.0 * math.pi * arguments.drive)

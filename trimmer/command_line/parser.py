@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 from argparse import Action, ArgumentError, ArgumentParser, Namespace
@@ -80,6 +81,18 @@ def refuse_unused(arguments: Namespace, names: Iterable[str], use: str) -> None:
     for name in names:
         if is_given(arguments, name):
             raise OptionError(f"{as_option(name)} has no effect without {use}: add that, or leave it out")
+
+
+def require_positive(arguments: Namespace, name: str, unit: str) -> None:
+    """Check that the value of an option is positive and finite.
+
+    Raises:
+        OptionError: if it is not.
+    """
+    value = getattr(arguments, name)
+    if not 0 < value < math.inf:
+        quantity = name.replace("_", " ")
+        raise OptionError(f"{as_option(name)} {value:g}: {quantity} must be positive and finite ({unit})")
 
 
 def as_option(name: str) -> str:

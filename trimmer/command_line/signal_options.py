@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
@@ -16,14 +17,18 @@ DECIMAL_SIGNS = ("point", "comma")
 MISSING_VALUES = ("refuse", "interpolate")
 
 
-def positive(text: str) -> float:
-    """Read a positive finite number, as the type of an option."""
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not 0 < number < math.inf:
-        raise ArgumentTypeError(f"{text!r} is not a positive number")
+def positive(unit: str) -> Callable[[str], float]:
+    """Make the type of an option whose values are positive finite numbers, in a unit."""
+
+    def number(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not 0 < value < math.inf:
+            raise ArgumentTypeError(f"{text!r} is not a positive number ({unit})")
+        return value
+
     return number
 
 
@@ -44,7 +49,7 @@ def add_signal_options(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--rate",
-        type=positive,
+        type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
     )

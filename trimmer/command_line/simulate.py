@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +9,8 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, show
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import OptionError, refuse_unused, tell
+from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
+from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
@@ -59,9 +59,14 @@ def _run(arguments: Namespace) -> int:
         motion = simulate(loop, arguments.duration, impulse=impulse)
     except ValueError as error:
         raise OptionError(str(error)) from error
-    written = _write(arguments, motion)
-    told = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in written)]
-    show("\n".join(told), *written)
+    targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
+    try:
+        _write(arguments, motion)
+    except TrimmerError:
+        show(as_json(motion) if arguments.json else as_text(motion), *targets)
+        raise
+    told = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
+    show("\n".join(told), *targets)
     if motion.outcome is Outcome.COMPLETED:
         return 0
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")
@@ -71,8 +76,8 @@ def _run(arguments: Namespace) -> int:
 def _check_duration(arguments: Namespace) -> None:
     """Check the length of the motion, and that of its signals if they are written."""
     duration, rate = arguments.duration, arguments.sample_rate
-    if not 0 < duration < math.inf:
-        raise OptionError(f"--duration {duration:g}: must be positive and finite (s)")
+    require_positive(arguments, "duration", "s")
+    require_positive(arguments, "sample_rate", "Hz")
     if arguments.csv is None and arguments.wav is None:
         refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
     elif not 2 <= duration * rate <= MOST_SAMPLES:
@@ -82,19 +87,18 @@ def _check_duration(arguments: Namespace) -> None:
         )
 
 
-def _write(arguments: Namespace, motion: Motion) -> list[Path]:
-    """Write the files that are wanted, and return their names."""
+def _write(arguments: Namespace, motion: Motion) -> None:
+    """Write the files that are wanted."""
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
 
-    written = [path for path in (arguments.csv, arguments.wav) if path is not None]
-    if written:
-        output, *others = _signals(motion, arguments.sample_rate)
-        if arguments.csv is not None:
-            write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
-        if arguments.wav is not None:
-            write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
-    return written
+    if arguments.csv is None and arguments.wav is None:
+        return
+    output, *others = _signals(motion, arguments.sample_rate)
+    if arguments.csv is not None:
+        write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
+    if arguments.wav is not None:
+        write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
 
 
 def _signals(motion: Motion, sample_rate: float) -> list[Signal]:

@@ -28,13 +28,13 @@ def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
     parser.add_argument(
         "--drive",
-        type=positive,
+        type=positive("Hz"),
         metavar="HZ",
         help="frequency of the drive, whose harmonics are fitted, and looked for among the peaks",
     )
     parser.add_argument(
         "--gap",
-        type=positive,
+        type=positive("m"),
         metavar="M",
         help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",

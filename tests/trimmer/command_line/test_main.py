@@ -152,3 +152,84 @@ def test_a_command_cannot_be_changed() -> None:
     assert replace(OTHER, name="third").name == "third"
     with pytest.raises(AttributeError):
         OTHER.name = "third"  # type: ignore[misc]
+
+
+COMMAND = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
+C_LOCALE = {"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+
+
+def run(folder: Path, *words: str, shell: str = "", **settings: str) -> subprocess.CompletedProcess[bytes]:
+    """Run a command by a shell, which redirects its streams."""
+    program = [sys.executable, "-c", COMMAND, *words]
+    return subprocess.run(
+        ["sh", "-c", f'"$@" {shell}', "sh", *program],
+        capture_output=True,
+        cwd=folder,
+        env={**os.environ, **settings},
+        check=False,
+    )
+
+
+def test_what_an_encoding_lacks_is_written_in_ascii(project_folder: Path) -> None:
+    plain = run(project_folder, "linear", **C_LOCALE)
+    full = run(project_folder, "linear", PYTHONIOENCODING="utf-8")
+    assert (plain.returncode, plain.stderr) == (0, b"")
+    assert "-25.0054 ± 1396.83j" in full.stdout.decode("utf-8")
+    assert plain.stdout.decode("ascii") == full.stdout.decode("utf-8").replace("±", "+-")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["spectrum", "µ.csv"],
+        ["linear", "--parameters", "ω\udcff.toml"],
+        ["linear", "--output", "µ"],
+        ["linear", "--channels", "日本"],
+        ["limit-cycles", "--element", "friction", "--gap", "1", "--plot", "\udcff.jpg"],
+    ],
+)
+@pytest.mark.parametrize("locale", [C_LOCALE, {"PYTHONIOENCODING": "utf-8"}])
+def test_names_in_any_letters_give_no_traceback(
+    project_folder: Path, words: list[str], locale: dict[str, str]
+) -> None:
+    done = run(project_folder, *words, **locale)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(b"trimmer: ")
+    assert done.stderr.count(b"\n") == 1
+
+
+@pytest.mark.parametrize(
+    "words", [["parameters"], ["linear"], ["--help"], ["linear", "--help"], ["--version"]]
+)
+def test_a_closed_output_is_told(project_folder: Path, words: list[str]) -> None:
+    done = run(project_folder, *words, shell=">&-")
+    told = b"trimmer: standard output is closed; send it to a file, or to /dev/null\n"
+    assert (done.returncode, done.stderr) == (2, told)
+
+
+@pytest.mark.parametrize(
+    "words", [["parameters"], ["linear"], ["--help"], ["linear", "--help"], ["--version"]]
+)
+def test_a_reader_of_one_line_is_no_error(project_folder: Path, words: list[str]) -> None:
+    done = run(project_folder, *words, shell="| true")
+    assert done.stderr == b""
+
+
+@pytest.mark.parametrize("words", [["linear", "--output", "q9"], ["linear", "--nonsense"], ["parameters"]])
+@pytest.mark.parametrize("shell", ["2>&-", "2>&1 | true", "2>&- <&-"])
+def test_nobody_needs_to_read_the_errors(project_folder: Path, words: list[str], shell: str) -> None:
+    done = run(project_folder, *words, shell=shell)
+    assert done.stderr == b""
+    assert done.stdout == b"" or words == ["parameters"]
+    if "|" not in shell:
+        assert done.returncode == (0 if words == ["parameters"] else 2)
+
+
+@pytest.mark.parametrize("words", [["--help"], ["simulate", "--help"]])
+def test_help_lists_the_exit_codes(capsys, words: list[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    for code in ("0 done", "1 an error", "2 wrong use", "3 a simulation", "130 interrupted"):
+        assert code in shown

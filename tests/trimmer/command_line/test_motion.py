@@ -67,7 +67,7 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
         (["simulate", "--amplitude", "1"], "--drive (Hz) is missing"),
         (
             ["simulate", "--drive", "-1", "--amplitude", "1"],
-            "--drive -1: the frequency must be positive and finite (Hz)",
+            "--drive -1: drive must be positive and finite (Hz)",
         ),
         ([*DRIVEN, "--friction", "q2"], "such as q2-q4=0.5"),
         ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x: 'x' is not a number (N)"),
