@@ -22,7 +22,7 @@ from trimmer.command_line import (
     spectrum,
 )
 from trimmer.command_line.command import Command
-from trimmer.command_line.parser import WRONG_USE, Parser, tell
+from trimmer.command_line.parser import WRONG_USE, Parser, drop, tell
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
@@ -66,13 +66,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return WRONG_USE
     except BrokenPipeError:
         # The reader has seen enough, as in `trimmer linear | head`.
-        _drop_output()
+        drop(sys.stdout)
         return 0
     except OSError as error:
         # What commands read and write themselves they report as a TrimmerError; what is left is printing.
         name = error.filename or "standard output"
         tell(f"{name}: {error.strerror}; send the output elsewhere")
-        _drop_output()
+        drop(sys.stdout)
         return WRONG_USE
     except KeyboardInterrupt:
         return INTERRUPTED
@@ -95,11 +95,6 @@ def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
         if plain is not None:
             return plain, error.start + 1
     return codecs.backslashreplace_errors(error)
-
-
-def _drop_output() -> None:
-    """Send to nowhere what is left to print; Python would complain on closing standard output."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _commands() -> list[Command]:

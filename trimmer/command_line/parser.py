@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 import sys
 from argparse import Action, ArgumentError, ArgumentParser, Namespace
 from collections.abc import Iterable, Sequence
-from contextlib import suppress
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
 
@@ -102,5 +102,13 @@ def as_option(name: str) -> str:
 
 def tell(message: str) -> None:
     """Print a message for the user on standard error, if anybody reads that."""
-    with suppress(OSError):
+    try:
         print(f"trimmer: {message}", file=sys.stderr, flush=True)
+    except OSError:
+        drop(sys.stderr)
+
+
+def drop(stream: TextIO) -> None:
+    """Send to nowhere what a stream has left to write; Python would complain at its end."""
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), stream.fileno())
