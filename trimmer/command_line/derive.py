@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
 from trimmer.files import LATEX, MODULE, write_atomically
 
 DIRECTORY = Path("build") / "derivation"
@@ -16,14 +16,14 @@ DIRECTORY = Path("build") / "derivation"
 def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--module",
-        type=Path,
+        type=file_to_write,
         metavar="FILE",
         default=DIRECTORY / "linear_trimmer.py",
         help="where to write the numeric Python module (default: %(default)s)",
     )
     parser.add_argument(
         "--latex",
-        type=Path,
+        type=file_to_write,
         metavar="FILE",
         default=DIRECTORY / "derivation.tex",
         help="where to write the derivations as LaTeX (default: %(default)s)",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Mapping
 from itertools import combinations
 from pathlib import Path
@@ -32,6 +32,13 @@ def file_to_read(text: str) -> Path:
     """Read the name of a file to read, as the type of an option: ``-`` is standard input, ``./-`` a file."""
     path = Path(text)
     return path.absolute() if path == STANDARD_INPUT and text != str(STANDARD_INPUT) else path
+
+
+def file_to_write(text: str) -> Path:
+    """Read the name of a file to write, as the type of an option; ``-`` is refused, since it is no file."""
+    if text == str(STANDARD_INPUT):
+        raise ArgumentTypeError("'-' is no file; write /dev/stdout for standard output, or ./- for a file")
+    return Path(text)
 
 
 def add_overwrite_option(parser: ArgumentParser) -> None:

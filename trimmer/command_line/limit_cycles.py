@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
 from trimmer.command_line.loop_options import (
     add_element_options,
     add_loop_options,
@@ -30,7 +35,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
     parser.add_argument(
         "--plot",
-        type=Path,
+        type=file_to_write,
         metavar="FILE",
         help="draw G and -1/N with the intersections into an .svg, .png or .pdf file",
     )

@@ -6,14 +6,14 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import show
+from trimmer.command_line.file_options import file_to_write, show
 
 
 def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--output",
         metavar="FILE",
-        type=Path,
+        type=file_to_write,
         help="file to write (default: print it); a file that is there is kept unless it is empty",
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -39,6 +40,14 @@ def positive_whole(text: str) -> int:
     return int(text)
 
 
+def column(text: str) -> str:
+    """Read the name of a column, as the type of an option: in UTF-8, as the files, whatever the locale is."""
+    try:
+        return os.fsencode(text).decode("utf-8")
+    except UnicodeError:
+        return text
+
+
 def add_signal_options(parser: ArgumentParser) -> None:
     """Add the file of the signal, and the options that say how to read it."""
     parser.add_argument(
@@ -55,11 +64,13 @@ def add_signal_options(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--column",
+        type=column,
         metavar="NAME|NUMBER",
         help="column of the signal (default: the only one beside the time stamps); the first has number 1",
     )
     parser.add_argument(
         "--time",
+        type=column,
         metavar="NAME|NUMBER",
         help="column of the time stamps, s unless its heading says [ms] or the like "
         "(default: the one named t, time or timestamp, if any)",

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
 from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
 from trimmer.errors import TrimmerError
@@ -36,10 +35,13 @@ def _configure(parser: ArgumentParser) -> None:
         help="samples per second in --csv and --wav (default: 20000); the simulation itself needs none",
     )
     parser.add_argument(
-        "--csv", type=Path, metavar="FILE", help="write time, output, and input and output of the play"
+        "--csv",
+        type=file_to_write,
+        metavar="FILE",
+        help="write time, output, and input and output of the play",
     )
     parser.add_argument(
-        "--wav", type=Path, metavar="FILE", help="write the output as sound, into a .wav file"
+        "--wav", type=file_to_write, metavar="FILE", help="write the output as sound, into a .wav file"
     )
     add_overwrite_option(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with every event")

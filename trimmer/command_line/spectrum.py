@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
 from trimmer.command_line.loop_options import add_loop_options, chosen_parameters, linear_part
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.signal_options import add_signal_options, chosen_signal, positive, positive_whole
@@ -46,9 +51,11 @@ def _configure(parser: ArgumentParser) -> None:
     add_loop_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
     parser.add_argument(
-        "--plot", type=Path, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
+        "--plot", type=file_to_write, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
     )
-    parser.add_argument("--wav", type=Path, metavar="FILE", help="write the signal as sound into a .wav file")
+    parser.add_argument(
+        "--wav", type=file_to_write, metavar="FILE", help="write the signal as sound into a .wav file"
+    )
     parser.add_argument(
         "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
     )

@@ -198,6 +198,14 @@ def test_names_in_any_letters_give_no_traceback(
     assert done.stderr.count(b"\n") == 1
 
 
+def test_a_column_is_found_by_a_name_in_any_letters(project_folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text("\n".join(["µ,x", *(f"{k % 5},0" for k in range(99))]), encoding="utf-8")
+    done = run(project_folder, "spectrum", str(file), "--column", "µ", "--rate", "100", **C_LOCALE)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.startswith(b"u of ")
+
+
 @pytest.mark.parametrize("words", [["parameters"], ["linear", "--help"]])
 def test_a_closed_output_is_told(project_folder: Path, words: list[str]) -> None:
     done = run(project_folder, *words, shell=">&-")

@@ -202,6 +202,20 @@ def test_a_file_named_dash_can_be_read(monkeypatch, capsys, tmp_path: Path) -> N
     assert main(["linear", "--parameters", "./-"]) == 0
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        [*SHORT, "--csv"],
+        [*SHORT, "--wav"],
+        ["limit-cycles", *PLAY, "--plot"],
+        ["parameters", "--output"],
+        ["derive", "--latex"],
+    ],
+)
+def test_a_dash_is_no_file_to_write(capsys, words: list[str]) -> None:
+    assert "'-' is no file; write /dev/stdout for standard output" in error(capsys, *words, "-")
+
+
 def test_files_of_the_user_are_kept(monkeypatch, capsys, tmp_path: Path, file: Path) -> None:
     monkeypatch.chdir(tmp_path)
     mine = tmp_path / "mine.toml"
