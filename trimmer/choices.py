@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import reprlib
 from enum import Enum
+from numbers import Integral
 from typing import Self
 
 from trimmer.errors import TrimmerError
@@ -35,7 +36,7 @@ class Choice(Enum):
         if isinstance(value, cls):
             return value
         *others, last = (member.word for member in cls)
-        if isinstance(value, str | int):
+        if isinstance(value, str | Integral):
             for member in cls:
                 if str(value) == member.word:
                     return member

@@ -97,6 +97,11 @@ def test_the_window_of_a_fit_is_chosen_by_its_word() -> None:
         fit_harmonics(SINE, 8000.0, 110.0, window="hamming")
 
 
+def test_bits_are_chosen_by_any_whole_number(tmp_path: Path) -> None:
+    for bits in (24, "24", np.int64(24)):
+        assert write_wav(tmp_path / "a.wav", SINE, 8000.0, bits).bit_depth is BitDepth.TWENTY_FOUR
+
+
 def test_what_is_done_about_missing_values_is_chosen_by_its_word(tmp_path: Path) -> None:
     assert missing("interpolate", tmp_path) == missing(MissingValues.INTERPOLATE, tmp_path) == 1
     for refusal in ("refuse", MissingValues.REFUSE):
