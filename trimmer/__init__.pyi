@@ -9,6 +9,8 @@ from .balance.limit_cycle import LimitCycle as LimitCycle
 from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
+from .choices import Choice as Choice
+from .choices import ChoiceError as ChoiceError
 from .displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD
 from .displacement import Body as Body
 from .displacement import Displacement as Displacement

@@ -32,10 +32,16 @@ class BodyFriction:
         between: The relative displacement, or that of one body from the ground.
         law: Force against that displacement, N: ``CoulombFriction``, ``ViscousFriction``, a sum of them.
             A negative factor would drive the bodies instead.
+
+    Raises:
+        DisplacementError: if ``between``, which may be a label such as ``q2-q4``, is no displacement.
     """
 
     between: Displacement
     law: Element
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "between", Displacement.parse(self.between))
 
 
 @final
@@ -52,6 +58,12 @@ class TrimmerLoop(Loop):
         channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
             too.
         frictions: Forces between bodies.
+
+    Output and channels may also be given by their words, such as ``q2-q4`` and ``both``.
+
+    Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
     """
 
     parameters: TrimmerParameters
@@ -60,6 +72,10 @@ class TrimmerLoop(Loop):
     output: Displacement = CUTTER_RELATIVE_TO_GUARD
     channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY
     frictions: tuple[BodyFriction, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "output", Displacement.parse(self.output))
+        object.__setattr__(self, "channels", InputChannels.chosen(self.channels, "channels"))
 
     @cached_property
     def model(self) -> control.StateSpace:

@@ -38,7 +38,7 @@ def analyse_signal(
     drive: float | None = None,
     natural_frequencies: Sequence[float] = (),
     limit_cycles: Sequence[float] = (),
-    window: Window = Window.HANN,
+    window: Window | str = Window.HANN,
     limit: int = USUAL_LIMIT,
 ) -> SpectrumAnalysis:
     """Compute the spectrum of a signal, find its peaks and say what they may be.
@@ -48,10 +48,11 @@ def analyse_signal(
         drive: Frequency of the drive, Hz; None without one.
         natural_frequencies: Frequencies of the natural modes, Hz.
         limit_cycles: Frequencies of the limit cycles, Hz.
-        window: Window function of the spectrum.
+        window: Window function of the spectrum, a member or its word, such as ``hann``.
         limit: Number of peaks, the largest.
 
     Raises:
+        ChoiceError: if there is no such window.
         SignalError: see ``amplitude_spectrum``, ``fit_harmonics``, ``peaks`` and ``classify``.
     """
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from trimmer.choices import Choice
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
 
 
-class Window(Enum):
+class Window(Choice):
     """A cosine-sum window; the value is its coefficients, for ``scipy.signal.windows.general_cosine``.
 
     ``RECTANGULAR`` is no window: right for a whole number of periods, with slow leakage (-13 dB) otherwise.
@@ -26,11 +27,6 @@ class Window(Enum):
     HANN = (0.5, 0.5)
     BLACKMAN_HARRIS = (0.35875, 0.48829, 0.14128, 0.01168)
     FLAT_TOP = (0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368)
-
-    @property
-    def word(self) -> str:
-        """Name of the window in options and tables, such as ``blackman-harris``."""
-        return self.name.lower().replace("_", "-")
 
     @property
     def half_width(self) -> int:

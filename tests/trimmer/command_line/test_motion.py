@@ -16,17 +16,8 @@ from trimmer.command_line.main import main
 from trimmer.command_line.orbits_text import as_json, as_text
 from trimmer.parameters import TrimmerParameters
 
-CLOSED = [
-    "simulate",
-    "--element",
-    "friction",
-    "--gap",
-    "4e-6",
-    "--impulse",
-    "1e-6",
-    "--channels",
-    "displacement",
-]
+PLAY = ["simulate", "--element", "friction", "--gap", "4e-6", "--channels", "displacement"]
+CLOSED = [*PLAY, "--impulse", "1e-6"]
 DRIVEN = ["simulate", "--element", "friction", "--gap", "2e-4", "--drive", "110", "--amplitude", "0.0015"]
 
 
@@ -71,13 +62,16 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
     [
         (["simulate"], "without --element and --drive nothing happens"),
         (["simulate", "--element", "friction", "--gap", "1e-6"], "stays at rest: give --impulse"),
-        ([*CLOSED, "--impulse", "nan"], "--impulse nan: must be finite"),
+        ([*PLAY, "--impulse", "nan"], "--impulse nan: must be finite"),
         ([*CLOSED, "--duration", "nan"], "--duration nan"),
         ([*CLOSED, "--duration", "-1"], "--duration -1"),
-        ([*CLOSED, "--sample-rate", "1e15"], "samples; give 2 to"),
+        ([*CLOSED, "--sample-rate", "1e15", "--csv", "a.csv"], "samples; give 2 to"),
         (["simulate", "--drive", "110"], "--amplitude (m) is missing"),
         (["simulate", "--amplitude", "1"], "--drive (Hz) is missing"),
-        (["simulate", "--drive", "-1", "--amplitude", "1"], "omega of the drive must be positive"),
+        (
+            ["simulate", "--drive", "-1", "--amplitude", "1"],
+            "--drive -1: drive must be positive and finite (Hz)",
+        ),
         ([*DRIVEN, "--friction", "q2"], "such as q2-q4=0.5"),
         ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x: 'x' is not a number (N)"),
         ([*DRIVEN, "--friction", "q2-q2=1"], "--friction q2-q2=1"),
