@@ -58,7 +58,8 @@ class UndecidedRegion:
     Attributes:
         amplitudes: Smallest and largest amplitude.
         omegas: Smallest and largest angular frequency, rad/s.
-        at_edge: Whether the smallest amplitude at which the element has a steady output is among them.
+        at_edge: Whether the smallest amplitude at which the element has a steady output is among them, or
+            so near that rounding does not tell.
     """
 
     amplitudes: tuple[float, float]
@@ -69,7 +70,7 @@ class UndecidedRegion:
     def reason(self) -> str:
         """Why nothing is proven, in words."""
         if self.at_edge:
-            return "-1/G meets N where N ends, at the smallest amplitude that the element allows"
+            return "-1/G meets N where N ends, as near as can be told, at the smallest amplitude"
         return "the curves of N and -1/G touch or coincide there"
 
 

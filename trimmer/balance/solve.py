@@ -157,6 +157,9 @@ def _require_positive(frozen_omega: float) -> None:
         raise ValueError(f"frozen_omega must be positive and finite, rad/s, not {frozen_omega!r}")
 
 
+_AT_EDGE = 1.0 - 1e-9
+"""u over its largest value from which on N has lost most of its digits."""
+
 _TOUCHING = 1e-9
 """Gap in x below which two boxes belong together."""
 
@@ -174,9 +177,8 @@ def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegio
         largest, smallest = members.u_upper.max(), members.u_lower.min()
         amplitudes = (float(curve.amplitude(largest)), _amplitude_of_lowest(curve, float(smallest)))
         omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))
-        at_edge = bool(
-            (members.u_upper >= np.minimum(*map(curve.edge, (members.x_lower, members.x_upper)))).any()
-        )
+        edge = np.minimum(curve.edge(members.x_lower), curve.edge(members.x_upper))
+        at_edge = bool((members.u_upper >= _AT_EDGE * edge).any())
         regions.append(UndecidedRegion(amplitudes, omegas, at_edge))
     return tuple(regions)
 

@@ -3,8 +3,9 @@
 There no box tells their sum from zero, however small. But the phase of either has a limit: that of -1/G at
 the pole, that of N at the edge (``trimmer.elements.small_gains``). On an interval of frequency that ends in
 the pole -1/G = C d**k exp(r), where d is the distance from the pole, k its order, and r the sum of
-±ln(1 ± j d/D) over the other roots, each at D from the pole. It is bounded by |ln(1 + z) - z| <= |z|**2 / (2 - 2 |z|). The
-interval holds no solution if bounds of both phases, or of both sizes, exclude each other for all d in it.
+±ln(1 ± j d/D) over the other roots, each at D from the pole. It is bounded by
+|ln(1 + z) - z| <= |z|**2 / (2 - 2 |z|). The interval holds no solution if bounds of both phases, or of both
+sizes, exclude each other for all d in it.
 """
 
 from __future__ import annotations
