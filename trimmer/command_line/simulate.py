@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -56,6 +57,7 @@ def _run(arguments: Namespace) -> int:
     except ValueError as error:
         raise OptionError(str(error)) from error
     if arguments.csv is not None or arguments.wav is not None:
+        _tell_aliasing(arguments)
         output, *others = _signals(motion, arguments.sample_rate)
         if arguments.csv is not None:
             write_signal(arguments.csv, output, *others)
@@ -69,6 +71,15 @@ def _run(arguments: Namespace) -> int:
             if path is not None:
                 print(f"wrote {path}")
     return 0
+
+
+def _tell_aliasing(arguments: Namespace) -> None:
+    """Note on standard error a drive that the files cannot show."""
+    from trimmer.spectra.doubts import aliasing_doubt
+
+    doubt = aliasing_doubt(arguments.drive, arguments.sample_rate) if arguments.drive else None
+    if doubt is not None:
+        print(f"trimmer: note: {doubt}", file=sys.stderr)
 
 
 def _signals(motion: Motion, sample_rate: float) -> list[Signal]:
