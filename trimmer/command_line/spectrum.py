@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
@@ -111,16 +112,20 @@ def _predictions(arguments: Namespace) -> Predictions:
 
 
 def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) -> SpectrumAnalysis:
+    from trimmer.errors import SignalWarning
     from trimmer.spectra.analysis import analyse_signal
 
-    return analyse_signal(
-        signal,
-        arguments.drive,
-        predictions.natural_frequencies,
-        predictions.limit_cycles,
-        arguments.window,
-        arguments.limit,
-    )
+    with warnings.catch_warnings():
+        # They stand in the text and in the JSON.
+        warnings.simplefilter("ignore", SignalWarning)
+        return analyse_signal(
+            signal,
+            arguments.drive,
+            predictions.natural_frequencies,
+            predictions.limit_cycles,
+            Window[arguments.window.upper().replace("-", "_")],
+            arguments.limit,
+        )
 
 
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:

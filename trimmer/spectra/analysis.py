@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
-from trimmer.spectra.classification import ClassifiedPeak, classify
+from trimmer.spectra.classification import ClassifiedPeak, classify, fundamentals
+from trimmer.spectra.doubts import doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -18,19 +21,16 @@ USUAL_LIMIT = 20
 
 @dataclass(frozen=True, eq=False)
 class SpectrumAnalysis:
-    """Results of the analysis of a signal.
+    """Spectrum of a signal, harmonics of its drive (None without one), and peaks by falling amplitude.
 
-    Attributes:
-        signal: The signal.
-        spectrum: Its amplitude spectrum, in its unit.
-        harmonics: Harmonics of its drive; None without one.
-        peaks: Peaks by falling amplitude, each with what it may be.
+    ``doubts`` says in sentences without a full stop what makes it doubtful.
     """
 
     signal: Signal
     spectrum: Spectrum
     harmonics: HarmonicFit | None
     peaks: tuple[ClassifiedPeak, ...]
+    doubts: tuple[str, ...] = ()
 
 
 def analyse_signal(
@@ -51,16 +51,25 @@ def analyse_signal(
         window: Window function of the spectrum, a member or its word, such as ``hann``.
         limit: Number of peaks, the largest.
 
+    Warns:
+        SignalWarning: if many samples have the extreme value, as in a clipped record; or if the record is too
+            short to tell the harmonics of the drive, or what peaks may be, from one another.
+
     Raises:
         ChoiceError: if there is no such window.
         SignalError: see ``amplitude_spectrum``, ``fit_harmonics``, ``peaks`` and ``classify``.
     """
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
+    origins = fundamentals(drive, natural_frequencies, limit_cycles)
+    doubtful = doubts(signal.values, spectrum, drive, origins)
+    for doubt in doubtful:
+        warnings.warn(doubt, SignalWarning, stacklevel=2)
     return SpectrumAnalysis(
         signal=signal,
         spectrum=spectrum,
         harmonics=None if drive is None else _harmonics(signal, drive),
         peaks=classify(peaks(spectrum, limit), spectrum.bin_width, drive, natural_frequencies, limit_cycles),
+        doubts=doubtful,
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,6 +34,17 @@ class Window(Choice):
     def half_width(self) -> int:
         """Half the width of the main lobe, in bins: farther from a sine there is only leakage."""
         return len(self.value)
+
+    @property
+    def parted(self) -> int:
+        """How many bins two sines of like size must be apart to be seen as two, as ``peaks`` states."""
+        return max(3, self.half_width + 1)
+
+    @property
+    def noise_bandwidth(self) -> float:
+        """Mean square of the window over the square of its mean: equivalent noise bandwidth, bins."""
+        first, *others = self.value
+        return float(1.0 + 0.5 * math.fsum(other**2 for other in others) / first**2)
 
     def samples(self, count: int) -> Reals:
         """Evaluate the window at ``count`` samples, shape (count,), as one period of a periodic window."""
