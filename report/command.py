@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
-from trimmer import TrimmerError
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option
 from trimmer.command_line.parser import refuse_unused

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
@@ -62,30 +61,56 @@ def _run(arguments: Namespace) -> int:
         motion = simulate(loop, arguments.duration, impulse=impulse)
     except ValueError as error:
         raise OptionError(str(error)) from error
-    if arguments.csv is not None or arguments.wav is not None:
-        _tell_aliasing(arguments)
-        output, *others = _signals(motion, arguments.sample_rate)
-        if arguments.csv is not None:
-            write_signal(arguments.csv, output, *others)
-        if arguments.wav is not None:
-            write_wav(arguments.wav, output.values, output.sample_rate)
-    if arguments.json:
-        print(as_json(motion))
-    else:
-        print(as_text(motion))
-        for path in (arguments.csv, arguments.wav):
-            if path is not None:
-                print(f"wrote {path}")
-    return 0
+    targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
+    try:
+        _write(arguments, motion)
+    except TrimmerError:
+        show(as_json(motion) if arguments.json else as_text(motion), *targets)
+        raise
+    told = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
+    show("\n".join(told), *targets)
+    if motion.outcome is Outcome.COMPLETED:
+        return 0
+    tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")
+    return ENDED_EARLY
 
 
-def _tell_aliasing(arguments: Namespace) -> None:
+def _check_duration(arguments: Namespace) -> None:
+    """Check the length of the motion, and that of its signals if they are written."""
+    duration, rate = arguments.duration, arguments.sample_rate
+    require_positive(arguments, "duration", "s")
+    require_positive(arguments, "sample_rate", "Hz")
+    if arguments.csv is None and arguments.wav is None:
+        refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
+    elif not 2 <= duration * rate <= MOST_SAMPLES:
+        raise OptionError(
+            f"--duration {duration:g} s at --sample-rate {rate:g} Hz are {duration * rate:.3g} samples; "
+            f"give 2 to {MOST_SAMPLES:g}"
+        )
+
+
+def _write(arguments: Namespace, motion: Motion) -> None:
+    """Write the files that are wanted."""
+    from trimmer.signals.wav import write_wav
+    from trimmer.signals.write import write_signal
+
+    if arguments.csv is None and arguments.wav is None:
+        return
+    _note_aliasing(arguments)
+    output, *others = _signals(motion, arguments.sample_rate)
+    if arguments.csv is not None:
+        write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
+    if arguments.wav is not None:
+        write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
+
+
+def _note_aliasing(arguments: Namespace) -> None:
     """Note on standard error a drive that the files cannot show."""
     from trimmer.spectra.doubts import aliasing_doubt
 
     doubt = aliasing_doubt(arguments.drive, arguments.sample_rate) if arguments.drive else None
     if doubt is not None:
-        print(f"trimmer: note: {doubt}", file=sys.stderr)
+        tell(f"note: {doubt}")
 
 
 def _signals(motion: Motion, sample_rate: float) -> list[Signal]:

@@ -123,7 +123,7 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
             arguments.drive,
             predictions.natural_frequencies,
             predictions.limit_cycles,
-            Window[arguments.window.upper().replace("-", "_")],
+            arguments.window,
             arguments.limit,
         )
 

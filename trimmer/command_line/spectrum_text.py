@@ -117,8 +117,8 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
             f"{classified.peak.frequency_uncertainty:.2g}",
             f"{classified.peak.amplitude:.6g}",
             f"{classified.peak.amplitude_uncertainty:.2g}",
-            *_told(classified.explanation, "unexplained"),
-            *_told_other(classified),
+            *_match_cells(classified.explanation, "unexplained"),
+            *_second_cells(classified),
         )
         for classified in analysis.peaks
     ]
