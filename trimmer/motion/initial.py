@@ -45,7 +45,7 @@ def initial_segment(
         chosen[k], state[first:end] = component.initial(
             float(signals.input @ state), switching, element_output
         )
-    return modes.number(tuple(chosen)), state
+    return modes.number(modes.coupled.closed(tuple(chosen))), state
 
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.errors import IllPosedLoopError
 from trimmer.motion.interconnection import Layout, acts, effect
-from trimmer.motion.switched_component import Constrained, EventFunction, Explicit, RateProportional, Signals
+from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.switched_component import (
+    Constrained,
+    Explicit,
+    RateProportional,
+    Signals,
+    Transition,
+)
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from trimmer.arrays import Reals
+    from trimmer.motion.coupled_relays import CoupledRelays
     from trimmer.motion.interconnection import Interconnection
 
 
@@ -21,12 +31,34 @@ DEPENDENT = 1e-10
 
 
 @dataclass(frozen=True)
-class ComponentEventFunction:
-    """An event function, the component that it belongs to, and its number among those of that component."""
+class Change:
+    """A component, and what it does at an event."""
 
     component: int
+    transition: Transition
+
+
+@dataclass(frozen=True)
+class ModeEventFunction:
+    """A row that is positive while the mode lasts, and what changes where it does not.
+
+    Attributes:
+        owner: The component that it belongs to, or the first one of those that are coupled.
+        number: Its number among those of its owner; for coupled components that of its component among them,
+            and one more than the last for what belongs to all.
+        row: The functional.
+        reached: All that changes when it falls to zero.
+        jumped: All that changes when it is negative at once.
+        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
+            another component does.
+    """
+
+    owner: int
     number: int
-    event_function: EventFunction
+    row: Reals
+    reached: tuple[Change, ...]
+    jumped: tuple[Change, ...]
+    continuous: int = 0
 
 
 @dataclass(frozen=True)
@@ -37,13 +69,13 @@ class SwitchedMode:
         component_modes: The mode of each component.
         matrix: M.
         signals: Of each component.
-        event functions: Of all components.
+        event_functions: Of all components, then of those that are coupled.
     """
 
     component_modes: tuple[int, ...]
     matrix: Reals
     signals: tuple[Signals, ...]
-    event_functions: tuple[ComponentEventFunction, ...]
+    event_functions: tuple[ModeEventFunction, ...]
 
 
 @dataclass(frozen=True)
@@ -62,8 +94,15 @@ class _Open:
     implicit: tuple[int, ...]
 
 
-def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> SwitchedMode:
+def assemble(
+    system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays
+) -> SwitchedMode:
     """Build a mode.
+
+    Args:
+        system: What is connected.
+        component_modes: The mode of each component.
+        coupled: The relays that depend on each other.
 
     Raises:
         IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
@@ -79,14 +118,64 @@ def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> Switc
         _signals(layout, matrix, inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
-    event_functions = tuple(
-        ComponentEventFunction(k, number, event_function)
-        for k, component in enumerate(system.components)
-        for number, event_function in enumerate(
-            component.event_functions(component_modes[k], signals[k], _attracting(system, signals[k], k))
-        )
-    )
-    return SwitchedMode(component_modes, matrix, signals, event_functions)
+    mode = SwitchedMode(component_modes, matrix, signals, ())
+    event_functions = (*_of_components(system, mode, coupled), *_of_coupled(system, mode, coupled, layout))
+    return replace(mode, event_functions=event_functions)
+
+
+def _of_components(
+    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays
+) -> Iterator[ModeEventFunction]:
+    """Yield the event functions that belong to one component."""
+    for k, component in enumerate(system.components):
+        place = coupled.members.index(k) if k in coupled.members else None
+        if place is not None and mode.component_modes[k] == HELD:
+            continue
+        signals = mode.signals[k]
+        found = component.event_functions(mode.component_modes[k], signals, _attracting(system, signals, k))
+        for number, each in enumerate(found):
+            outcomes = tuple(
+                _with_those_that_follow(mode.component_modes, k, transition, coupled)
+                for transition in (each.reached, each.jumped)
+            )
+            yield ModeEventFunction(
+                k if place is None else coupled.members[0],
+                number if place is None else place,
+                each.row,
+                *outcomes,
+                continuous=each.continuous,
+            )
+
+
+def _with_those_that_follow(
+    component_modes: tuple[int, ...], k: int, transition: Transition, coupled: CoupledRelays
+) -> tuple[Change, ...]:
+    """Return the change of a component, with those that are held from then on because it is."""
+    changes = [Change(k, transition)]
+    if k in coupled.members and transition.target == HELD:
+        before = [HELD if each == k else mode for each, mode in enumerate(component_modes)]
+        after = coupled.closed(tuple(before))
+        changes += [Change(j, transition) for j in coupled.members if after[j] != before[j]]
+    return tuple(changes)
+
+
+def _of_coupled(
+    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays, layout: Layout
+) -> Iterator[ModeEventFunction]:
+    """Yield the distances of what coupled relays hold from what they can hold at most."""
+    outputs = np.array([mode.signals[k].output for k in coupled.members])
+    for vector, bound in coupled.facets(mode.component_modes):
+        sliding = [(coupled.members[each], vector[each]) for each in np.flatnonzero(vector)]
+        slips = [(k, _slip(system, k, float(sign))) for k, sign in sliding]
+        reached, jumped = (tuple(Change(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1))
+        row = bound * layout.one - vector @ outputs
+        yield ModeEventFunction(coupled.members[0], len(coupled.members), row, reached, jumped)
+
+
+def _slip(system: Interconnection, k: int, sign: float) -> tuple[Transition, Transition]:
+    component = system.components[k]
+    assert isinstance(component, RelayComponent)
+    return component.slip(sign > 0)
 
 
 def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> _Open:
@@ -180,7 +269,8 @@ def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
     """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
-    motion is determined, and how they share the force is not.
+    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit although
+    others do not (``trimmer.motion.coupled_relays``).
 
     Raises:
         IllPosedLoopError: if the conditions contradict each other.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -79,13 +79,12 @@ class Motion:
         """
         listed: list[Event] = []
         for segment in range(1, len(self.log.start)):
-            event = self._event(segment)
-            if event.kind is EventKind.REST:
-                continue
-            if listed and _is_reversal(listed[-1], event):
-                listed[-1] = replace(event, kind=EventKind.SWITCH)
-            else:
-                listed.append(event)
+            for event in self._events(segment):
+                place = _stick_at_this_instant(listed, event)
+                if place is not None:
+                    listed[place] = replace(event, kind=EventKind.SWITCH)
+                elif event.kind is not EventKind.REST:
+                    listed.append(event)
         return tuple(listed)
 
     @property
@@ -180,25 +179,29 @@ class Motion:
         functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
         return functionals
 
-    def _event(self, segment: int) -> Event:
+    def _events(self, segment: int) -> Iterator[Event]:
+        """Yield what began a segment, one event for each component that changed its mode."""
         log, modes = self.log, self.loop.modes
-        before = modes.mode(int(log.mode[segment - 1]))
-        entry = before.event_functions[int(log.event_function[segment])]
-        transition = entry.event_function.jumped if log.jumped[segment] else entry.event_function.reached
-        component = modes.system.components[entry.component]
-        return Event(
-            time=float(log.start[segment]),
-            kind=transition.kind,
-            component=modes.system.labels[entry.component],
-            mode=component.mode_names[transition.target],
-        )
+        entry = modes.mode(int(log.mode[segment - 1])).event_functions[int(log.event_function[segment])]
+        for change in entry.jumped if log.jumped[segment] else entry.reached:
+            component, transition = modes.system.components[change.component], change.transition
+            yield Event(
+                time=float(log.start[segment]),
+                kind=transition.kind,
+                component=modes.system.labels[change.component],
+                mode=component.mode_names[transition.target],
+            )
 
 
-def _is_reversal(first: Event, second: Event) -> bool:
-    """Tell whether sliding reversed without rest: it stuck and slipped at one instant."""
-    return (
-        first.kind is EventKind.STICK
-        and second.kind is EventKind.SLIP
-        and first.component == second.component
-        and first.time == second.time
-    )
+def _stick_at_this_instant(listed: list[Event], slip: Event) -> int | None:
+    """Return where it is listed that what slips stuck at the same instant, if that came just before.
+
+    Then its sliding reversed without rest.
+    """
+    for place in range(len(listed) - 1, -1, -1):
+        earlier = listed[place]
+        if slip.kind is not EventKind.SLIP or earlier.time != slip.time:
+            return None
+        if earlier.component == slip.component:
+            return place if earlier.kind is EventKind.STICK else None
+    return None

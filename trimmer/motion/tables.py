@@ -21,10 +21,11 @@ class Tables(NamedTuple):
         sizes: Sums of the moduli of what these are made of, in the same shape.
         event_rows: Event functions as functionals: (modes, event functions, n).
         event_count: Event functions in use.
-        component: Component that owns the event function.
+        component: Component that owns the event function; the first one of those that are coupled.
         number: Number of the event function among those of its owner.
         target: Mode after reaching zero, and after being negative at once: (modes, event functions, 2).
-        zeros: Known zeros of the owner's event functions in these target modes: (modes, functions, 2, 3).
+        zeros: Known zeros of the owner's event functions in these target modes, by their numbers, -1 where
+            none are told: (modes, event functions, 2, numbers).
         continuous: How many of these no jump of another component's output takes away: (modes, functions).
         reset: The state afterwards, transposed, in either case: (modes, event functions, n, n).
         bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
