@@ -44,22 +44,18 @@ class CoupledRelays:
     def of(cls, system: Interconnection) -> CoupledRelays:
         """Find them; relays whose output does not work against their own rate are never held together."""
         relays = [k for k in range(len(system.components)) if _attracting(system, k)]
-        directions = np.array([_direction(system, k) for k in relays])
-        if len(relays) > 1:
-            left, values, _ = np.linalg.svd(directions / np.linalg.norm(directions, axis=1)[:, None])
-            free = left[:, int((values > DEPENDENT * values[0]).sum()) :]
-            coupled = (abs(free) > DEPENDENT).any(axis=1)
-            members = [k for k, each in zip(relays, coupled, strict=True) if each]
-            influence = np.array([[-_row(system, i) @ system.B[:, j] for j in members] for i in members])
-            scales = symmetrizing_scales(influence)
-            if members and scales is not None:
-                levels = [_level(system, k) for k in members]
-                return cls(tuple(members), directions[coupled], scales, np.array(levels))
-        return cls((), np.zeros((0, 0)), np.zeros(0), np.zeros(0))
+        members, directions = _dependent(relays, [_direction(system, k) for k in relays])
+        influence = np.array([[-_row(system, i) @ system.B[:, j] for j in members] for i in members])
+        scales = symmetrizing_scales(influence)
+        if scales is None:
+            return cls((), np.zeros((0, 0)), np.zeros(0), np.zeros(0))
+        return cls(members, directions, scales, np.array([_level(system, k) for k in members]))
 
     @property
     def most_event_functions(self) -> int:
         """Bound of the number of event functions of all members together, in any mode."""
+        if not self.members:
+            return 0
         return len(self.members) + 2 * len(self._facets[tuple(range(len(self.members)))])
 
     def held(self, component_modes: tuple[int, ...]) -> Flags:
@@ -109,6 +105,17 @@ class _Facets(dict[tuple[int, ...], "Reals"]):
         return vectors
 
 
+def _dependent(relays: list[int], directions: list[Reals]) -> tuple[tuple[int, ...], Reals]:
+    """Return those whose direction is a combination of the others', and the directions of these."""
+    if not relays:
+        return (), np.zeros((0, 0))
+    rows = np.array(directions)
+    left, values, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
+    free = left[:, int((values > DEPENDENT * values[0]).sum()) :]
+    dependent = (abs(free) > DEPENDENT).any(axis=1)
+    return tuple(k for k, each in zip(relays, dependent, strict=True) if each), rows[dependent]
+
+
 def symmetrizing_scales(influence: Reals) -> Reals | None:
     """Return s > 0 for which influence / s, column by column, is symmetric, up to rounding; None if none is.
 
@@ -116,6 +123,8 @@ def symmetrizing_scales(influence: Reals) -> Reals | None:
         influence: (m, m), its diagonal positive.
     """
     scales, unknown = np.ones(len(influence)), set(range(len(influence)))
+    if not unknown:
+        return scales
     noise = DEPENDENT * np.sqrt(np.outer(influence.diagonal(), influence.diagonal()))
     while unknown:
         reached = [unknown.pop()]
