@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import IllPosedLoopError
-from trimmer.motion.interconnection import Layout, acts, effect
+from trimmer.motion.interconnection import NEGLIGIBLE, Layout, acts, effect
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.switched_component import (
     Constrained,
@@ -82,7 +82,8 @@ class SwitchedMode:
 class _Open:
     """The mode before its implicit outputs v are known.
 
-    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v.
+    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v;
+    implicit: which components v belongs to, holds: whether a constraint is among them.
     """
 
     flow: Reals
@@ -92,6 +93,7 @@ class _Open:
     outputs: Reals
     outputs_through: Reals
     implicit: tuple[int, ...]
+    holds: bool
 
 
 def assemble(
@@ -111,16 +113,41 @@ def assemble(
     layout = Layout.of(system)
     opened = _open(system, layout, component_modes)
     implicit_rows = _implicit_outputs(system, layout, component_modes, opened)
-    matrix = opened.flow + opened.push @ implicit_rows
+    matrix, sizes = opened.flow + opened.push @ implicit_rows, np.zeros_like(opened.flow)
+    if opened.holds:
+        sizes = abs(opened.flow) + abs(opened.push) @ abs(implicit_rows)
+        matrix = without_rounding(matrix, sizes)
     outputs = opened.outputs + opened.outputs_through @ implicit_rows
     inputs = opened.inputs + opened.inputs_through @ implicit_rows
     signals = tuple(
-        _signals(layout, matrix, inputs[k], outputs[k], k, component.state_count)
+        _signals(layout, (matrix, sizes), inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
+    if opened.holds:
+        signals = _with_those_at_rest(system, component_modes, signals)
     mode = SwitchedMode(component_modes, matrix, signals, ())
     event_functions = (*_of_components(system, mode, coupled), *_of_coupled(system, mode, coupled, layout))
     return replace(mode, event_functions=event_functions)
+
+
+def _with_those_at_rest(
+    system: Interconnection, component_modes: tuple[int, ...], signals: tuple[Signals, ...]
+) -> tuple[Signals, ...]:
+    """Make the rates zero that follow from switching functions that are held at zero.
+
+    Left to themselves they are rounding of the state, and a pin at rest would leave its contact and come back.
+    """
+    each = zip(system.components, component_modes, signals, strict=True)
+    held = np.array([c.switching_function(s) for c, mode, s in each if isinstance(c.output_law(mode), Constrained)])
+    onto = np.linalg.pinv(held) @ held
+    nothing = np.zeros_like(signals[0].one)
+    return tuple(
+        replace(s, input_rate=nothing, input_curvature=nothing)
+        if not isinstance(c.output_law(mode), Constrained)
+        and (abs(s.input_rate - s.input_rate @ onto) <= NEGLIGIBLE * abs(s.input_rate).max()).all()
+        else s
+        for c, mode, s in zip(system.components, component_modes, signals, strict=True)
+    )
 
 
 def _of_components(
@@ -168,7 +195,9 @@ def _of_coupled(
         sliding = [(coupled.members[each], vector[each]) for each in np.flatnonzero(vector)]
         slips = [(k, _slip(system, k, float(sign))) for k, sign in sliding]
         reached, jumped = (tuple(Change(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1))
-        row = bound * layout.one - vector @ outputs
+        row = without_rounding(
+            bound * layout.one - vector @ outputs, bound * layout.one + abs(vector) @ abs(outputs)
+        )
         yield ModeEventFunction(coupled.members[0], len(coupled.members), row, reached, jumped)
 
 
@@ -182,7 +211,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
     """Resolve the outputs that are explicit functions of inputs and states, and put the flow together."""
     count = len(system.components)
     gains, own = np.zeros(count), np.zeros((count, layout.size))
-    implicit = []
+    implicit, holds = [], False
     for k, (component, mode) in enumerate(zip(system.components, component_modes, strict=True)):
         law = component.output_law(mode)
         if isinstance(law, Explicit):
@@ -192,6 +221,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
             own[k, -1] += law.constant
         else:
             implicit.append(k)
+            holds = holds or isinstance(law, Constrained)
     selection = np.eye(count)[:, implicit]
     inputs, through = _inputs(system, layout, gains, own, selection)
     outputs = gains[:, None] * inputs + own
@@ -200,7 +230,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
     flow[: layout.order] += system.B @ outputs
     push = np.zeros((layout.size, len(implicit)))
     push[: layout.order] = system.B @ outputs_through
-    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit))
+    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit), holds)
 
 
 def _inputs(
@@ -241,7 +271,8 @@ def _implicit_outputs(
     """Solve for the outputs that follow from a condition on the rates, one row each."""
     if not opened.implicit:
         return np.zeros((0, layout.size))
-    left, right = [], []
+    left, right, sizes = [], [], []
+    flow = opened.flow, np.zeros_like(opened.flow)
     for column, k in enumerate(opened.implicit):
         if opened.inputs_through[k].any():
             raise IllPosedLoopError(f"{system.labels[k]}: its input depends at once on its own output")
@@ -256,21 +287,28 @@ def _implicit_outputs(
         else:
             assert isinstance(law, Constrained)
             row = component.switching_function(
-                _signals(layout, opened.flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
+                _signals(layout, flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
             )
             row = _differentiated(row, opened, column, system.labels[k])
             left.append(row @ opened.push)
             right.append(-row @ opened.flow)
+        sizes.append(abs(row) @ abs(opened.flow) if opened.holds else np.zeros(layout.size))
     names = ", ".join(system.labels[k] for k in opened.implicit)
-    return least_outputs(np.array(left), np.array(right), names)
+    return least_outputs(np.array(left), np.array(right), names, np.array(sizes))
 
 
-def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
+def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = None) -> Reals:
     """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
     motion is determined, and how they share the force is not. The smallest outputs may exceed a limit although
     others do not (``trimmer.motion.coupled_relays``).
+
+    Args:
+        left: (k, k).
+        right: (k, n).
+        names: What the error calls the outputs.
+        sizes: Moduli of the terms that ``right`` is the sum of, (k, n): what is below their rounding is zero.
 
     Raises:
         IllPosedLoopError: if the conditions contradict each other.
@@ -284,8 +322,18 @@ def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
     missed = abs(scaled @ solution - wanted).max(axis=1)
     if (missed > DEPENDENT * (abs(scaled) @ abs(solution) + abs(wanted)).max(axis=1)).any():
         raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion")
+    if sizes is not None:
+        solution = without_rounding(solution, abs(inverse) @ (sizes / rows))
     outputs: Reals = np.asarray(solution / columns[:, None])
     return outputs
+
+
+def without_rounding(values: Reals, sizes: Reals) -> Reals:
+    """Return values with zeros where they are rounding of terms of these sizes.
+
+    What is held does not move, and a force that is just at its limit does not exceed it, to the last digit.
+    """
+    return np.where(abs(values) > NEGLIGIBLE * sizes, values, 0.0)
 
 
 def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals:
@@ -297,11 +345,16 @@ def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals
     raise IllPosedLoopError(f"{label}: its input stays at zero, and its output is not determined")
 
 
-def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int, count: int) -> Signals:
-    rate = given @ matrix
+def _signals(
+    layout: Layout, flow: tuple[Reals, Reals], given: Reals, output: Reals, k: int, count: int
+) -> Signals:
+    """Return the rows of a component; ``flow``: matrix, and sizes of the terms of its entries."""
+    matrix, sizes = flow
+    rate = without_rounding(given @ matrix, abs(given) @ sizes)
     first = layout.first_states[k]
     states = tuple(layout.unit(first + each) for each in range(count))
-    return Signals(given, rate, rate @ matrix, output, states, layout.one)
+    curvature = without_rounding(rate @ matrix, abs(rate) @ sizes)
+    return Signals(given, rate, curvature, output, states, layout.one)
 
 
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
