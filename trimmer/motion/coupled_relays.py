@@ -43,8 +43,8 @@ class CoupledRelays:
     @classmethod
     def of(cls, system: Interconnection) -> CoupledRelays:
         """Find them; relays whose output does not work against their own rate are never held together."""
-        relays = [k for k in range(len(system.components)) if _attracting(system, k)]
-        members, directions = _dependent(relays, [_direction(system, k) for k in relays])
+        relays = [k for k in range(len(system.components)) if attracting(system, k)]
+        members, directions = _dependent(relays, [direction(system, k) for k in relays])
         influence = np.array([[-_row(system, i) @ system.B[:, j] for j in members] for i in members])
         scales = symmetrizing_scales(influence)
         if scales is None:
@@ -112,7 +112,7 @@ def _dependent(relays: list[int], directions: list[Reals]) -> tuple[tuple[int, .
     rows = np.array(directions)
     left, values, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
     free = left[:, int((values > DEPENDENT * values[0]).sum()) :]
-    dependent = (abs(free) > DEPENDENT).any(axis=1)
+    dependent = np.asarray((abs(free) > DEPENDENT).any(axis=1))
     return tuple(k for k, each in zip(relays, dependent, strict=True) if each), rows[dependent]
 
 
@@ -150,7 +150,7 @@ def _row(system: Interconnection, k: int) -> Reals:
     return row
 
 
-def _direction(system: Interconnection, k: int) -> Reals:
+def direction(system: Interconnection, k: int) -> Reals:
     """Return what the switching function is made of; those of inputs and of rates are independent."""
     row = np.concatenate([system.C[k], system.D[k], system.drive_gain[k : k + 1]])
     component = system.components[k]
@@ -165,7 +165,8 @@ def _level(system: Interconnection, k: int) -> float:
     return component.level
 
 
-def _attracting(system: Interconnection, k: int) -> bool:
+def attracting(system: Interconnection, k: int) -> bool:
+    """Tell whether a component is a relay whose output works against the rate of its switching function."""
     return isinstance(system.components[k], RelayComponent) and (
         effect(_row(system, k), system.B[:, k]) < 0.0
     )

@@ -1,9 +1,9 @@
 """Dry friction at several contacts at once: what can hold, what begins to slide, and in which direction.
 
-The relative velocities of m contacts are v = D u, with the velocities u of the bodies. The contacts act on the
-bodies with -Dᵀ f, where f_i = F_i sign(v_i) while contact i slides, and |f_i| <= F_i while it sticks (static and
-kinetic friction are equal). The bodies' masses give the relative accelerations w = b - Γ f, with those without
-friction b and the influence Γ = D M⁻¹ Dᵀ, which is symmetric and positive semidefinite.
+The relative velocities of m contacts are v = D u, with the velocities u of the bodies. The contacts act on
+the bodies with -Dᵀ f, where f_i = F_i sign(v_i) while contact i slides, and |f_i| <= F_i while it sticks
+(static and kinetic friction are equal). The bodies' masses M give the relative accelerations w = b - Γ f,
+with b those without friction, and the influence Γ = D M⁻¹ Dᵀ, which is symmetric and positive semidefinite.
 
 **Holding.** All contacts that stick hold if w = 0. That fixes the resultant Dᵀ f of the forces, but f itself
 only if the rows of D are independent; in a ring of three bodies they are not. The resultants of all f within
@@ -16,11 +16,11 @@ depend on the split, so they can be formed with any f that gives the resultant, 
 admissible split exists if and only if all inequalities hold, and where f is linear in the state they are too.
 So the end of stick is the first zero of finitely many linear functions of the state.
 
-**Sliding.** The motion obeys a differential inclusion with a maximal monotone right-hand side, so it is unique
-(Filippov 1988; Leine and Nijmeijer 2004), although the split is not. Where the resultant leaves the zonotope
-through the facet of y, the contacts with y_i ≠ 0 begin to slide, contact i with the sign of y_i; just these
-are at their limit in every admissible split. The others stay together. Where the resultant lies outside,
-because a force has jumped, the accelerations follow from the linear complementarity problem
+**Sliding.** The motion obeys a differential inclusion with a maximal monotone right-hand side, so it is
+unique (Filippov 1988; Leine and Nijmeijer 2004), although the split is not. Where the resultant leaves the
+zonotope through the facet of y, the contacts with y_i ≠ 0 begin to slide, contact i with the sign of y_i;
+just these are at their limit in every admissible split. The others stay together. Where the resultant lies
+outside, because a force has jumped, the accelerations follow from the linear complementarity problem
 
     w = b - Γ f,    lower <= f <= upper,    f_i = upper_i if w_i > 0,    f_i = lower_i if w_i < 0
 
@@ -30,11 +30,12 @@ rates decides: contacts that are at their limit may only go back from it, the ot
 
 References:
     R. T. Rockafellar, The elementary vectors of a subspace of R^N, in Combinatorial Mathematics and its
-    Applications, University of North Carolina Press 1969. P. Lötstedt, Mechanical systems of rigid bodies subject
-    to unilateral constraints, SIAM J. Appl. Math. 42, 1982. F. Pfeiffer and Ch. Glocker, Multibody Dynamics with
-    Unilateral Contacts, Wiley 1996. R. I. Leine and H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth
-    Mechanical Systems, Springer 2004. A. F. Filippov, Differential Equations with Discontinuous Righthand
-    Sides, Kluwer 1988. C. L. Lawson and R. J. Hanson, Solving Least Squares Problems, Prentice-Hall 1974.
+    Applications, University of North Carolina Press 1969. P. Lötstedt, Mechanical systems of rigid bodies
+    subject to unilateral constraints, SIAM J. Appl. Math. 42, 1982. F. Pfeiffer and Ch. Glocker, Multibody
+    Dynamics with Unilateral Contacts, Wiley 1996. R. I. Leine and H. Nijmeijer, Dynamics and Bifurcations
+    of Non-Smooth Mechanical Systems, Springer 2004. A. F. Filippov, Differential Equations with
+    Discontinuous Righthand Sides, Kluwer 1988. C. L. Lawson and R. J. Hanson, Solving Least Squares
+    Problems, Prentice-Hall 1974.
 """
 
 from __future__ import annotations
@@ -65,8 +66,8 @@ def elementary_vectors(directions: Reals) -> Reals:
             allowed.
 
     Returns:
-        Array (k, m), one of each pair of opposite vectors; the first entry unequal to zero is positive, and the
-        largest modulus one. If the rows of D are independent, they are the m unit vectors, in order.
+        Array (k, m), one of each pair of opposite vectors; the first entry unequal to zero is positive, and
+        the largest modulus one. If the rows of D are independent, they are the m unit vectors, in order.
     """
     lengths = np.linalg.norm(directions, axis=1)
     unit = directions / lengths[:, None]
@@ -106,7 +107,7 @@ def closure(directions: Reals, held: Flags) -> Flags:
 
 
 def margins(vectors: Reals, limits: Reals, forces: Reals) -> Reals:
-    """Return how far the resultant of forces is inside each facet, relative to the facet's distance from zero.
+    """Return how far the resultant of forces is inside each facet, relative to its distance from zero.
 
     All are >= 0 if and only if an admissible split exists, that is forces with the same resultant within the
     limits. The smallest one is the share by which the limits could be reduced.
@@ -144,8 +145,8 @@ def always_at_limit(vectors: Reals, limits: Reals, forces: Reals, tolerance: flo
 def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals | None:
     """Return the admissible split with the least sum of squares of the forces relative to their limits.
 
-    It is unique, and continuous in the resultant. Where the limits do not matter it is a linear function of the
-    resultant; otherwise it is found as a problem of least distance (Lawson and Hanson 1974, chapter 23).
+    It is unique, and continuous in the resultant. Where the limits do not matter it is a linear function of
+    the resultant; otherwise it is found as a problem of least distance (Lawson and Hanson 1974, chapter 23).
 
     Args:
         directions: D, (m, n).
@@ -185,7 +186,7 @@ def _least_distance(conditions: Reals) -> Reals | None:
 
 
 def complementary_forces(
-    influence: Reals, drift: Reals, lower: Reals, upper: Reals
+    influence: Reals, drift: Reals, lower: Reals, upper: Reals, noise: Reals | float = 0.0
 ) -> tuple[Reals, Reals]:
     """Solve w = drift - influence f with lower <= f <= upper, where w_i pushes f_i against its bound.
 
@@ -198,6 +199,7 @@ def complementary_forces(
         drift: b, (m,), in the column space of Γ.
         lower: Lower bounds, (m,), possibly minus infinity.
         upper: Upper bounds, (m,), possibly infinity.
+        noise: What else is known of the rounding of b: a smaller acceleration is zero.
 
     Returns:
         A force f, of which only Γ f is unique, and w, (m,) each; w is exactly zero where it is rounding.
@@ -207,12 +209,12 @@ def complementary_forces(
     """
     size = np.sqrt(influence.diagonal())
     influence, drift = influence / np.outer(size, size), drift / size
-    lower, upper = lower * size, upper * size
+    lower, upper, noise = lower * size, upper * size, noise / size
     forces = np.clip(0.0, lower, upper)
     between = np.zeros(len(drift), dtype=bool)
     for _ in range(MOST_STEPS * (len(drift) + 1)):
         left = drift - influence @ forces
-        left[abs(left) <= ROUNDING * (abs(drift) + abs(influence) @ abs(forces))] = 0.0
+        left[abs(left) <= noise + ROUNDING * (abs(drift) + abs(influence) @ abs(forces))] = 0.0
         left[between] = 0.0
         wrong = np.where(left > 0, forces < upper, forces > lower) & (left != 0.0)
         if not wrong.any():

@@ -18,7 +18,7 @@ REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = ra
 NO_EVENT, TOO_LARGE, TOO_MANY_STEPS = -1, -2, -3
 """Instead of a event_function: why a segment ended without event."""
 LONGEST_CASCADE = 40
-"""Events at one instant, after which the march gives up."""
+"""Events at one instant, after which the march stops."""
 AN_INSTANT = 2.0**-51
 """Share of the time by which two events at the same instant may differ, by rounding."""
 LARGEST = 1e150
@@ -29,19 +29,19 @@ LARGEST_COUNT = 2**62
 """More than can ever be counted; the compiled code needs 64 bits."""
 
 
-def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int], tuple[int, int, float]]:
+def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int, int], tuple[int, int, float]]:
     def entry(
-        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
+        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _march(tables, log, first, end, most_segments, most_steps)
+        return _march(tables, log, first, end, most_segments, most_steps, longest)
 
     return kept(entry)
 
 
 @inlined
 def _march(
-    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
+    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
 ) -> tuple[int, int, float]:
     work = _work(tables)
     segment, cascade, steps_left = first, 0, most_steps
@@ -74,7 +74,7 @@ def _march(
         log.mode[segment] = tables.target[mode, fired, 1 if jumped else 0]
         log.event_function[segment] = fired
         log.jumped[segment] = jumped
-        if cascade > LONGEST_CASCADE:
+        if cascade > longest:
             return CYCLING, segment, time
 
 
@@ -173,7 +173,13 @@ _compiled_march = _entry(sources())
 
 
 def march(
-    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int = MOST_STEPS
+    tables: Tables,
+    log: Log,
+    first: int,
+    end: float,
+    most_segments: int,
+    most_steps: int = MOST_STEPS,
+    longest_cascade: int = LONGEST_CASCADE,
 ) -> tuple[int, int, float]:
     """Follow the motion from the segment ``first`` of the log until a time, s.
 
@@ -182,5 +188,9 @@ def march(
         once the mode is tabulated or the log has more room.
     """
     # Of one type each, since the march is compiled for every combination of types.
-    most = (min(int(most_segments), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
+    most = (
+        min(int(most_segments), LARGEST_COUNT),
+        min(int(most_steps), LARGEST_COUNT),
+        min(int(longest_cascade), LONGEST_CASCADE),
+    )
     return _compiled_march(tables, log, int(first), float(end), *most)

@@ -135,10 +135,12 @@ def _with_those_at_rest(
 ) -> tuple[Signals, ...]:
     """Make the rates zero that follow from switching functions that are held at zero.
 
-    Left to themselves they are rounding of the state, and a pin at rest would leave its contact and come back.
+    Left to themselves they are rounding of the state; a pin at rest would leave its contact and come back.
     """
     each = zip(system.components, component_modes, signals, strict=True)
-    held = np.array([c.switching_function(s) for c, mode, s in each if isinstance(c.output_law(mode), Constrained)])
+    held = np.array(
+        [c.switching_function(s) for c, mode, s in each if isinstance(c.output_law(mode), Constrained)]
+    )
     onto = np.linalg.pinv(held) @ held
     nothing = np.zeros_like(signals[0].one)
     return tuple(
@@ -161,17 +163,12 @@ def _of_components(
         signals = mode.signals[k]
         found = component.event_functions(mode.component_modes[k], signals, _attracting(system, signals, k))
         for number, each in enumerate(found):
-            outcomes = tuple(
+            reached, jumped = (
                 _with_those_that_follow(mode.component_modes, k, transition, coupled)
                 for transition in (each.reached, each.jumped)
             )
-            yield ModeEventFunction(
-                k if place is None else coupled.members[0],
-                number if place is None else place,
-                each.row,
-                *outcomes,
-                continuous=each.continuous,
-            )
+            owner, number = (k, number) if place is None else (coupled.members[0], place)
+            yield ModeEventFunction(owner, number, each.row, reached, jumped, each.continuous)
 
 
 def _with_those_that_follow(
@@ -301,8 +298,8 @@ def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = N
     """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
-    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit although
-    others do not (``trimmer.motion.coupled_relays``).
+    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit
+    although others do not (``trimmer.motion.coupled_relays``).
 
     Args:
         left: (k, k).

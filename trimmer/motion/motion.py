@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.motion.marching import changes
+from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
-from trimmer.motion.tables import Log
+from trimmer.motion.tables import SETTLED, Log
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
@@ -75,17 +77,26 @@ class Motion:
     def events(self) -> tuple[Event, ...]:
         """All events in order of time; simultaneous ones in the order in which they take effect.
 
-        That a load in the gap has come to rest, to rounding, is no event.
+        What a friction or relay does at one instant is one event, if it is in another mode afterwards. That a
+        load in the gap has come to rest, to rounding, is no event.
         """
-        listed: list[Event] = []
+        listed: list[_Listed] = []
+        at_instant = 0
         for segment in range(1, len(self.log.start)):
-            for event in self._events(segment):
-                place = _stick_at_this_instant(listed, event)
-                if place is not None:
-                    listed[place] = replace(event, kind=EventKind.SWITCH)
-                elif event.kind is not EventKind.REST:
-                    listed.append(event)
-        return tuple(listed)
+            if self.log.start[segment] > self.log.start[segment - 1]:
+                at_instant = len(listed)
+            for change in self._changes(segment):
+                _list(listed, at_instant, change)
+        modes = self.loop.modes
+        return tuple(
+            Event(
+                time=each.time,
+                kind=each.kind,
+                component=modes.system.labels[each.component],
+                mode=modes.system.components[each.component].mode_names[each.after],
+            )
+            for each in listed
+        )
 
     @property
     def event_times(self) -> Reals:
@@ -179,29 +190,58 @@ class Motion:
         functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
         return functionals
 
-    def _events(self, segment: int) -> Iterator[Event]:
-        """Yield what began a segment, one event for each component that changed its mode."""
+    def _changes(self, segment: int) -> Iterator[_Listed]:
+        """Yield what began a segment: each component that changed its mode."""
         log, modes = self.log, self.loop.modes
-        entry = modes.mode(int(log.mode[segment - 1])).event_functions[int(log.event_function[segment])]
-        for change in entry.jumped if log.jumped[segment] else entry.reached:
-            component, transition = modes.system.components[change.component], change.transition
-            yield Event(
-                time=float(log.start[segment]),
-                kind=transition.kind,
-                component=modes.system.labels[change.component],
-                mode=component.mode_names[transition.target],
-            )
+        time = float(log.start[segment])
+        before = modes.component_modes(int(log.mode[segment - 1]))
+        if log.event_function[segment] == SETTLED:
+            after = modes.component_modes(int(log.mode[segment]))
+            for k in (k for k, mode in enumerate(after) if mode != before[k]):
+                yield _Listed(time, k, before[k], after[k], _kind(before[k], after[k]), True)
+            return
+        for change in changes(modes, log, segment):
+            k, transition = change.component, change.transition
+            relay = isinstance(modes.system.components[k], RelayComponent)
+            yield _Listed(time, k, before[k], transition.target, transition.kind, relay)
 
 
-def _stick_at_this_instant(listed: list[Event], slip: Event) -> int | None:
-    """Return where it is listed that what slips stuck at the same instant, if that came just before.
+@dataclass(frozen=True)
+class _Listed:
+    """An event, with the mode of its component before and after; ``relay``: a relay or friction."""
 
-    Then its sliding reversed without rest.
+    time: float
+    component: int
+    before: int
+    after: int
+    kind: EventKind
+    relay: bool
+
+
+def _list(listed: list[_Listed], at_instant: int, change: _Listed) -> None:
+    """Add a change to the list, or merge it with what the same relay did before at the same instant.
+
+    Args:
+        listed: The list.
+        at_instant: Where that instant begins in it.
+        change: What to add.
     """
-    for place in range(len(listed) - 1, -1, -1):
+    if change.kind is EventKind.REST:
+        return
+    for place in range(len(listed) - 1, at_instant - 1, -1):
         earlier = listed[place]
-        if slip.kind is not EventKind.SLIP or earlier.time != slip.time:
-            return None
-        if earlier.component == slip.component:
-            return place if earlier.kind is EventKind.STICK else None
-    return None
+        if change.relay and earlier.component == change.component:
+            if earlier.before == change.after:
+                del listed[place]
+            else:
+                kind = _kind(earlier.before, change.after)
+                listed[place] = replace(earlier, after=change.after, kind=kind)
+            return
+    listed.append(change)
+
+
+def _kind(before: int, after: int) -> EventKind:
+    """Return what it is called when the mode of a relay changes."""
+    if after == HELD:
+        return EventKind.STICK
+    return EventKind.SLIP if before == HELD else EventKind.SWITCH

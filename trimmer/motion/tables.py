@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 from trimmer.arrays import Flags, Integers, Reals
 
+SETTLED = -2
+"""Instead of an event function: the modes of relays and frictions were decided together."""
+
 
 class Tables(NamedTuple):
     """All that the integration needs of the modes; the first axis is the mode, the second the event function.
@@ -57,7 +60,7 @@ class Log(NamedTuple):
         start: Time of its start, s.
         mode: Its mode.
         state: Extended state at its start.
-        event_function: That of the mode before that began it, -1 for the start of the motion.
+        event_function: That of the mode before that began it, -1 for the start of the motion, or SETTLED.
         jumped: Whether that event function was negative at once.
         touches: How many times an event function came to zero during it without crossing, to rounding.
     """

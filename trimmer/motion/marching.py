@@ -1,0 +1,134 @@
+"""March over a time: modes are tabulated, the log gets longer, and events that repeat are settled."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.dry_friction import DEPENDENT
+from trimmer.motion.kernel import (
+    CYCLING,
+    FULL,
+    LONGEST_CASCADE,
+    MOST_STEPS,
+    UNKNOWN_MODE,
+    march,
+)
+from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.settling import settled
+from trimmer.motion.tables import SETTLED, Log
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.motion.mode import Change
+    from trimmer.motion.mode_tables import ModeTables
+
+
+MOST_SETTLED = 8
+"""How many times the modes are settled at one instant, at most: other components may go on in between."""
+
+
+def new_log(rows: int, mode: int, state: Reals) -> Log:
+    """Return a log with room for some segments, the first of which begins with a mode and a state."""
+    log = Log(
+        start=np.zeros(rows),
+        mode=np.zeros(rows, dtype=np.int64),
+        state=np.zeros((rows, state.size)),
+        event_function=np.full(rows, -1, dtype=np.int64),
+        jumped=np.zeros(rows, dtype=np.bool_),
+        touches=np.zeros(rows, dtype=np.int64),
+    )
+    log.mode[0], log.state[0] = mode, state
+    return log
+
+
+def march_on(
+    modes: ModeTables,
+    log: Log,
+    end: float,
+    most_segments: int,
+    most_steps: int = MOST_STEPS,
+    longest_cascade: int = LONGEST_CASCADE,
+) -> tuple[int, Log, float]:
+    """March from the first segment of a log until a time, s.
+
+    Args:
+        modes: The modes.
+        log: From ``new_log``.
+        end: s.
+        most_segments: Most segments of the log.
+        most_steps: Most steps of the march.
+        longest_cascade: Events at one instant after which the relays and frictions are settled at once.
+
+    Returns:
+        Why it stopped (of ``trimmer.motion.kernel``), the log with all its segments, and the time reached, s.
+    """
+    segment = 0
+    while True:
+        reason, segment, reached = march(
+            modes.tables, log, segment, end, most_segments, most_steps, longest_cascade
+        )
+        if reason == UNKNOWN_MODE:
+            modes.tabulate(int(log.mode[segment]))
+        elif reason == FULL:
+            log = Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
+        elif reason == CYCLING and (following := _settle(modes, log, segment)) is not None:
+            segment = following
+        else:
+            return reason, Log._make(column[: segment + 1].copy() for column in log), reached
+
+
+def changes(modes: ModeTables, log: Log, segment: int) -> tuple[Change, ...]:
+    """Return what changed at the event that began a segment, if it was found by the march."""
+    entry = modes.mode(int(log.mode[segment - 1])).event_functions[int(log.event_function[segment])]
+    return entry.jumped if log.jumped[segment] else entry.reached
+
+
+def _settle(modes: ModeTables, log: Log, last: int) -> int | None:
+    """Write a segment with the mode to which all relays settle, in place of events that repeat each other.
+
+    Returns its number; None if the mode cannot be told, or is told too often.
+    """
+    first = int(np.searchsorted(log.start[: last + 1], log.start[last]))
+    kept, at_rest = first, set[int]()
+    for each in range(max(first, 1), last + 1):
+        if log.event_function[each] == SETTLED:
+            kept = each
+            continue
+        changed = {change.component for change in changes(modes, log, each)}
+        switched = {k for k in changed if isinstance(modes.system.components[k], RelayComponent)}
+        at_rest |= switched
+        kept = each if changed != switched else kept
+    if kept + 1 > last or np.count_nonzero(log.event_function[first : last + 1] == SETTLED) >= MOST_SETTLED:
+        return None
+    relays = _all_at_rest(modes, int(log.mode[last]), at_rest)
+    state = _brought_to_rest(modes, int(log.mode[last]), log.state[kept], relays)
+    mode = settled(modes, int(log.mode[last]), state, relays)
+    if mode is None:
+        return None
+    segment = kept + 1
+    log.mode[segment], log.state[segment] = mode, state
+    log.event_function[segment], log.jumped[segment], log.touches[segment] = SETTLED, False, 0
+    return segment
+
+
+def _all_at_rest(modes: ModeTables, number: int, some: set[int]) -> tuple[int, ...]:
+    """Return the relays whose switching functions are zero: some, those held, and those that follow."""
+    held = list(modes.component_modes(number))
+    for k in some:
+        held[k] = HELD
+    closed = modes.coupled.closed(tuple(held))
+    components = modes.system.components
+    return tuple(
+        k for k, each in enumerate(components) if isinstance(each, RelayComponent) and closed[k] == HELD
+    )
+
+
+def _brought_to_rest(modes: ModeTables, number: int, state: Reals, relays: tuple[int, ...]) -> Reals:
+    """Return the state without the rounding that the switching functions of relays at rest have gathered."""
+    signals, order = modes.mode(number).signals, modes.layout.order
+    rows = np.array([modes.system.components[k].switching_function(signals[k]) for k in relays])
+    rested = state.copy()
+    rested[:order] -= np.linalg.pinv(rows[:, :order], rcond=DEPENDENT) @ (rows @ state)
+    return rested
