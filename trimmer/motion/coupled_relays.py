@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.dry_friction import DEPENDENT, closure, elementary_vectors
+from trimmer.motion.dry_friction import DEPENDENT, admissible_split, closure, elementary_vectors
 from trimmer.motion.interconnection import effect
 from trimmer.motion.relay_component import HELD, RelayComponent
 
@@ -83,6 +83,19 @@ class CoupledRelays:
             bound = float(abs(vector) @ self.levels)
             yield vector, bound
             yield -vector, bound
+
+    def shared(self, component_modes: tuple[int, ...], outputs: Reals) -> Reals:
+        """Return the outputs of all components, those of held members shared within their levels."""
+        held = np.flatnonzero(self.held(component_modes))
+        if held.size < 2:
+            return outputs
+        members = [self.members[each] for each in held]
+        scales, levels = self.scales[held], self.levels[held]
+        split = admissible_split(self.directions[held], levels * scales, outputs[members] * scales)
+        shared = outputs.copy()
+        if split is not None:
+            shared[members] = split / scales
+        return shared
 
     @cached_property
     def _facets(self) -> _Facets:

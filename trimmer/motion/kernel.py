@@ -7,10 +7,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from trimmer.arrays import Integers
 from trimmer.motion.compilation import compiled, inlined, kept, sources
 from trimmer.motion.first_event import DEEPEST, first_event
 from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
-from trimmer.motion.tables import Log, Tables, Work
+from trimmer.motion.tables import SETTLED, Log, Tables, Work
 from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
@@ -143,30 +144,43 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     """Write how many derivatives of each event function are known to vanish at the start of a segment.
 
     What the last transition of a component makes zero is so until time goes on, as far as it does not jump
-    with the outputs of others that have their transitions at the same instant. Returns the component of the
-    last transition, -1 for none.
+    with the outputs of others that have their transitions at the same instant. Where relays were settled, the
+    switching functions are zero of those that were held before. Returns the component of the last transition,
+    -1 for none.
     """
     unknown, recent = -1, -1
     mode, event, known = log.mode[segment], segment, work.known_zeros
     owners, numbers, continuous = tables.component[mode], tables.number[mode], tables.continuous[mode]
     for each in range(known.size):
         known[each] = unknown
-    while log.event_function[event] >= 0 and segment - event < LONGEST_CASCADE:
+    while log.event_function[event] != NO_EVENT and segment - event < LONGEST_CASCADE:
         before, event_function = log.mode[event - 1], log.event_function[event]
-        zeros = tables.zeros[before, event_function, 1 if log.jumped[event] else 0]
-        owner = tables.component[before, event_function]
-        if event == segment:
-            recent = owner
-        for each in range(tables.event_count[mode]):
-            if owners[each] == owner and known[each] == unknown:
-                found = zeros[numbers[each]]
-                known[each] = found if event == segment else min(found, continuous[each])
+        if event_function == SETTLED:
+            _know_settled(tables, mode, before, known, unknown)
+        else:
+            zeros = tables.zeros[before, event_function, 1 if log.jumped[event] else 0]
+            owner = tables.component[before, event_function]
+            if event == segment:
+                recent = owner
+            for each in range(tables.event_count[mode]):
+                if owners[each] == owner and known[each] == unknown:
+                    found = zeros[numbers[each]]
+                    known[each] = found if event == segment else min(found, continuous[each])
         if log.start[event] - log.start[event - 1] > AN_INSTANT * log.start[event]:
             break
         event -= 1
     for each in range(known.size):
         known[each] = max(known[each], 0)
     return recent
+
+
+@compiled
+def _know_settled(tables: Tables, mode: int, before: int, known: Integers, unknown: int) -> None:
+    """Write the known zeros after relays were settled: one for each that was held before."""
+    for each in range(tables.event_count[mode]):
+        relay = tables.relay[mode, each]
+        if known[each] == unknown and relay >= 0 and tables.held[before, relay]:
+            known[each] = 1
 
 
 _compiled_march = _entry(sources())

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.dry_friction import DEPENDENT
 from trimmer.motion.kernel import (
     CYCLING,
     FULL,
@@ -25,8 +24,8 @@ if TYPE_CHECKING:
     from trimmer.motion.mode_tables import ModeTables
 
 
-MOST_SETTLED = 8
-"""How many times the modes are settled at one instant, at most: other components may go on in between."""
+MOST_SETTLED = 16
+"""Segments that settle the modes at one instant, at most: other components may go on in between."""
 
 
 def new_log(rows: int, mode: int, state: Reals) -> Log:
@@ -72,11 +71,18 @@ def march_on(
         if reason == UNKNOWN_MODE:
             modes.tabulate(int(log.mode[segment]))
         elif reason == FULL:
-            log = Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
-        elif reason == CYCLING and (following := _settle(modes, log, segment)) is not None:
-            segment = following
+            log = _longer(log)
         else:
-            return reason, Log._make(column[: segment + 1].copy() for column in log), reached
+            log = _longer(log) if segment + 2 >= log.start.size else log
+            following = _settle(modes, log, segment) if reason == CYCLING else None
+            if following is None:
+                return reason, Log._make(column[: segment + 1].copy() for column in log), reached
+            segment = following
+
+
+def _longer(log: Log) -> Log:
+    """Return a log with twice the room."""
+    return Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
 
 
 def changes(modes: ModeTables, log: Log, segment: int) -> tuple[Change, ...]:
@@ -86,9 +92,10 @@ def changes(modes: ModeTables, log: Log, segment: int) -> tuple[Change, ...]:
 
 
 def _settle(modes: ModeTables, log: Log, last: int) -> int | None:
-    """Write a segment with the mode to which all relays settle, in place of events that repeat each other.
+    """Write the mode to which all relays settle in place of events that repeat each other.
 
-    Returns its number; None if the mode cannot be told, or is told too often.
+    It takes two segments without duration: first all are held whose switching functions are zero, so that it
+    is known of which they are. Returns the second; None if the mode cannot be told, or is told too often.
     """
     first = int(np.searchsorted(log.start[: last + 1], log.start[last]))
     kept, at_rest = first, set[int]()
@@ -100,17 +107,18 @@ def _settle(modes: ModeTables, log: Log, last: int) -> int | None:
         switched = {k for k in changed if isinstance(modes.system.components[k], RelayComponent)}
         at_rest |= switched
         kept = each if changed != switched else kept
-    if kept + 1 > last or np.count_nonzero(log.event_function[first : last + 1] == SETTLED) >= MOST_SETTLED:
+    if np.count_nonzero(log.event_function[first : last + 1] == SETTLED) >= MOST_SETTLED:
         return None
     relays = _all_at_rest(modes, int(log.mode[last]), at_rest)
-    state = _brought_to_rest(modes, int(log.mode[last]), log.state[kept], relays)
-    mode = settled(modes, int(log.mode[last]), state, relays)
+    mode = settled(modes, int(log.mode[last]), log.state[last], relays)
     if mode is None:
         return None
-    segment = kept + 1
-    log.mode[segment], log.state[segment] = mode, state
-    log.event_function[segment], log.jumped[segment], log.touches[segment] = SETTLED, False, 0
-    return segment
+    held = [HELD if k in relays else one for k, one in enumerate(modes.component_modes(int(log.mode[last])))]
+    for segment, number in ((kept + 1, modes.number(tuple(held))), (kept + 2, mode)):
+        log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, log.state[last]
+        log.event_function[segment], log.jumped[segment], log.touches[segment] = SETTLED, False, 0
+        modes.tabulate(number)
+    return kept + 2
 
 
 def _all_at_rest(modes: ModeTables, number: int, some: set[int]) -> tuple[int, ...]:
@@ -123,12 +131,3 @@ def _all_at_rest(modes: ModeTables, number: int, some: set[int]) -> tuple[int, .
     return tuple(
         k for k, each in enumerate(components) if isinstance(each, RelayComponent) and closed[k] == HELD
     )
-
-
-def _brought_to_rest(modes: ModeTables, number: int, state: Reals, relays: tuple[int, ...]) -> Reals:
-    """Return the state without the rounding that the switching functions of relays at rest have gathered."""
-    signals, order = modes.mode(number).signals, modes.layout.order
-    rows = np.array([modes.system.components[k].switching_function(signals[k]) for k in relays])
-    rested = state.copy()
-    rested[:order] -= np.linalg.pinv(rows[:, :order], rcond=DEPENDENT) @ (rows @ state)
-    return rested

@@ -12,7 +12,7 @@ from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.coupled_relays import CoupledRelays
 from trimmer.motion.interconnection import Layout
 from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
-from trimmer.motion.relay_component import HELD
+from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,
@@ -112,6 +112,8 @@ class ModeTables:
             zeros=np.zeros((modes, event_functions, 2, of_one), dtype=np.int64),
             continuous=np.zeros((modes, event_functions), dtype=np.int64),
             number=np.zeros((modes, event_functions), dtype=np.int64),
+            relay=np.full((modes, event_functions), -1, dtype=np.int64),
+            held=np.zeros((modes, len(self.system.components)), dtype=np.bool_),
             bernstein_from_taylor=bernstein_from_taylor(),
         )
 
@@ -131,6 +133,9 @@ class ModeTables:
             tables.bernstein[number, place] = tables.taylor[number, place] @ bernstein_from_taylor()[0]
             tables.sizes[number, place] = along(abs(entry.row), moduli)
             self._tabulate_guard(number, place, mode, entry)
+        tables.held[number] = [
+            self._is_relay(k) and one == HELD for k, one in enumerate(mode.component_modes)
+        ]
         tables.known[number] = True
 
     def _tabulate_guard(self, number: int, place: int, mode: SwitchedMode, entry: ModeEventFunction) -> None:
@@ -138,6 +143,9 @@ class ModeTables:
         tables.component[number, place] = entry.owner
         tables.number[number, place] = entry.number
         tables.continuous[number, place] = entry.continuous
+        first_changed = entry.reached[0].component
+        if self._is_relay(first_changed) and mode.component_modes[first_changed] != HELD:
+            tables.relay[number, place] = first_changed
         reset = np.eye(self.layout.size)
         for change in entry.reached:
             first = self.layout.first_states[change.component]
@@ -150,6 +158,9 @@ class ModeTables:
                 after[change.component] = change.transition.target
             tables.target[number, place, flavour] = self.number(tuple(after))
             tables.zeros[number, place, flavour] = self._known_zeros(changes)
+
+    def _is_relay(self, k: int) -> bool:
+        return isinstance(self.system.components[k], RelayComponent)
 
     def _known_zeros(self, changes: tuple[Change, ...]) -> Integers:
         """Return the known zeros of the event functions of an owner after a change, by their numbers."""

@@ -139,10 +139,20 @@ class Motion:
     def component_outputs(self, times: ArrayLike) -> Reals:
         """Return the output of every component, in the order of ``loop.interconnection().labels``.
 
-        For friction this is its force, also while it sticks, where the force is what holding needs. Shape
-        (components,) + shape of the times (s).
+        For friction this is its force, also while it sticks, where the force is what holding needs. Where
+        several stick and the motion leaves it open how they share the force, it is the share within the
+        limits that ``trimmer.motion.dry_friction.admissible_split`` gives. Shape (components,) + shape of the
+        times (s).
         """
-        return self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        coupled = self.loop.modes.coupled
+        if coupled.members:
+            flat, instants = values.reshape(len(values), -1), np.ravel(np.asarray(times, dtype=float))
+            segments = np.searchsorted(self.log.start, instants, side="right") - 1
+            for place, number in enumerate(self.log.mode[segments]):
+                modes = self.loop.modes.component_modes(int(number))
+                flat[:, place] = coupled.shared(modes, flat[:, place])
+        return values
 
     def values(self, times: ArrayLike, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
         """Return rows of the extended state, which may differ from mode to mode, at times (s).

@@ -26,6 +26,8 @@ class Tables(NamedTuple):
         event_count: Event functions in use.
         component: Component that owns the event function; the first one of those that are coupled.
         number: Number of the event function among those of its owner.
+        relay: Component whose switching function it is, if it is that of a relay or friction, -1 if not.
+        held: Whether a component is a relay or friction that is held: (modes, components).
         target: Mode after reaching zero, and after being negative at once: (modes, event functions, 2).
         zeros: Known zeros of the owner's event functions in these target modes, by their numbers, -1 where
             none are told: (modes, event functions, 2, numbers).
@@ -46,6 +48,8 @@ class Tables(NamedTuple):
     event_count: Integers
     component: Integers
     number: Integers
+    relay: Integers
+    held: Flags
     target: Integers
     zeros: Integers
     continuous: Integers
