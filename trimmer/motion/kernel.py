@@ -174,7 +174,7 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     return recent
 
 
-@compiled
+@inlined
 def _know_settled(tables: Tables, mode: int, before: int, known: Integers, unknown: int) -> None:
     """Write the known zeros after relays were settled: one for each that was held before."""
     for each in range(tables.event_count[mode]):

@@ -38,7 +38,7 @@ def contacts(seed: int) -> tuple[np.random.Generator, Reals, Reals]:
 def range_of_forces(
     directions: Reals, limits: Reals, forces: Reals, contact: int
 ) -> tuple[float, float] | None:
-    """Return the least and the greatest force of a contact among all admissible splits, by linear programming."""
+    """Return the least and the greatest force of a contact among all admissible splits."""
     ends = []
     for sign in (1.0, -1.0):
         cost = np.zeros(len(limits))
