@@ -3,7 +3,7 @@
     @claim("eq-5.6", source="report/chapters/chapter_5/claims/loci.py")
     def external_input(known: Evidence) -> Record:
         yield expression("", printed, derived, left=r)
-        yield text("Equation 2.1 with an eccentricity of [[ size | f1 ]] mm.", size=1e3 * amplitude)
+        yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
 
 ``report.collect`` finds the records by looking through the modules of ``report.chapters``.
 """
@@ -11,8 +11,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, final
 
 from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
@@ -30,24 +30,45 @@ if TYPE_CHECKING:
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
 MARK = "\0"
+MOST_PARAGRAPHS = 2
 
 
 class RecordError(ValueError):
-    """A record is not complete, or its text asks for what it does not give."""
+    """A record is not complete, or its text asks for what the record does not give."""
 
 
 @final
 @dataclass(frozen=True)
 class Text:
-    """The text of a claim, as pandoc Markdown.
+    """The text of a claim, as pandoc Markdown: one paragraph, or two.
+
+    The first says what is printed, what is true, and why, in one to four sentences; the second what a wrong
+    statement changes elsewhere.
 
     Attributes:
-        explanation: What is printed, what is true, why: one to four sentences.
-        consequence: What a wrong statement changes elsewhere; empty if nothing.
+        prose: With a place for each number; see ``report.text.filled``.
+        numbers: By the names that the prose uses.
     """
 
-    explanation: str
-    consequence: str = ""
+    prose: str
+    numbers: Mapping[str, object] = field(default_factory=dict)
+
+    def given(self, **numbers: object) -> Text:
+        """Return the text with its numbers."""
+        return replace(self, numbers=numbers)
+
+    @property
+    def paragraphs(self) -> list[str]:
+        """The paragraphs with the numbers in their places.
+
+        Raises:
+            RecordError: if there are more than two.
+            TextError: if the prose asks for other numbers than are given.
+        """
+        found = filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        if len(found) > MOST_PARAGRAPHS:
+            raise RecordError(f"the text {found[0][:60]!r} has {len(found)} paragraphs, not one or two")
+        return found
 
 
 Item = Part | Uncheckable | Text
@@ -86,18 +107,19 @@ class ClaimRecord:
         """
         try:
             items = tuple(self.items(known))
-        except TextError as error:
+            texts = [item.paragraphs for item in items if isinstance(item, Text)]
+        except (RecordError, TextError) as error:
             raise RecordError(f"claim {self.id}: {error}") from error
-        texts = [item for item in items if isinstance(item, Text)]
         if len(texts) != 1:
             raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
+        explanation, *consequence = texts[0]
         return Claim(
             id=self.id,
             parts=tuple(item for item in items if isinstance(item, Part | Uncheckable)),
-            explanation=texts[0].explanation,
+            explanation=explanation,
             source=self.source,
             impact=self.impact,
-            consequence=texts[0].consequence,
+            consequence="".join(consequence),
             lines=self.lines,
             severity=self.severity,
             certainty=self.certainty,
@@ -117,12 +139,9 @@ def claim(
     return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty)
 
 
-def text(prose: str, **numbers: object) -> Text:
-    """Return the text of a claim: a paragraph that explains, and one on the consequence if there is any.
-
-    For prose and numbers see ``report.text.filled``.
-    """
-    return Text(*filled(PARAGRAPH.sub(MARK, prose.strip()), **numbers).split(MARK))
+def text(prose: str) -> Text:
+    """Return the text of a claim; a text with numbers goes on with ``given``."""
+    return Text(prose)
 
 
 @final
@@ -137,7 +156,7 @@ class FigureRecord:
     draw: Draw = field(repr=False)
 
     def finished(self, known: Evidence) -> Figure:
-        """Draw it."""
+        """Draw the figure; it is then an SVG with its words."""
         svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
         return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
 

@@ -42,7 +42,9 @@ def filled(prose: str, **numbers: object) -> str:
         if asked != numbers.keys():
             raise TextError(_mismatch(asked, frozenset(numbers)))
         return template if isinstance(template, str) else template.render(numbers)
-    except (TemplateError, TypeError) as error:
+    except TextError:
+        raise
+    except (TemplateError, TypeError, ValueError) as error:
         raise TextError(f"the text {prose.strip()[:60]!r} cannot be filled in: {error}") from error
 
 

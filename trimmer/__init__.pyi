@@ -81,6 +81,12 @@ from .orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonic
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
+from .orbits.search import OrbitSearch as OrbitSearch
+from .orbits.search import OrbitSearched as OrbitSearched
+from .orbits.search import PeriodicOrbits as PeriodicOrbits
+from .orbits.search import RelaySearch as RelaySearch
+from .orbits.search import Simulations as Simulations
+from .orbits.search import SimulationSearch as SimulationSearch
 from .parameters import ParameterError as ParameterError
 from .parameters import TrimmerParameters as TrimmerParameters
 from .parameters import parameter_table as parameter_table

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 import control
 import numpy as np
 
-from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
+from report.thesis import TURN
+from trimmer import Body, InputChannels, LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 BACKLASH = FrictionBacklash(1.0)
@@ -37,8 +36,8 @@ class Balances:
 
     @property
     def frequency(self) -> Reals:
-        """Frequency, Hz."""
-        return self.omega / (2 * math.pi)
+        """Frequencies of the solutions, Hz."""
+        return self.omega / TURN
 
 
 @dataclass(frozen=True)
@@ -118,7 +117,7 @@ class _PartialFractions:
         return cls(poles, (system.C @ modes)[0] * np.linalg.solve(modes, system.B.astype(complex))[:, 0])
 
     def response(self, omegas: Reals) -> Complexes:
-        """Evaluate at jω."""
+        """Return the response at each ω (rad/s)."""
         return np.asarray((self.residues / (1j * omegas[:, np.newaxis] - self.poles)).sum(axis=1))
 
 

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import grimp
 import pytest
 
 HEAVY = {"control", "matplotlib", "scipy", "sympy"}
@@ -34,3 +35,16 @@ def test_import_contracts_hold(project_folder: Path) -> None:
     code = "from importlinter.cli import lint_imports; raise SystemExit(lint_imports(cache_dir=None))"
     ended = subprocess.run([sys.executable, "-c", code], cwd=project_folder, capture_output=True, text=True)
     assert ended.returncode == 0, ended.stdout
+
+
+def test_the_contracts_see_every_module(project_folder: Path) -> None:
+    """A folder without __init__.py hides its modules from import-linter."""
+    packages = ("derivations", "trimmer", "report")
+    seen = grimp.build_graph(*packages, cache_dir=None).modules
+    there = {
+        ".".join(path.relative_to(project_folder).with_suffix("").parts).removesuffix(".__init__")
+        for package in packages
+        for path in (project_folder / package).rglob("*.py")
+    }
+    assert len(there) > 300
+    assert there == seen

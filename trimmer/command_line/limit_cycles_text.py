@@ -23,7 +23,10 @@ _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" 
 
 
 def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
-    """Lay limit cycles out as a table, followed by what is certain."""
+    """Return limit cycles as a table, followed by the certificate.
+
+    Amplitudes are in the unit of the element's input, frequencies in rad/s and Hz, angles in degrees.
+    """
     rows = [
         (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
         for cycle in balance.limit_cycles
@@ -38,7 +41,7 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
 
 
 def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
-    """Give limit cycles as JSON: full precision, SI units; what is infinite is null."""
+    """Return limit cycles as JSON: full precision, SI units; what is infinite is null."""
     content = {
         "element": repr(element),
         "limit_cycles": [
@@ -56,7 +59,7 @@ def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
 
 
 def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
-    """Lay time constants out as a table."""
+    """Return time constants, s, as a table with the limit cycle of each; a sentence if there are none."""
     if not found:
         return "no M/D gives a limit cycle at this frequency"
     rows = [(f"{each.time_constant:.6g}", *_cycle_row(each.limit_cycle)) for each in found]
@@ -64,7 +67,7 @@ def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
 
 
 def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
-    """Give time constants as JSON; an infinite one, which is inertia-controlled backlash, is null."""
+    """Return time constants, s, as JSON; an infinite one, which is inertia-controlled backlash, is null."""
     content = [
         {"time_constant": finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
         for each in found

@@ -1,4 +1,4 @@
-"""``trimmer orbits``: exact limit cycles of a trimmer, beside what harmonic balance predicts."""
+"""``trimmer orbits``: exact limit cycles of a trimmer, beside the predictions of harmonic balance."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _run(arguments: Namespace) -> int:
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions.limit_cycles)
+            orbits = periodic_orbits(system, element, predictions)
         except ValueError as error:
             raise OptionError(str(error)) from error
     print((as_json if arguments.json else as_text)(element, predictions, orbits))
@@ -41,4 +41,4 @@ def _run(arguments: Namespace) -> int:
 
 
 COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
-"""The subcommand."""
+"""The subcommand ``trimmer orbits``."""

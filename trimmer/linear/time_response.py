@@ -23,8 +23,8 @@ class TimeResponse:
 
     Attributes:
         times: Instants, s, shape (n,).
-        output: Output at them, shape (n,), or (number of outputs, n) if the system has several.
-        states: States at them, shape (number of states, n).
+        output: Output at them, shape (n,), or (number of outputs, n) if the system has several; in its unit.
+        states: States at them, shape (number of states, n), in their units.
     """
 
     times: Reals
@@ -62,9 +62,9 @@ def time_response(
     Args:
         system: A continuous-time system. A transfer function is refused: its states are not defined, and
             converting it loses digits; build the state space instead (``pin_model``), or use ``control.ss``.
-        samples: Input at the instants, shape (n,), or (number of inputs, n) if there are several.
+        samples: Input at the instants in its unit, shape (n,), or (number of inputs, n) if there are several.
         times: Instants, s, shape (n,), at equal distances.
-        initial_state: State at the first instant; a single number stands for every state.
+        initial_state: State at the first instant, shape (number of states,), or one number for every state.
 
     Raises:
         UnsupportedSystemError: if the system is not a continuous-time StateSpace.

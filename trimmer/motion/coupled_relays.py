@@ -59,7 +59,7 @@ class CoupledRelays:
         return len(self.members) + 2 * len(self._facets[tuple(range(len(self.members)))])
 
     def held(self, component_modes: tuple[int, ...]) -> Flags:
-        """Tell which members are held."""
+        """Return which members are held."""
         return np.array([component_modes[k] == HELD for k in self.members], dtype=bool)
 
     def closed(self, component_modes: tuple[int, ...]) -> tuple[int, ...]:
@@ -179,7 +179,7 @@ def _level(system: Interconnection, k: int) -> float:
 
 
 def attracting(system: Interconnection, k: int) -> bool:
-    """Tell whether a component is a relay whose output works against the rate of its switching function."""
+    """Return whether a component is a relay whose output works against the rate of its switching function."""
     return isinstance(system.components[k], RelayComponent) and (
         effect(_row(system, k), system.B[:, k]) < 0.0
     )

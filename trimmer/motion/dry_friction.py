@@ -93,7 +93,7 @@ def elementary_vectors(directions: Reals) -> Reals:
 
 
 def closure(directions: Reals, held: Flags) -> Flags:
-    """Tell which contacts stick, because their velocities follow from those that are held, or are these.
+    """Return which contacts stick, because their velocities follow from those that are held, or are these.
 
     Args:
         directions: D, of shape (m, n).
@@ -126,7 +126,7 @@ def margins(vectors: Reals, limits: Reals, forces: Reals) -> Reals:
 
 
 def always_at_limit(vectors: Reals, limits: Reals, forces: Reals, tolerance: float = ROUNDING) -> Integers:
-    """Tell which contacts are at their limit in every admissible split; only those can begin to slide.
+    """Return which contacts are at their limit in every admissible split; only those can begin to slide.
 
     Args:
         vectors: ``elementary_vectors`` of the contacts, (k, m).

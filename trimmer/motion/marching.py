@@ -1,4 +1,4 @@
-"""March over a time: modes are tabulated, the log gets longer, and events that repeat are settled."""
+"""Integration over a time: modes are tabulated, the log gets longer, and a cascade of events is cut short."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.motion.complementarity import complementary_mode
 from trimmer.motion.kernel import (
     CYCLING,
     FULL,
@@ -15,8 +16,7 @@ from trimmer.motion.kernel import (
     march,
 )
 from trimmer.motion.relay_component import HELD, RelayComponent
-from trimmer.motion.settling import settled
-from trimmer.motion.tables import SETTLED, Log
+from trimmer.motion.tables import TOGETHER, Log
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from trimmer.motion.mode_tables import ModeTables
 
 
-MOST_SETTLED = 16
-"""Segments that settle the modes at one instant, at most: other components may go on in between."""
+MOST_TOGETHER = 16
+"""Segments of one instant, at most, whose modes are decided together; other events may come in between."""
 
 
 def new_log(rows: int, mode: int, state: Reals) -> Log:
@@ -50,15 +50,15 @@ def march_on(
     most_steps: int = MOST_STEPS,
     longest_cascade: int = LONGEST_CASCADE,
 ) -> tuple[int, Log, float]:
-    """March from the first segment of a log until a time, s.
+    """Integrate from the first segment of a log until a time, s.
 
     Args:
         modes: The modes.
         log: From ``new_log``.
         end: s.
-        most_segments: Most segments of the log.
-        most_steps: Most steps of the march.
-        longest_cascade: Events at one instant after which the relays and frictions are settled at once.
+        most_segments: Largest number of segments in the log.
+        most_steps: Largest number of steps, each time the integration is continued.
+        longest_cascade: Events at one instant after which relays and frictions are decided together.
 
     Returns:
         Why it stopped (of ``trimmer.motion.kernel``), the log with all its segments, and the time reached, s.
@@ -73,8 +73,10 @@ def march_on(
         elif reason == FULL:
             log = _longer(log)
         else:
-            log = _longer(log) if segment + 2 >= log.start.size else log
-            following = _settle(modes, log, segment) if reason == CYCLING else None
+            following = None
+            if reason == CYCLING:
+                log = _longer(log) if segment + 2 >= log.start.size else log
+                following = _decide_together(modes, log, segment)
             if following is None:
                 return reason, Log._make(column[: segment + 1].copy() for column in log), reached
             segment = following
@@ -86,13 +88,13 @@ def _longer(log: Log) -> Log:
 
 
 def changes(modes: ModeTables, log: Log, segment: int) -> tuple[Change, ...]:
-    """Return what changed at the event that began a segment, if it was found by the march."""
+    """Return what changed at the event that began a segment, if the integration found it."""
     entry = modes.mode(int(log.mode[segment - 1])).event_functions[int(log.event_function[segment])]
     return entry.jumped if log.jumped[segment] else entry.reached
 
 
-def _settle(modes: ModeTables, log: Log, last: int) -> int | None:
-    """Write the mode to which all relays settle in place of events that repeat each other.
+def _decide_together(modes: ModeTables, log: Log, last: int) -> int | None:
+    """Write the mode that all relays go on in, in place of events that repeat each other.
 
     It takes two segments without duration: first all are held whose switching functions are zero, so that it
     is known of which they are. Returns the second; None if the mode cannot be told, or is told too often.
@@ -100,23 +102,23 @@ def _settle(modes: ModeTables, log: Log, last: int) -> int | None:
     first = int(np.searchsorted(log.start[: last + 1], log.start[last]))
     kept, at_rest = first, set[int]()
     for each in range(max(first, 1), last + 1):
-        if log.event_function[each] == SETTLED:
+        if log.event_function[each] == TOGETHER:
             kept = each
             continue
         changed = {change.component for change in changes(modes, log, each)}
         switched = {k for k in changed if isinstance(modes.system.components[k], RelayComponent)}
         at_rest |= switched
         kept = each if changed != switched else kept
-    if np.count_nonzero(log.event_function[first : last + 1] == SETTLED) >= MOST_SETTLED:
+    if np.count_nonzero(log.event_function[first : last + 1] == TOGETHER) >= MOST_TOGETHER:
         return None
     relays = _all_at_rest(modes, int(log.mode[last]), at_rest)
-    mode = settled(modes, int(log.mode[last]), log.state[last], relays)
+    mode = complementary_mode(modes, int(log.mode[last]), log.state[last], relays)
     if mode is None:
         return None
     held = [HELD if k in relays else one for k, one in enumerate(modes.component_modes(int(log.mode[last])))]
     for segment, number in ((kept + 1, modes.number(tuple(held))), (kept + 2, mode)):
         log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, log.state[last]
-        log.event_function[segment], log.jumped[segment], log.touches[segment] = SETTLED, False, 0
+        log.event_function[segment], log.jumped[segment], log.touches[segment] = TOGETHER, False, 0
         modes.tabulate(number)
     return kept + 2
 

@@ -63,13 +63,13 @@ class ModeEventFunction:
 
 @dataclass(frozen=True)
 class SwitchedMode:
-    """A mode with everything as rows and matrices over the extended state.
+    """A mode, with rows and matrices over the extended state Z of n entries.
 
     Attributes:
         component_modes: The mode of each component.
-        matrix: M.
-        signals: Of each component.
-        event_functions: Of all components, then of those that are coupled.
+        matrix: M of the flow Z' = M Z, n x n, 1/s.
+        signals: The rows of each component.
+        event_functions: The event functions of all components, then those of the coupled ones together.
     """
 
     component_modes: tuple[int, ...]
@@ -99,12 +99,12 @@ class _Open:
 def assemble(
     system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays
 ) -> SwitchedMode:
-    """Build a mode.
+    """Return the mode of an interconnection in which each component is in a given mode.
 
     Args:
-        system: What is connected.
-        component_modes: The mode of each component.
-        coupled: The relays that depend on each other.
+        system: The interconnection.
+        component_modes: Number of the mode of each component.
+        coupled: Its relays that depend on each other.
 
     Raises:
         IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
@@ -295,17 +295,20 @@ def _implicit_outputs(
 
 
 def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = None) -> Reals:
-    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
+    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
     motion is determined, and how they share the force is not. The smallest outputs may exceed a limit
     although others do not (``trimmer.motion.coupled_relays``).
 
     Args:
-        left: (k, k).
-        right: (k, n).
-        names: What the error calls the outputs.
-        sizes: Moduli of the terms that ``right`` is the sum of, (k, n): what is below their rounding is zero.
+        left: Factors of the m outputs in the conditions, m x m.
+        right: Right sides as rows over the extended state, m x n.
+        names: The components, for the error message.
+        sizes: Sums of the moduli of the terms of ``right``, m x n; what is less than their rounding is zero.
+
+    Returns:
+        The outputs as rows over the extended state, m x n.
 
     Raises:
         IllPosedLoopError: if the conditions contradict each other.
@@ -355,6 +358,6 @@ def _signals(
 
 
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
-    """Tell whether the output of a component works against the rate of its own switching function."""
+    """Return whether the output of a component works against the rate of its own switching function."""
     row = system.components[k].switching_function(signals)[: system.order]
     return effect(row, system.B[:, k]) < 0.0

@@ -14,7 +14,7 @@ from trimmer.motion.marching import changes
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
-from trimmer.motion.tables import SETTLED, Log
+from trimmer.motion.tables import TOGETHER, Log
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
@@ -29,8 +29,8 @@ class Outcome(Enum):
     """How a simulation ended.
 
     CHATTERING has one of two reasons. Either the events truly accumulate (Zeno), as under a relay and
-    friction that bring a body to rest by ever shorter swings, or double precision cannot tell them apart, as
-    where a gap is smaller than about 1e-13 of the motion. For no play at all leave the element out.
+    friction that bring a body to rest by ever shorter swings, or double precision cannot separate them, as
+    where a gap is smaller than about 1e-13 of the motion. For no backlash at all leave the element out.
     """
 
     COMPLETED = "reached the end"
@@ -45,10 +45,10 @@ class Event:
     """A change of mode.
 
     Attributes:
-        time: s.
-        kind: What happened.
-        component: Which element, by name.
-        mode: Mode of that element afterwards.
+        time: Time since the start of the motion, s.
+        kind: Kind of the event.
+        component: Label of the component that changes its mode.
+        mode: Name of its mode afterwards.
     """
 
     time: float
@@ -62,10 +62,10 @@ class Motion:
     """A simulated motion, exact between and at its events.
 
     Attributes:
-        loop: What moved.
+        loop: The loop that moved.
         duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
         outcome: How the simulation ended.
-        log: The segments between events, as the compiled march wrote them.
+        log: The segments between events, as the compiled integration wrote them.
     """
 
     loop: Loop
@@ -100,7 +100,7 @@ class Motion:
 
     @property
     def event_times(self) -> Reals:
-        """Times of the events, s."""
+        """Times of ``events``, s, shape (number of events,)."""
         return np.array([event.time for event in self.events])
 
     @property
@@ -109,13 +109,21 @@ class Motion:
         return int(self.log.touches.sum())
 
     def state(self, times: ArrayLike) -> Reals:
-        """Return the states of the linear system, of shape (n,) + shape of the times (s)."""
+        """Return the states of the linear system, of shape (n,) + shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         layout = self.loop.modes.layout
         rows = np.eye(layout.order, layout.size)
         return self.values(times, lambda mode: rows)
 
     def output(self, times: ArrayLike) -> Reals:
-        """Return the output y of the linear system at times (s)."""
+        """Return the output y of the linear system, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         model = self.loop.model
         row = np.zeros((1, self.loop.modes.layout.size))
         row[0, : self.loop.modes.layout.order] = model.C[0]
@@ -125,13 +133,23 @@ class Motion:
         return values
 
     def element_input(self, times: ArrayLike) -> Reals:
-        """Return the input of the nonlinear element at times (s)."""
+        """Return the input of the nonlinear element, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         values: Reals
         (values,) = self.values(times, lambda mode: mode.signals[0].input[None])
         return values
 
     def element_output(self, times: ArrayLike) -> Reals:
-        """Return the output of the nonlinear element, which drives the linear system, at times (s)."""
+        """Return the output of the nonlinear element, which drives the linear system.
+
+        It is in its unit and in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         values: Reals
         (values,) = self.values(times, self._element_output)
         return values
@@ -140,9 +158,12 @@ class Motion:
         """Return the output of every component, in the order of ``loop.interconnection().labels``.
 
         For friction this is its force, also while it sticks, where the force is what holding needs. Where
-        several stick and the motion leaves it open how they share the force, it is the share within the
+        several stick and the motion does not determine how they share the force, it is the share within the
         limits that ``trimmer.motion.dry_friction.admissible_split`` gives. Shape (components,) + shape of the
         times (s).
+
+        Raises:
+            ValueError: see ``values``.
         """
         values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
         coupled = self.loop.modes.coupled
@@ -160,8 +181,8 @@ class Motion:
         At an event they are those just after it.
 
         Args:
-            times: Instants of any shape and order, from 0 to ``duration``.
-            rows_of: Gives the rows of a mode, an array (p, n).
+            times: Instants, s, of any shape and order, from 0 to ``duration``.
+            rows_of: Function from a mode to its rows, an array (p, n).
 
         Returns:
             Array of shape (p,) + shape of the times.
@@ -205,7 +226,7 @@ class Motion:
         log, modes = self.log, self.loop.modes
         time = float(log.start[segment])
         before = modes.component_modes(int(log.mode[segment - 1]))
-        if log.event_function[segment] == SETTLED:
+        if log.event_function[segment] == TOGETHER:
             after = modes.component_modes(int(log.mode[segment]))
             for k in (k for k, mode in enumerate(after) if mode != before[k]):
                 yield _Listed(time, k, before[k], after[k], _kind(before[k], after[k]), True)

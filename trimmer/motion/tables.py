@@ -1,4 +1,4 @@
-"""What the compiled march reads and writes."""
+"""The arrays that the compiled integration reads and writes: tables of modes, log, work space."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from typing import NamedTuple
 
 from trimmer.arrays import Flags, Integers, Reals
 
-SETTLED = -2
-"""Instead of an event function: the modes of relays and frictions were decided together."""
+TOGETHER = -2
+"""In place of the number of an event function: relays and frictions were decided together."""
 
 
 class Tables(NamedTuple):
     """All that the integration needs of the modes; the first axis is the mode, the second the event function.
 
     Attributes:
-        known: Whether the mode has been tabulated.
-        step: h, s.
+        known: Whether the mode has been tabulated: (modes,).
+        step: Length h of a step, s: (modes,).
         whole: exp(M h), transposed: (modes, n, n).
         series: (M h)^k / k!, transposed and side by side: (modes, n, (K + 1) n).
         terms: How many terms of the series do for fractions up to 4^-level of a step: (modes, LEVELS).
@@ -23,10 +23,12 @@ class Tables(NamedTuple):
         taylor: Their coefficients of s^k: (modes, event functions, n, K + 1).
         sizes: Sums of the moduli of what these are made of, in the same shape.
         event_rows: Event functions as functionals: (modes, event functions, n).
-        event_count: Event functions in use.
-        component: Component that owns the event function; the first one of those that are coupled.
-        number: Number of the event function among those of its owner.
-        relay: Component whose switching function it is, if it is that of a relay or friction, -1 if not.
+        event_count: Number of event functions in use: (modes,).
+        component: Component that owns the event function, the first one if several are coupled:
+            (modes, event functions).
+        number: Number of the event function among those of its owner: (modes, event functions).
+        relay: Component whose switching function it is, if that is a relay or friction, else -1:
+            (modes, event functions).
         held: Whether a component is a relay or friction that is held: (modes, components).
         target: Mode after reaching zero, and after being negative at once: (modes, event functions, 2).
         zeros: Known zeros of the owner's event functions in these target modes, by their numbers, -1 where
@@ -58,13 +60,13 @@ class Tables(NamedTuple):
 
 
 class Log(NamedTuple):
-    """One row per segment of motion between events.
+    """One row per segment of motion between events; all arrays have as many rows.
 
     Attributes:
         start: Time of its start, s.
-        mode: Its mode.
-        state: Extended state at its start.
-        event_function: That of the mode before that began it, -1 for the start of the motion, or SETTLED.
+        mode: Number of its mode.
+        state: Extended state at its start: (rows, n).
+        event_function: That of the mode before that began it, -1 for the start of the motion, or TOGETHER.
         jumped: Whether that event function was negative at once.
         touches: How many times an event function came to zero during it without crossing, to rounding.
     """
@@ -78,7 +80,7 @@ class Log(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Arrays that the march uses again and again.
+    """Work space of the integration, allocated once.
 
     Attributes:
         state: Extended state at the start of a step.

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 40
 MOST_HALVINGS = 8
 """Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
+MOST_LENGTHENED = 4.0
+"""Factor by which Newton's method may lengthen the span; longer ones have lost the orbit, and take ages."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
 SETTLED = 1e-14
@@ -27,17 +29,17 @@ SETTLED = 1e-14
 
 @dataclass(frozen=True)
 class Shot:
-    """A motion from a state over a span.
+    """A motion from an extended state of n entries over a span of time.
 
     Attributes:
-        mode: Mode at the start.
-        state: Extended state at the start.
+        mode: Number of the mode at the start.
+        state: Extended state at the start, shape (n,).
         span: Its duration, s.
-        log: What happened.
-        end: Extended state at the end, with its signs changed if the return is mirrored.
-        slope: Derivative of ``end`` by ``state`` at fixed span.
-        rate: Derivative of ``end`` by the span.
-        miss: Largest difference of end and state relative to the sizes of the entries.
+        log: Its segments.
+        end: Extended state at the end, with its signs changed if the return is mirrored, shape (n,).
+        slope: Derivative of ``end`` by ``state`` at fixed span, n x n.
+        rate: Derivative of ``end`` by the span, 1/s times the units of the states, shape (n,).
+        miss: Largest difference of end and state relative to the sizes of the entries, a number.
     """
 
     mode: int
@@ -52,13 +54,13 @@ class Shot:
 
 @dataclass(frozen=True)
 class Return:
-    """What is asked for.
+    """The problem of a state that returns: its symmetry, its unknowns and their scale.
 
     Attributes:
         modes: Modes of the loop.
         mirrored: Whether the state returns with its signs changed, after half a period.
         driven: Whether the span is given by a drive; otherwise it is unknown, as in a loop without drive.
-        sizes: Size of each entry of the state, for comparing them.
+        sizes: Scale of each entry of the state, for comparing them, shape (n,).
     """
 
     modes: ModeTables
@@ -68,24 +70,32 @@ class Return:
 
     @property
     def count(self) -> int:
-        """Entries of the state that are unknown: the first ones; drive and one are not."""
+        """Number of entries of the state that are unknown: all but the drive and the one, which come last."""
         return self.modes.layout.sine
 
     def shoot(self, mode: int, state: Reals, span: float) -> Shot | None:
-        """Follow the motion; None if events accumulate or it does not end in the mode it has to."""
+        """Follow the motion from a state, shape (n,), over a span, s.
+
+        Returns:
+            The motion; None if events accumulate, it diverges, or it does not end in the mode of a return.
+        """
         log = follow(self.modes, mode, state, span)
-        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self._final(mode):
+        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self.final(mode):
             return None
         chain = arcs(self.modes, log, span)
         slope, end = derivative(self.modes, chain)
         rate = self.modes.mode(int(log.mode[-1])).matrix @ end
         if self.mirrored:
-            slope, end, rate = self._signs[:, None] * slope, self._signs * end, self._signs * rate
+            slope, end, rate = self.signs[:, None] * slope, self.signs * end, self.signs * rate
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
     def step(self, shot: Shot) -> tuple[Reals, float]:
-        """Return Newton's correction of state and span."""
+        """Return Newton's correction of the state, shape (n,), and of the span, s.
+
+        Raises:
+            LinAlgError: if the derivative is singular.
+        """
         free = slice(self.count)
         scale = self.sizes[free]
         matrix = (shot.slope[free, free] - np.eye(self.count)) * scale / scale[:, None]
@@ -103,8 +113,8 @@ class Return:
         return correction, float(solution[-1]) * shot.span
 
     @cached_property
-    def _signs(self) -> Reals:
-        """Return what mirroring does to each entry of the extended state."""
+    def signs(self) -> Reals:
+        """Return the factor, 1 or -1, of each entry of the extended state in the mirrored motion."""
         layout = self.modes.layout
         signs = np.full(layout.size, -1.0)
         for first, component in zip(layout.first_states, self.modes.system.components, strict=True):
@@ -112,7 +122,8 @@ class Return:
             signs[end - component.even_states : end] = 1.0
         return signs
 
-    def _final(self, mode: int) -> int:
+    def final(self, mode: int) -> int:
+        """Return the mode in which a motion that begins in a mode has to end."""
         if not self.mirrored:
             return mode
         components = self.modes.system.components
@@ -120,20 +131,26 @@ class Return:
         return self.modes.number(tuple(component.mirrored(one) for component, one in each))
 
 
-def solve(problem: Return, mode: int, state: Reals, span: float) -> Shot | None:
-    """Find the return near a guess, or None if Newton's method does not get there."""
+def solve(
+    problem: Return, mode: int, state: Reals, span: float, most_iterations: int = MOST_ITERATIONS
+) -> Shot | None:
+    """Solve a return by Newton's method from a guess of mode, state (shape (n,)) and span (s).
+
+    Returns:
+        The solution; None if Newton's method does not converge.
+    """
     shot = problem.shoot(mode, state, span)
-    for _ in range(MOST_ITERATIONS):
+    for _ in range(most_iterations):
         if shot is None or shot.miss <= SETTLED:
             break
-        following = _improved(problem, shot)
+        following = _improved(problem, shot, MOST_LENGTHENED * span)
         if following is None:
             break
         shot = following
     return shot if shot is not None and shot.miss <= CLOSED else None
 
 
-def _improved(problem: Return, shot: Shot) -> Shot | None:
+def _improved(problem: Return, shot: Shot, longest: float) -> Shot | None:
     """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
     try:
         correction, longer = problem.step(shot)
@@ -141,8 +158,9 @@ def _improved(problem: Return, shot: Shot) -> Shot | None:
         return None
     share = 1.0
     for _ in range(MOST_HALVINGS):
-        span = shot.span + share * longer
-        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if span > 0 else None
+        trial_span = shot.span + share * longer
+        allowed = 0 < trial_span <= longest
+        trial = problem.shoot(shot.mode, shot.state + share * correction, trial_span) if allowed else None
         if trial is not None and trial.miss < shot.miss:
             return trial
         share *= 0.5

@@ -8,13 +8,7 @@ import numpy as np
 import sympy
 
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    inertia_contact_ratio,
-    inertia_waveform,
-    separation_angle,
-)
+from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
@@ -22,65 +16,42 @@ from report.claim import Impact
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
+from report.numbers import listed_blocks as blocks
 from report.numbers.independent import load_in_play
-from report.numbers.independent.listed_blocks import DRIVE_GAP, PRINTED_OFFSET, friction_block, inertia_block
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_OFFSET,
+    TIME_CONSTANT,
+    TIMED_GAP,
+    TURN,
+)
 from trimmer import FrictionBacklash, InertiaBacklash
-from trimmer.arrays import Reals
 
 SOURCE, BLOCKS = (
     "derivations/elements/backlash.py",
     "report/chapters/appendix_a/claims/listings_a_7_and_a_8_over_time.py",
 )
 b = sympy.Symbol("b", positive=True)
-SAMPLES = 2003
-"""Samples of a period in the figures, none of which is an instant at which Listing A.8 applies no line."""
 MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
 ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
-"""A gap, m."""
-GAPS = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)
-"""Gaps of our figure 4.3, m; those of the thesis are not given."""
+"""Gap that stands for no gap, m."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
-RATIO = 1 / 99
-"""Printed M/D, s."""
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
-
-
-def phases(samples: int = SAMPLES) -> Reals:
-    """Return the phases of two periods of the pin, rad."""
-    return TURN * np.arange(2 * samples) / samples
-
-
-def own_block(samples: int = SAMPLES) -> Reals:
-    """Return the output of Listing A.7 for the sine of figure 4.1 from rest, m."""
-    return load_in_play.stepped(friction_block, DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
-
-
-def built_in_block(samples: int = SAMPLES) -> Reals:
-    """Return the output of python-control's backlash for the same sine from rest, m."""
-    return load_in_play.stepped_by_library(DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
-
-
-def listing_a8() -> Reals:
-    """Return the output of Listing A.8 for its own drive, m."""
-    return inertia_block(DRIVE_AMPLITUDE * np.sin(phases()), phases() / DRIVE_OMEGA)
-
-
-def exact_inertia(gap: float) -> Reals:
-    """Return the derived waveform of a load without friction, m; the pin itself without gap."""
-    if gap == 0:
-        return DRIVE_AMPLITUDE * np.sin(phases())
-    return InertiaBacklash(gap).waveform(phases(), DRIVE_AMPLITUDE)
 
 
 @claim("fig-4.1", source=BLOCKS)
 def two_blocks(_: Evidence) -> Record:
-    distance = float(np.abs(own_block() - built_in_block()).max())
-    own, settled = own_block()[SAMPLES:], FrictionBacklash(DRIVE_GAP).waveform(phases(), DRIVE_AMPLITUDE)
+    distance = float(np.abs(blocks.own_block() - blocks.built_in_block()).max())
+    own, settled = (
+        blocks.own_block()[blocks.SAMPLES :],
+        FrictionBacklash(TIMED_GAP).waveform(blocks.phases(), DRIVE_AMPLITUDE),
+    )
     waveform = "the derived waveform in the second period"
     yield assertion(
         "built-in and own block, $b$ = 0.0004 m",
@@ -88,7 +59,7 @@ def two_blocks(_: Evidence) -> Record:
         distance <= ROUNDING,
         f"over two periods from rest they differ by {distance:.1g} m at most",
         method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
-        second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[SAMPLES:])), 1e-5),
+        second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[blocks.SAMPLES :])), 1e-5),
     )
     yield text("""
         The blocks agree from the start on, not only when settled; Simulink's own block is taken to be what
@@ -99,9 +70,9 @@ def two_blocks(_: Evidence) -> Record:
 
 @claim("fig-4.2", source=BLOCKS)
 def block_with_inertia(_: Evidence) -> Record:
-    distance = float(np.abs(listing_a8() - exact_inertia(DRIVE_GAP)).max())
+    distance = float(np.abs(blocks.listing_a8() - blocks.exact_inertia(TIMED_GAP)).max())
     share = 100 * distance / DRIVE_AMPLITUDE
-    lacking = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2 - float(PRINTED_OFFSET)
+    lacking = math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2 - float(LISTED_OFFSET)
     constant = r"what the constant of line 12 lacks of $\pi A + b/2$"
     yield assertion(
         "output of Listing A.8 for its own drive",
@@ -120,7 +91,7 @@ def block_with_inertia(_: Evidence) -> Record:
 
 @claim("fig-4.3", source=SOURCE)
 def gaps(_: Evidence) -> Record:
-    phase, element = phases()[:SAMPLES], InertiaBacklash(VANISHING)
+    phase, element = blocks.phases()[: blocks.SAMPLES], InertiaBacklash(VANISHING)
     output = element.waveform(phase, DRIVE_AMPLITUDE)
     distance = float(np.abs(output - DRIVE_AMPLITUDE * np.sin(phase)).max())
     vanishes = r"the flight lasts for $\phi$ with $b/A = \phi - \sin\phi$, so it vanishes with the gap"
@@ -129,7 +100,7 @@ def gaps(_: Evidence) -> Record:
     yield assertion(
         "$b$ = 0",
         "the output is the input",
-        distance <= VANISHING and inertia_contact_ratio().subs(CONTACT, 0) == 0,
+        distance <= VANISHING and backlash.inertia_contact_ratio().subs(backlash.CONTACT, 0) == 0,
         f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
@@ -147,8 +118,10 @@ def gaps(_: Evidence) -> Record:
 @claim("txt-4.2.1-block-equivalence", source=SOURCE)
 def equivalent_blocks(_: Evidence) -> Record:
     yield from friction_parts("Listing A.7, ")
-    output, library = own_block(MORE_SAMPLES), built_in_block(MORE_SAMPLES)
-    waveform = FrictionBacklash(DRIVE_GAP).waveform(phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE)
+    output, library = blocks.own_block(MORE_SAMPLES), blocks.built_in_block(MORE_SAMPLES)
+    waveform = FrictionBacklash(TIMED_GAP).waveform(
+        blocks.phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE
+    )
     distance = float(np.abs(output[MORE_SAMPLES:] - waveform).max())
     between_samples = DRIVE_AMPLITUDE * (1 - math.cos(math.pi / MORE_SAMPLES))
     off, samples = f"it is off by {1e9 * distance:.2f} nm at most", f"{MORE_SAMPLES} samples a period"
@@ -173,17 +146,17 @@ def equivalent_blocks(_: Evidence) -> Record:
 
 @claim("txt-4.2.2-zero-gap", source=SOURCE)
 def zero_gap(_: Evidence) -> Record:
-    flight, contact = inertia_contact_ratio(), inertia_waveform(b).segments[1].value
-    slope = sympy.diff(flight, CONTACT) - 2 * sympy.sin(CONTACT / 2) ** 2
+    flight, contact = backlash.inertia_contact_ratio(), backlash.inertia_waveform(b).segments[1].value
+    slope = sympy.diff(flight, backlash.CONTACT) - 2 * sympy.sin(backlash.CONTACT / 2) ** 2
     root = "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad"
     zero = r"$b/A = \phi - \sin\phi$ is zero for $\phi = 0$"
     yield assertion(
         "flight",
         "without a gap there is no flight",
-        flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        flight.subs(backlash.CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
-        second=so(root, load_in_play.phase_of_flight(1e-9) < 0.002),
+        second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
@@ -193,20 +166,19 @@ def zero_gap(_: Evidence) -> Record:
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    yield text(
-        """
+    yield text("""
         Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
         output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
         for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
-        """,
-        left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()),
-    )
+    """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
 
 
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
 def roles(_: Evidence) -> Record:
     free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
-    lighter, usual, heavier = (load_in_play.speed_left(each * RATIO, RATIO) for each in (0.5, 1, 2))
+    lighter, usual, heavier = (
+        load_in_play.speed_left(each * TIME_CONSTANT, TIME_CONSTANT) for each in (0.5, 1, 2)
+    )
     means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
     yield assertion(
         "$D$ as the amount of inertia, $M$ as the amount of friction",
@@ -231,9 +203,9 @@ def roles(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
 def gamma(_: Evidence) -> Record:
-    right = RATIO * DRIVE_OMEGA
+    right = TIME_CONSTANT * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
-    by_decay = -1 / math.log(load_in_play.speed_left(RATIO, 1 / DRIVE_OMEGA))
+    by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
@@ -245,24 +217,21 @@ def gamma(_: Evidence) -> Record:
         unit == TIME**-1,
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
-        second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
+        second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
     )
-    yield text(
-        r"""
+    yield text(r"""
         With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
         is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
 
         The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
         hundred times larger.
-        """,
-        right=right,
-    )
+    """).given(right=right)
 
 
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
 def angle_of_separation(_: Evidence) -> Record:
-    gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
-    printed, right = (float(separation_angle().subs(GAMMA, each)) for each in gammas)
+    gammas = (float(PRINTED_GAMMA), TIME_CONSTANT * DRIVE_OMEGA)
+    printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)
     of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
     means = r"the angle of $\gamma + j$"
     second = close(means, of_printed, printed)
@@ -279,13 +248,9 @@ def angle_of_separation(_: Evidence) -> Record:
         method="angle over angular frequency",
         second=close("the share of a turn, of the period of 10 ms", share, as_time),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
         [[ degrees | f2 ]] degrees, and it is an angle, not a time.
 
         None on later numbers: the section computes no waveform from it.
-        """,
-        angle=right,
-        degrees=math.degrees(right),
-    )
+    """).given(angle=right, degrees=math.degrees(right))

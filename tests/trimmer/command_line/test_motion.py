@@ -8,9 +8,12 @@ import wave
 from dataclasses import replace
 from pathlib import Path
 
+import control
 import pytest
 
+from trimmer import InertiaBacklash, harmonic_balance, periodic_orbits
 from trimmer.command_line.main import main
+from trimmer.command_line.orbits_text import as_json, as_text
 from trimmer.parameters import TrimmerParameters
 
 CLOSED = [
@@ -57,8 +60,8 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
     with wave.open(str(sound)) as file:
         assert file.getframerate() >= 8000
         assert file.getnframes() / file.getframerate() == pytest.approx(1.0, abs=0.01)
-    told = capsys.readouterr().out.splitlines()
-    assert told[-2:] == [f"wrote {table}", f"wrote {sound}"]
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[-2:] == [f"wrote {table}", f"wrote {sound}"]
     assert main(["spectrum", str(table), "--column", "q2-q4", "--drive", "110", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)
 
@@ -102,7 +105,28 @@ def test_orbits_stand_beside_their_predictions(capsys: pytest.CaptureFixture[str
     assert orbits[0]["amplitude"] == pytest.approx(8.28949 * 4e-6, rel=1e-6)
 
 
-def test_orbits_tell_where_their_predictions_are_undecided(
+def test_orbits_say_what_was_searched(capsys: pytest.CaptureFixture[str]) -> None:
+    chosen = ["orbits", "--element", "coulomb", "--force", "0.5", "--channels", "displacement"]
+    assert main(chosen) == 0
+    shown = capsys.readouterr().out
+    assert "searched: harmonic balance, which predicts no limit cycle; all orbits of the relay" in shown
+    assert "32 came to rest" in shown
+    assert main([*chosen, "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["orbits"] == []
+    assert content["search"] in shown
+
+
+def test_an_orbit_without_prediction_stands_in_the_table() -> None:
+    system, element = control.ss(control.tf([20, 8.5], [1, 4.7, 0])), InertiaBacklash(0.64)
+    answer = element, harmonic_balance(system, element), periodic_orbits(system, element)
+    assert "0.150344" in as_text(*answer)
+    (entry,) = json.loads(as_json(*answer))["orbits"]
+    assert entry["amplitude"] == pytest.approx(0.150344, rel=1e-5)
+    assert (entry["amplitude_error"], entry["frequency_error"]) == (None, None)
+
+
+def test_orbits_state_where_their_predictions_are_undecided(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # Without damping G is real, so -1/G lies on the real axis, which N meets at infinite amplitude.
@@ -113,9 +137,9 @@ def test_orbits_tell_where_their_predictions_are_undecided(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert main(chosen) == 0
-        told = capsys.readouterr()
-        assert "undecided: 1394.27979 to 1394.27979 rad/s" in told.out
-        assert told.err == ""
+        printed = capsys.readouterr()
+        assert "undecided: 1394.27979 to 1394.27979 rad/s" in printed.out
+        assert printed.err == ""
         assert main([*chosen, "--json"]) == 0
     undecided = json.loads(capsys.readouterr().out)["certificate"]["undecided"]
     assert [region["amplitudes"][1] for region in undecided] == [None] * len(undecided)

@@ -29,12 +29,12 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.motion.complementarity import complementary_mode
 from trimmer.motion.initial import initial_segment
 from trimmer.motion.kernel import LONGEST_CASCADE, REACHED_END
 from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.relay_component import HELD, MINUS, PLUS
-from trimmer.motion.settling import settled
-from trimmer.motion.tables import SETTLED
+from trimmer.motion.tables import TOGETHER
 
 THESIS = TrimmerParameters.thesis()
 AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
@@ -179,9 +179,9 @@ def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -
     assert (abs(forces[[1, 2, 4]]).max(axis=1) <= [0.2, 1.7, 0.1]).all()
 
 
-def test_complementarity_decides_as_the_march_does() -> None:
-    """The march goes from event to event within an instant; or all frictions are settled at once."""
-    settled_segments = 0
+def test_complementarity_decides_as_the_integration_does() -> None:
+    """The integration goes from event to event within an instant; or all frictions are decided together."""
+    decided = 0
     for ring in [*EXAMPLES.values(), *(some_frictions(seed, 3, 6) for seed in range(12))]:
         loop = loop_of(ring, FrictionBacklash(2e-4))
         mode, state = initial_segment(loop, loop.modes, None, 0.0, 0.0)
@@ -191,7 +191,7 @@ def test_complementarity_decides_as_the_march_does() -> None:
             reason, log, end = march_on(loop.modes, log, 0.03, 100_000, longest_cascade=longest)
             assert reason == REACHED_END
             motions.append(Motion(loop, end, Outcome.COMPLETED, log))
-            settled_segments += int((log.event_function == SETTLED).sum())
+            decided += int((log.event_function == TOGETHER).sum())
         times = np.linspace(0.0, 0.03, 100)
         first, second = (motion.state(times) for motion in motions)
         assert second == pytest.approx(first, rel=1e-10, abs=1e-14)
@@ -200,7 +200,7 @@ def test_complementarity_decides_as_the_march_does() -> None:
             for motion in motions
         ]
         assert [(name, mode) for name, _, mode in listed[0]] == [(name, mode) for name, _, mode in listed[1]]
-    assert settled_segments > 100
+    assert decided > 100
 
 
 @pytest.mark.parametrize("seed", range(60))
@@ -220,7 +220,7 @@ def test_the_mode_of_any_instant_is_that_of_the_complementarity_problem(seed: in
     sliding = [float(np.array(each.row) @ state[4:8]) for each, _ in ring]
     first = modes.number((0, *(HELD if v == 0 else PLUS if v > 0 else MINUS for v in sliding)))
     at_rest = tuple(k + 1 for k, v in enumerate(sliding) if v == 0)
-    expected = settled(modes, first, state, at_rest) if at_rest else first
+    expected = complementary_mode(modes, first, state, at_rest) if at_rest else first
     reason, log, _ = march_on(modes, new_log(64, first, state), 1e-9, 1000)
     assert reason == REACHED_END
     assert modes.component_modes(int(log.mode[-1])) == modes.component_modes(expected)

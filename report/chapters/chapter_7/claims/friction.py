@@ -4,19 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    METHOD,
-    SOURCE,
-    confirm_period,
-    has_the_drives_period,
-    period_in_words,
-)
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_3 import BIN, PEAK, PREDICTED
 from report.claim import Impact
 from report.evidence import Evidence
 from report.parts import assertion, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import EXPERIMENT_GAP
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
@@ -32,15 +25,11 @@ def coulomb_friction(known: Evidence) -> Record:
         "amplitude",
         "friction between cutter and guard makes the limit cycle smaller",
         bool(np.all(np.diff(stable.amplitude) < 0)),
-        filled(
-            """
-            from [[ without | f3 ]] gaps without friction to [[ last | f3 ]] gaps at $F_c/b$ =
-            [[ force | f0 ]] N/m
-            """,
-            without=stable.amplitude[0],
-            last=merger.amplitude,
-            force=merger.force_per_gap,
-        ),
+        """
+        from [[ without | f3 ]] gaps without friction to [[ last | f3 ]] gaps at $F_c/b$ = [[ force | f0 ]]
+        N/m
+        """,
+        numbers={"without": stable.amplitude[0], "last": merger.amplitude, "force": merger.force_per_gap},
         method=BRANCH_METHOD,
         second=so("exact simulation of both channels", becomes_smaller),
     )
@@ -52,22 +41,19 @@ def coulomb_friction(known: Evidence) -> Record:
         "existence",
         "enough friction ends it",
         all(np.all(np.diff(each.force_per_gap) > 0) for each in (stable, branch.unstable)),
-        filled(
-            "at $F_c$ = [[ share | f4 ]] $k_2 b$ it meets the unstable one, and beyond there is none",
-            share=merger.force_per_gap / known.numbers.parameters.k2,
-        ),
+        "at $F_c$ = [[ share | f4 ]] $k_2 b$ it meets the unstable one, and beyond there is none",
+        numbers={"share": merger.force_per_gap / known.numbers.parameters.k2},
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),
     )
-    yield text(
-        """
+    yield text("""
         With friction in its place, between cutter and guard, and with its right sign, the conclusion holds,
         with a number: it takes [[ per_gap | f0 ]] N per metre of gap, [[ force | f2 ]] N for [[ gap | f0 ]]
         µm; with both channels of the pin [[ per_gap_both | f0 ]] N/m and [[ force_both | f2 ]] N. Section
         5.2.5 says the opposite: with Listing A.6 the amplitude grows with the force, to [[ listing | f0 ]] mm
         at 0.6 N. The rest position stays stable, as the text has it; the more friction, the larger a
         disturbance it survives, and beyond that force any.
-        """,
+    """).given(
         per_gap=merger.force_per_gap,
         force=force,
         gap=1e6 * EXPERIMENT_GAP,
@@ -77,15 +63,15 @@ def coulomb_friction(known: Evidence) -> Record:
     )
 
 
-@claim("txt-7-coulomb-evidence", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("txt-7-coulomb-evidence", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
 def where_it_was_shown(known: Evidence) -> Record:
     yield assertion(
         "the experiment",
         "it can show a limit cycle that friction suppresses",
-        not has_the_drives_period(known),
-        period_in_words(known),
-        method=METHOD,
-        second=confirm_period(known),
+        not driven.has_the_drives_period(known),
+        driven.period_in_words(known),
+        method=driven.METHOD,
+        second=driven.confirm_period(known),
     )
     yield assertion(
         "section 3.3",
