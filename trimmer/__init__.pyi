@@ -32,6 +32,7 @@ from .errors import TrimmerError as TrimmerError
 from .errors import UndecidedWarning as UndecidedWarning
 from .errors import UnsupportedElementError as UnsupportedElementError
 from .errors import UnsupportedMotionError as UnsupportedMotionError
+from .errors import WrongTypeError as WrongTypeError
 from .files import FileWriteError as FileWriteError
 from .files import write_atomically as write_atomically
 from .linear.crossings import RealAxisCrossing as RealAxisCrossing
@@ -41,7 +42,7 @@ from .linear.extrema import Extremum as Extremum
 from .linear.extrema import antiresonances as antiresonances
 from .linear.extrema import resonance_peaks as resonance_peaks
 from .linear.frequency_response import UnsupportedSystemError as UnsupportedSystemError
-from .linear.frequency_response import frequency_response as frequency_response
+from .linear.frequency_response import response_at as response_at
 from .linear.low_pass import asymptotic_roll_off as asymptotic_roll_off
 from .linear.low_pass import bandwidth as bandwidth
 from .linear.low_pass import bandwidth_crossings as bandwidth_crossings

@@ -7,6 +7,10 @@ class TrimmerError(Exception):
     """Something given by the user cannot be used; the message stands alone and says what to do."""
 
 
+class WrongTypeError(TrimmerError, TypeError):
+    """An argument of another type than the one that is needed; the message names argument and value."""
+
+
 class FrequencyRangeError(TrimmerError, ValueError):
     """A range of frequencies that cannot be used."""
 

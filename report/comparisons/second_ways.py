@@ -12,7 +12,7 @@ from report.numbers.independent import loci
 from report.numbers.independent.waveforms import ODD_ORDERS, at_the_jump
 from report.numbers.independent.waveforms import sampled_gain as sampled_gain
 from report.parts import close, equal, small, so
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.elements.element import Element
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
@@ -59,7 +59,7 @@ def by_waveform(
     worst = max(
         abs(1 + sampled_gain(element, cycle.amplitude, cycle.omega) * complex(response))
         for element, cycle in pairs
-        for response in [frequency_response(system, cycle.omega)]
+        for response in [response_at(system, cycle.omega)]
     )
     return small("the first line in the spectrum of the waveform", worst, CLOSES)
 

@@ -16,7 +16,7 @@ import mpmath
 
 from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
-from trimmer import InputChannels, frequency_response
+from trimmer import InputChannels, response_at
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.coulomb_friction import CoulombFriction
@@ -150,7 +150,7 @@ def _newton(
 
     def residual(log_amplitude: float, log_omega: float) -> tuple[float, float]:
         a, w = amplitude * math.exp(log_amplitude), omega * math.exp(log_omega)
-        loop = 1 + element(a, w) * complex(frequency_response(system, w))
+        loop = 1 + element(a, w) * complex(response_at(system, w))
         return loop.real, loop.imag
 
     log_amplitude, log_omega = mpmath.findroot(residual, (0, 0))

@@ -112,9 +112,9 @@ def _start_from_rest(parameters: TrimmerParameters) -> StartFromRest:
     times = np.arange(0, 0.4, 1 / SAMPLES_PER_SECOND)
     omega = 2 * math.pi * DRIVE_FREQUENCY
     pin = DRIVE_AMPLITUDE * np.vstack([np.sin(omega * times), omega * np.cos(omega * times)])
-    response = time_response(linear_model(parameters)[0, 0], pin[0], times)
+    response = time_response(linear_model(parameters)[0, 0], times, pin[0])
     first, last = times < FIRST_PERIOD, times > times[-1] - FIRST_PERIOD
     return StartFromRest(
-        deviation=float(np.abs(response.output - pin[0])[first].max()),
-        settled_amplitude=float(np.ptp(response.output[last]) / 2),
+        deviation=float(np.abs(response.outputs - pin[0])[first].max()),
+        settled_amplitude=float(np.ptp(response.outputs[last]) / 2),
     )

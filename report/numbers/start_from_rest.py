@@ -13,4 +13,4 @@ def pin_and_output(parameters: TrimmerParameters, times: Reals) -> tuple[Reals, 
     """Return the pin's displacement and the output of the thesis's model, m, at equally spaced times, s."""
     pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)
     system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
-    return pin, time_response(system, pin, times).output
+    return pin, time_response(system, times, pin).outputs

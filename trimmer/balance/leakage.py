@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
     import control
@@ -43,7 +43,7 @@ def harmonic_leakage(
 
     def returned(harmonic: int) -> float:
         gain = element.describing_function(cycle.amplitude, cycle.omega, harmonic)
-        return float(np.abs(gain * frequency_response(G, harmonic * cycle.omega)))
+        return float(np.abs(gain * response_at(G, harmonic * cycle.omega)))
 
     fundamental = returned(1)
     return tuple(returned(harmonic) / fundamental for harmonic in harmonics)

@@ -42,7 +42,7 @@ def require_siso(system: control.lti.LTI) -> None:
         )
 
 
-def frequency_response(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
+def response_at(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
     """Evaluate G(j omega) (equations 2.15 and 2.16 of the thesis).
 
     Args:

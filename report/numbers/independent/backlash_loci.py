@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.path import Path
 
 from report.thesis import PLOT_OFFSET
-from trimmer import Element, FrictionBacklash, InertiaBacklash, ViscousBacklash, frequency_response
+from trimmer import Element, FrictionBacklash, InertiaBacklash, ViscousBacklash, response_at
 
 LIBRARY_GAP = 1e-4
 """m."""
@@ -32,7 +32,7 @@ def distance_from_curve(system: control.TransferFunction, element: Element, omeg
     """Return how far G is from the curve -1/N at an angular frequency (rad/s)."""
     ratios = np.linspace(1e-4, 0.9999, 4000) * float(element.domain(1.0))
     curve = -1 / element.describing_function(1 / ratios)
-    return float(np.abs(curve - complex(frequency_response(system, omega))).min())
+    return float(np.abs(curve - complex(response_at(system, omega))).min())
 
 
 def lies_between_the_limits(gamma: float) -> bool:

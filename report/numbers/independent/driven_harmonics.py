@@ -15,7 +15,7 @@ from report.numbers.friction_in_place import force_response
 from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.record import line_amplitudes
 from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import Body, TrimmerParameters, frequency_response
+from trimmer import Body, TrimmerParameters, response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 PHASES = 2**13
@@ -35,7 +35,7 @@ def harmonic_of_play(system: control.StateSpace, gap: float, order: int) -> floa
 
 
 def _gain(system: control.StateSpace | control.TransferFunction, order: int) -> float:
-    return float(abs(complex(frequency_response(system, TURN * order * MEASURED_DRIVE_FREQUENCY))))
+    return float(abs(complex(response_at(system, TURN * order * MEASURED_DRIVE_FREQUENCY))))
 
 
 def guard_over_cutter(parameters: TrimmerParameters, gap: float, force: float) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import control
 import numpy as np
 
-from trimmer import frequency_response
+from trimmer import response_at
 
 OMEGAS = np.linspace(1.0, 2e4, 20_001)
 """Angular frequencies at which the phase is looked at, rad/s: far beyond the last natural mode."""
@@ -17,7 +17,7 @@ def gains_where_phases_match(system: control.StateSpace | control.TransferFuncti
     """Return the least and the largest |N G| over all frequencies where G leads by what backlash lags."""
     library = control.friction_backlash_nonlinearity(1.0)
     lag = np.array([-np.angle(library.describing_function(float(each))) for each in AMPLITUDES])
-    response = np.asarray(frequency_response(system, OMEGAS))
+    response = np.asarray(response_at(system, OMEGAS))
     response = response[np.angle(response) > 0]
     matching = np.interp(np.angle(response), lag[::-1], AMPLITUDES[::-1])
     gains = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import control
 import numpy as np
 
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -20,7 +20,7 @@ STEP = 1e-6
 
 def crossings(system: control.TransferFunction) -> int:
     """Return how often a locus crosses the negative real axis."""
-    response = frequency_response(system, GRID)
+    response = response_at(system, GRID)
     return int((np.diff(np.sign(response.imag)).astype(bool) & (response.real[1:] < 0)).sum())
 
 
@@ -30,7 +30,7 @@ def solutions(system: control.TransferFunction, share: float) -> int:
     At each frequency of a grid the real part of N, which rises with A, gives A; what is left of the imaginary
     part then changes its sign at a solution.
     """
-    needed = -1 / np.asarray(frequency_response(system, FINE_GRID))
+    needed = -1 / np.asarray(response_at(system, FINE_GRID))
     amplitudes = 0.5 + np.geomspace(1e-9, 1e6, FINE_GRID.size)
     element = FrictionBacklash(1.0).describing_function(amplitudes)
     amplitude = np.interp(needed.real, element.real, amplitudes, left=np.nan, right=np.nan)
@@ -41,7 +41,7 @@ def solutions(system: control.TransferFunction, share: float) -> int:
 
 def phase_range(system: control.TransferFunction) -> tuple[float, float]:
     """Return the lowest and the highest phase of a locus, degrees."""
-    phase = np.degrees(np.unwrap(np.angle(frequency_response(system, PHASE_GRID))))
+    phase = np.degrees(np.unwrap(np.angle(response_at(system, PHASE_GRID))))
     return float(phase.min()), float(phase.max())
 
 
@@ -49,7 +49,7 @@ def angle(system: control.TransferFunction, element: Element, cycle: LimitCycle)
     """Return the angle between N and -1/G at a limit cycle, rad, at most π/2."""
     around = np.array([1 - STEP, 1 + STEP])
     gains = element.describing_function(cycle.amplitude * around)
-    inverse = -1 / frequency_response(system, cycle.omega * around)
+    inverse = -1 / response_at(system, cycle.omega * around)
     directions = [complex(np.diff(curve)[0]) for curve in (gains, inverse)]
     turned = abs(np.angle(directions[1] / directions[0]))
     return float(min(turned, np.pi - turned))

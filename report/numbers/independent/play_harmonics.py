@@ -6,7 +6,7 @@ import control
 import numpy as np
 
 from report.thesis import TURN
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 HARMONICS = np.arange(3, 80, 2)
@@ -19,7 +19,7 @@ def play_harmonic(
 ) -> complex:
     """Return a harmonic of the output, m, for a pin of this amplitude (m) and angular frequency (rad/s)."""
     element = FrictionBacklash(gap).describing_function(amplitude, harmonic=order)
-    return complex(element) * complex(frequency_response(system, omega * order)) * amplitude
+    return complex(element) * complex(response_at(system, omega * order)) * amplitude
 
 
 def play_ripple(system: control.StateSpace, gap: float, amplitude: float, omega: float) -> float:
@@ -27,5 +27,5 @@ def play_ripple(system: control.StateSpace, gap: float, amplitude: float, omega:
     waveform = FrictionBacklash(gap).waveform(TURN * np.arange(PHASES) / PHASES, amplitude)
     lines = np.fft.rfft(waveform)
     passed = np.zeros_like(lines)
-    passed[HARMONICS] = lines[HARMONICS] * frequency_response(system, omega * HARMONICS)
+    passed[HARMONICS] = lines[HARMONICS] * response_at(system, omega * HARMONICS)
     return float(np.ptp(np.fft.irfft(passed))) / 2

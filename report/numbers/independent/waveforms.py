@@ -11,7 +11,7 @@ import sympy
 
 from derivations.elements.backlash import CONTACT, inertia_contact_ratio
 from derivations.elements.waveform import THETA, Segment, Waveform
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.elements.element import Element
 
 DIGITS = 30
@@ -51,5 +51,5 @@ def at_the_jump(system: control.TransferFunction, frequency: float, feedback: fl
 
     ``feedback`` is a gain round the system.
     """
-    response = frequency_response(system, 2 * np.pi * frequency * ODD_ORDERS)
+    response = response_at(system, 2 * np.pi * frequency * ODD_ORDERS)
     return float(np.sum((response / (1 + feedback * response)).imag / ODD_ORDERS))

@@ -13,7 +13,7 @@ from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
@@ -116,7 +116,7 @@ def two_systems(known: Evidence) -> Record:
         known.cycles.friction_listing.stable,
         (known.numbers.displacement_only, known.cycles.listing),
     )
-    drawn, searched = (complex(frequency_response(system, cycle.omega)) for system in systems)
+    drawn, searched = (complex(response_at(system, cycle.omega)) for system in systems)
     exact = float(gain(known.numbers, cycle.omega))
     yield assertion(
         "line 13, `nyquist(G(1))`, and lines 18 to 20, `G_1`",

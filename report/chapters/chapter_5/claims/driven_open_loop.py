@@ -10,7 +10,7 @@ from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
 from report.parts import assertion, close, made_here, so
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import FrictionBacklash, frequency_response
+from trimmer import FrictionBacklash, response_at
 
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
 PRINTED_SIZE = 1.0
@@ -31,7 +31,7 @@ def open_loop(known: Evidence) -> AmplitudeRun:
 def harmonic_in_open_loop(known: Evidence, order: int) -> Confirmation:
     """Confirm a harmonic of the settled open loop without simulation."""
     element = complex(FrictionBacklash(LARGE_GAP).describing_function(DRIVE_AMPLITUDE, harmonic=order))
-    response = complex(frequency_response(known.numbers.displacement_only, order * DRIVE_OMEGA))
+    response = complex(response_at(known.numbers.displacement_only, order * DRIVE_OMEGA))
     by_balance, simulated = DRIVE_AMPLITUDE * abs(element * response), open_loop(known).harmonics[order]
     means = f"harmonic {order} by describing function and frequency response"
     return close(means, by_balance, float(simulated), 1e-4)

@@ -27,9 +27,9 @@ from trimmer import (
     InputChannels,
     TrimmerParameters,
     filtering_ratio,
-    frequency_response,
     linear_model,
     resonance_peaks,
+    response_at,
     transfer_function,
 )
 from trimmer.linear.extrema import Extremum
@@ -186,7 +186,7 @@ def output_matrix(known: Evidence) -> Record:
     )
     system = lightly_damped_trimmer(parameters)
     highest = known.numbers.undamped[-1].omega
-    beside = abs(frequency_response(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
+    beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
     yield text(
         """

@@ -20,7 +20,7 @@ from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
-from trimmer import InertiaBacklash, frequency_response
+from trimmer import InertiaBacklash, response_at
 
 NEWTON = "Newton's method in 30 digits"
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
@@ -194,7 +194,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
     multiple = DRIVE_FREQUENCY * round(peak / DRIVE_FREQUENCY)
     seventh = float(block.harmonics[7])
     gain = InertiaBacklash(GAP).describing_function(DRIVE_AMPLITUDE, harmonic=7)
-    response = frequency_response(known.numbers.displacement_only, 7 * DRIVE_OMEGA)
+    response = response_at(known.numbers.displacement_only, 7 * DRIVE_OMEGA)
     by_balance = DRIVE_AMPLITUDE * abs(complex(gain * response))
     evidence = filled(
         """

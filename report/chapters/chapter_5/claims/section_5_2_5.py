@@ -26,7 +26,7 @@ from report.parts import assertion, close, digits, equal, expression, made_here,
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, TURN
-from trimmer import frequency_response
+from trimmer import response_at
 
 OPERATOR, BODIES = "derivations/elements/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
@@ -147,7 +147,7 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
 
 def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmation:
     """Confirm a solution by the loop, with its angular frequency (rad/s) and the element's value there."""
-    response = complex(frequency_response(known.numbers.displacement_only, turning))
+    response = complex(response_at(known.numbers.displacement_only, turning))
     return close("$NG$ at that amplitude and frequency", element * response, -1)
 
 

@@ -22,7 +22,7 @@ from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.balance.leakage import harmonic_leakage
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
@@ -54,8 +54,8 @@ def assumptions(known: Evidence) -> Record:
 def _single(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     omegas = np.array([pair.unstable.omega, pair.stable.omega])
-    pin = frequency_response(numbers.displacement_only, omegas) / numbers.parameters.k2
-    quotients = frequency_response(force_response(numbers.parameters), omegas) / pin
+    pin = response_at(numbers.displacement_only, omegas) / numbers.parameters.k2
+    quotients = response_at(force_response(numbers.parameters), omegas) / pin
     # Cutter against guard: its weights are the directions of friction's forces.
     by_friction, by_pin = (
         np.array([BY_FRICTION @ displacements(numbers.parameters, omega, forces) for omega in omegas])

@@ -33,7 +33,7 @@ from report.parts import assertion, close, expression, small, so
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -47,7 +47,7 @@ BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 def fifth_harmonic(known: Evidence, amplitude: float, frequency: float) -> float:
     """Return the amplitude of the fifth harmonic behind backlash and linear part in open loop, m."""
     gain = FrictionBacklash(LARGE_GAP).describing_function(amplitude, harmonic=FIFTH)
-    response = frequency_response(known.numbers.displacement_only, TURN * FIFTH * frequency)
+    response = response_at(known.numbers.displacement_only, TURN * FIFTH * frequency)
     return float(amplitude * abs(gain * response))
 
 

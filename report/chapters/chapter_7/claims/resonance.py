@@ -12,7 +12,7 @@ from report.parts import assertion, close, so
 from report.record import Record, claim, text
 from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, TURN
-from trimmer import InputChannels, frequency_response, resonance_peaks, transfer_function
+from trimmer import InputChannels, resonance_peaks, response_at, transfer_function
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
@@ -120,5 +120,5 @@ def resonance(known: Evidence) -> Record:
 def share_of_third(known: Evidence, omega: float) -> float:
     """Return |G| at three times an angular frequency (rad/s) over |G| at it."""
     system = known.numbers.displacement_only
-    third, first = (abs(complex(frequency_response(system, order * omega))) for order in (THIRD, 1))
+    third, first = (abs(complex(response_at(system, order * omega))) for order in (THIRD, 1))
     return float(third / first)
