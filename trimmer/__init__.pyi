@@ -103,6 +103,7 @@ from .spectra.classification import Harmonic as Harmonic
 from .spectra.classification import LimitCycleLine as LimitCycleLine
 from .spectra.classification import Match as Match
 from .spectra.classification import NaturalMode as NaturalMode
+from .spectra.classification import Tolerance as Tolerance
 from .spectra.classification import classify as classify
 from .spectra.harmonics import HarmonicFit as HarmonicFit
 from .spectra.harmonics import fit_harmonics as fit_harmonics

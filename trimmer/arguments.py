@@ -49,7 +49,7 @@ def require_instances(name: str, values: object, kinds: type[Any], wanted: str) 
     """
     if isinstance(values, str | bytes) or not hasattr(type(values), "__iter__"):
         raise WrongTypeError(f"{name} must be a sequence, each entry {wanted}, not {shown(values)}")
-    entries = tuple(values)  # type: ignore[arg-type]
+    entries: tuple[Any, ...] = tuple(values)  # type: ignore[arg-type]
     for place, entry in enumerate(entries):
         require_instance(f"{name}[{place}]", entry, kinds, wanted)
     return entries

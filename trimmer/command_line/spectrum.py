@@ -27,7 +27,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--drive",
         type=positive,
         metavar="HZ",
-        help="frequency of the drive, whose harmonics are fitted, and looked for among the peaks",
+        help="frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",
     )
     parser.add_argument(
         "--gap",
@@ -35,6 +35,12 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="M",
         help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",
+    )
+    parser.add_argument(
+        "--closed-loop",
+        action="store_true",
+        help="the pin follows the output although there is a drive; else a driven trimmer is not said to have "
+        "a limit cycle, which needs that feedback",
     )
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
     parser.add_argument(
@@ -111,6 +117,7 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
         predictions.limit_cycles,
         Window[arguments.window.upper().replace("-", "_")],
         arguments.limit,
+        closed_loop=arguments.closed_loop,
     )
 
 

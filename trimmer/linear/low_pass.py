@@ -29,8 +29,8 @@ DECIBELS_PER_DECADE = 20.0
 def bandwidth(system: control.lti.LTI, dbdrop: float = -3.0) -> float:
     """Find the lowest frequency where |G| falls below its value at zero frequency by a number of decibels.
 
-    Definition and arguments are those of ``control.bandwidth``; an undefined bandwidth is an error here, where
-    that gives NaN or infinity. A drop of 3 dB is a factor 0.7079, not 1/sqrt(2).
+    Definition and arguments are those of ``control.bandwidth``; without a gain at zero frequency this is an
+    error, where that gives NaN or infinity. A drop of 3 dB is a factor 0.7079, not 1/sqrt(2).
 
     Args:
         system: A system with one input and one output.

@@ -112,8 +112,8 @@ def _checked_times(times: ArrayLike) -> Reals:
     if (distances <= 0).any():
         place = int(np.argmax(distances <= 0))
         raise ValueError(
-            f"times must rise, but {float(instants[place])!r} s is followed by {float(instants[place + 1])!r} s; "
-            "the instants come before the inputs"
+            f"times must rise, but {float(instants[place])!r} s is followed by "
+            f"{float(instants[place + 1])!r} s; the instants come before the inputs"
         )
     uneven = abs(distances - distances[0]) > SPACING_TOLERANCE * distances[0]
     if uneven.any():

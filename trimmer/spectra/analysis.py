@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from trimmer.arguments import require_instance
 from trimmer.signals.signal import Signal
-from trimmer.spectra.classification import ClassifiedPeak, classify
+from trimmer.spectra.classification import OPEN_LOOP, ClassifiedPeak, classify
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -18,44 +19,69 @@ USUAL_LIMIT = 20
 
 @dataclass(frozen=True, eq=False)
 class SpectrumAnalysis:
-    """Spectrum of a signal, harmonics of its drive (None without one), and peaks by falling amplitude."""
+    """Everything that one signal's spectrum tells.
+
+    Attributes:
+        signal: The signal.
+        spectrum: Its spectrum.
+        harmonics: Harmonics of its drive; None without one.
+        peaks: Peaks by falling amplitude.
+        notes: What is left out, and why; one sentence each.
+    """
 
     signal: Signal
     spectrum: Spectrum
     harmonics: HarmonicFit | None
     peaks: tuple[ClassifiedPeak, ...]
+    notes: tuple[str, ...] = ()
 
 
 def analyse_signal(
     signal: Signal,
-    drive: float | None = None,
+    drive_frequency: float | None = None,
     natural_frequencies: Sequence[float] = (),
-    limit_cycles: Sequence[float] = (),
+    limit_cycle_frequencies: Sequence[float] = (),
     window: Window = Window.HANN,
     limit: int = USUAL_LIMIT,
+    *,
+    closed_loop: bool = False,
 ) -> SpectrumAnalysis:
     """Compute the spectrum of a signal, find its peaks and say what they may be.
 
     Args:
         signal: The signal.
-        drive: Frequency of the drive, Hz; None without one.
+        drive_frequency: Frequency of the drive, Hz; None without one.
         natural_frequencies: Frequencies of the natural modes, Hz.
-        limit_cycles: Frequencies of the limit cycles, Hz.
+        limit_cycle_frequencies: Frequencies of the limit cycles, Hz. With a drive they are no candidates,
+            unless the loop is closed.
         window: Window function of the spectrum.
         limit: Number of peaks, the largest.
+        closed_loop: Whether the pin follows the output although there is a drive.
 
     Raises:
         SignalError: see ``amplitude_spectrum``, ``fit_harmonics``, ``peaks`` and ``classify``.
+        WrongTypeError: if an argument is of another type.
     """
+    require_instance("signal", signal, Signal, "a trimmer.Signal")
+    require_instance("window", window, Window, "a trimmer.Window")
+    left_out = drive_frequency is not None and not closed_loop and len(limit_cycle_frequencies) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
     return SpectrumAnalysis(
         signal=signal,
         spectrum=spectrum,
-        harmonics=None if drive is None else _harmonics(signal, drive),
-        peaks=classify(peaks(spectrum, limit), spectrum.bin_width, drive, natural_frequencies, limit_cycles),
+        harmonics=None if drive_frequency is None else _harmonics(signal, drive_frequency),
+        peaks=classify(
+            peaks(spectrum, limit),
+            spectrum.bin_width,
+            drive_frequency,
+            natural_frequencies,
+            limit_cycle_frequencies,
+            closed_loop=closed_loop,
+        ),
+        notes=(OPEN_LOOP,) if left_out else (),
     )
 
 
-def _harmonics(signal: Signal, drive: float) -> HarmonicFit:
+def _harmonics(signal: Signal, drive_frequency: float) -> HarmonicFit:
     """Fit the harmonics so that other lines, which are what is looked for, hardly leak into them."""
-    return fit_harmonics(signal.values, signal.sample_rate, drive, window=Window.HANN)
+    return fit_harmonics(signal.values, signal.sample_rate, drive_frequency, window=Window.HANN)
