@@ -1,6 +1,10 @@
 """The public names, for type checkers and for the package itself, which imports each on first use."""
 
+from .balance.feasible_frequencies import BandEnd as BandEnd
+from .balance.feasible_frequencies import FeasibleBand as FeasibleBand
+from .balance.identification import Identification as Identification
 from .balance.identification import IdentifiedTimeConstant as IdentifiedTimeConstant
+from .balance.identification import TimeConstantInterval as TimeConstantInterval
 from .balance.identification import identify_time_constant as identify_time_constant
 from .balance.leakage import harmonic_leakage as harmonic_leakage
 from .balance.limit_cycle import Certificate as Certificate

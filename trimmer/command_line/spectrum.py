@@ -39,8 +39,8 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--closed-loop",
         action="store_true",
-        help="the pin follows the output although there is a drive; else a driven trimmer is not said to have "
-        "a limit cycle, which needs that feedback",
+        help="the pin follows the output although there is a drive; else a driven trimmer is not said to "
+        "have a limit cycle, which needs that feedback",
     )
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
     parser.add_argument(

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
+from trimmer.arguments import shown
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
@@ -31,7 +32,8 @@ def require_siso(system: control.lti.LTI) -> None:
     """
     if not isinstance(system, control.StateSpace | control.TransferFunction):
         raise UnsupportedSystemError(
-            f"{type(system).__name__} is not accepted: give a control.StateSpace or control.TransferFunction"
+            f"as the system {type(system).__name__} is not accepted: give a control.StateSpace or "
+            f"control.TransferFunction, not {shown(system)}"
         )
     if not system.isctime():
         raise UnsupportedSystemError(f"a discrete-time system (dt = {system.dt}) is not accepted")
