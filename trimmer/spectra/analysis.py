@@ -63,7 +63,6 @@ def analyse_signal(
         WrongTypeError: if an argument is of another type.
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
-    require_instance("window", window, Window, "a trimmer.Window")
     left_out = drive_frequency is not None and not closed_loop and len(limit_cycle_frequencies) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
     return SpectrumAnalysis(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.arguments import real_number, whole_number
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
@@ -90,7 +90,6 @@ def fit_harmonics(
     values = checked_samples(np.asarray(signal))
     rate = checked_rate(sample_rate)
     real_number("drive_frequency", drive_frequency, "Hz")
-    require_instance("window", window, Window, "a trimmer.Window")
     if count is not None:
         whole_number("count", count, 0)
     count = _checked_count(values.size, rate, drive_frequency, count, window)
