@@ -1,1 +1,1 @@
-"""Symbolic derivations, in SymPy only: energies, equations of motion, state space and transfer functions."""
+"""Symbolic derivations, in SymPy only: the linear trimmer, and the describing functions of its elements."""

@@ -16,7 +16,13 @@ ACCELERATION = LENGTH / TIME**2
 
 @dataclass(frozen=True)
 class DimensionCheck:
-    """An expression, by name, and the dimension that it must have."""
+    """A derived expression and the dimension that it must have.
+
+    Attributes:
+        name: What the expression is, for the error message.
+        expression: The derived expression, a scalar.
+        expected: Its dimension by mechanics.
+    """
 
     name: str
     expression: sympy.Expr
@@ -33,7 +39,7 @@ class DimensionCheck:
 
 
 def dimension_checks(derivation: LinearTrimmer) -> tuple[DimensionCheck, ...]:
-    """Return one check for each derived expression, with the dimension that mechanics asks for."""
+    """Return one check for each derived expression: energies, accelerations, A, B and transfer functions."""
     return (
         DimensionCheck("kinetic energy", derivation.kinetic_energy, ENERGY),
         DimensionCheck("potential energy", derivation.potential_energy, ENERGY),
@@ -51,7 +57,7 @@ def dimension_checks(derivation: LinearTrimmer) -> tuple[DimensionCheck, ...]:
 
 
 def require_consistent(checks: tuple[DimensionCheck, ...]) -> None:
-    """Raise for the first check that fails.
+    """Check that every expression has its expected dimension; zero, which has any dimension, passes.
 
     Raises:
         DimensionError: naming the expression, the dimension found and the one expected.

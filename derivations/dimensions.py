@@ -19,7 +19,13 @@ class DimensionError(ValueError):
 
 @dataclass(frozen=True)
 class Dimension:
-    """Exponents of mass, length and time; an angle has none of them."""
+    """A physical dimension mass^a length^b time^c; an angle is a pure number.
+
+    Attributes:
+        mass: Exponent of mass, kg in SI units.
+        length: Exponent of length, m.
+        time: Exponent of time, s.
+    """
 
     mass: sympy.Rational | int = 0
     length: sympy.Rational | int = 0

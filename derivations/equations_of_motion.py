@@ -15,8 +15,12 @@ from derivations.symbols import t
 class MotionMatrices:
     """Matrices of M q̈ + C q̇ + K q = F_u u + F_v u̇.
 
-    ``mass``, ``damping`` and ``stiffness`` are n × n; ``displacement_force`` and ``velocity_force``
-    are the n × 1 forces per unit of pin displacement (N/m) and of pin velocity (N s/m).
+    Attributes:
+        mass: M, n × n for n bodies, kg.
+        damping: C, n × n, N s/m.
+        stiffness: K, n × n, N/m.
+        displacement_force: F_u, n × 1: force on each body per displacement of the pin, N/m.
+        velocity_force: F_v, n × 1: force on each body per velocity of the pin, N s/m.
     """
 
     mass: sympy.ImmutableMatrix
@@ -32,14 +36,20 @@ def lagrangian(mechanism: Mechanism) -> sympy.Expr:
 
 
 def euler_lagrange(lagrangian: sympy.Expr, dissipation: sympy.Expr, coordinate: sympy.Expr) -> sympy.Expr:
-    """Return d/dt(∂L/∂q̇) − ∂L/∂q + ∂R/∂q̇, N, which is zero in motion without other forces."""
+    """Return d/dt(∂L/∂q̇) − ∂L/∂q + ∂R/∂q̇, N (thesis, equation 2.6); without other forces it is zero.
+
+    Args:
+        lagrangian: L, J.
+        dissipation: Rayleigh's function R, W.
+        coordinate: The displacement q, m, a function of time.
+    """
     velocity = coordinate.diff(t)
     momentum = lagrangian.diff(velocity)
     return momentum.diff(t) - lagrangian.diff(coordinate) + dissipation.diff(velocity)
 
 
 def force_balances(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
-    """Return the Euler-Lagrange expression of each body, expanded, N."""
+    """Return the Euler-Lagrange expression of each body, expanded, N, in the order of the bodies."""
     energy, dissipation = lagrangian(mechanism), rayleigh_function(mechanism)
     return tuple(
         sympy.expand(euler_lagrange(energy, dissipation, body.coordinate)) for body in mechanism.bodies
@@ -49,7 +59,8 @@ def force_balances(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
 def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s².
 
-    The terms are collected and held in the order velocities, displacements, pin displacement, pin velocity.
+    The terms are collected, and held in the order of the thesis's equations 2.9: velocities, displacements,
+    displacement of the pin, velocity of the pin.
     """
     positions = [body.coordinate for body in mechanism.bodies]
     pin = mechanism.pin.displacement
@@ -72,7 +83,7 @@ def _term(coefficient: sympy.Expr, variable: sympy.Expr) -> sympy.Expr:
 
 
 def motion_matrices(mechanism: Mechanism) -> MotionMatrices:
-    """Return the matrices of the linear equations of motion.
+    """Return the matrices of the linear equations of motion, from derivatives of the force balances.
 
     Raises:
         ValueError: if the equations of motion are not linear in coordinates and input.

@@ -19,7 +19,10 @@ Terms = dict[sympy.Expr, tuple[sympy.Expr, ...]]
 
 
 def expands_to_zero(expression: sympy.Expr) -> bool:
-    """Say whether an expression is found to be zero; False for one that holds other functions or roots."""
+    """Return whether an expression is proven to be zero.
+
+    False proves nothing: it is also returned for an expression that holds other functions, or roots.
+    """
     exponential = expression.rewrite(_CIRCULAR, sympy.exp)
     terms = {each: sympy.Add.make_args(sympy.expand(each.exp)) for each in exponential.atoms(sympy.exp)}
     denominators = _denominators(terms)

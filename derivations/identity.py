@@ -27,7 +27,13 @@ _CIRCULAR = (sympy.sin, sympy.cos, sympy.exp)
 
 @dataclass(frozen=True)
 class Proof:
-    """Whether an identity holds, how that was settled, and whether points are all that speaks for it."""
+    """Outcome of the attempt to prove an identity.
+
+    Attributes:
+        holds: Whether both sides are equal, as far as it was settled.
+        method: How it was settled, in words.
+        sampled: Whether it rests on evaluation at random points alone, which is no proof.
+    """
 
     holds: bool
     method: str
@@ -35,7 +41,7 @@ class Proof:
 
 
 class UnprovenError(ValueError):
-    """Two expressions that a derivation takes for equal are not, or only points speak for it."""
+    """Two expressions that a derivation takes for equal are not proven to be equal."""
 
 
 def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy.true) -> Proof:
@@ -50,6 +56,9 @@ def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy
         The proof: by evaluation at a point where the sides differ, by reduction of the difference to zero, or
         by evaluation at ``POINTS`` random points to ``DIGITS`` digits; the points are rational, whole or odd
         as the symbols are.
+
+    Raises:
+        ValueError: if no random point satisfies the condition.
     """
     difference = _with_plain_symbols(sympy.sympify(left) - sympy.sympify(right))
     counterexample = _find_counterexample(difference, assume, QUICK_POINTS)
@@ -70,7 +79,12 @@ def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy
 
 @cache
 def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> Proof:
-    """Prove that two expressions are equal, which is expected: points are tried only where expansion fails.
+    """Prove that two scalar expressions are equal; expansion alone suffices for most, and is tried first.
+
+    Args:
+        name: What is to be proven, for the error message.
+        left: one side.
+        right: the other side.
 
     Raises:
         UnprovenError: naming what was to be proven, if they differ or only points speak for it.
@@ -82,7 +96,12 @@ def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> Proof:
 
 
 def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> Proof:
-    """Prove or disprove that two matrices have the same shape and equal entries."""
+    """Prove or disprove that two matrices have the same shape and equal entries.
+
+    Returns:
+        The proof, or for the first entry that differs the disproof. ``sampled`` is not set: an entry for
+        which only points speak counts as equal.
+    """
     if left.shape != right.shape:
         return Proof(False, f"shapes {left.shape} and {right.shape} differ")
     for row in range(left.rows):

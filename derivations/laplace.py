@@ -13,7 +13,15 @@ STATES = 2
 
 @dataclass(frozen=True)
 class GeneralSystem:
-    """ẋ = A x + B u, y = C x + D u with symbolic entries: two states, one input, one output."""
+    """ẋ = A x + B u, y = C x + D u with symbolic entries: two states, one input, one output.
+
+    Attributes:
+        a: A, 2 × 2.
+        b: B, 2 × 1.
+        c: C, 1 × 2.
+        d: D, a scalar.
+        input_transform: Laplace transform U of the input.
+    """
 
     a: sympy.ImmutableMatrix
     b: sympy.ImmutableMatrix
@@ -24,14 +32,19 @@ class GeneralSystem:
 
 @dataclass(frozen=True)
 class TransformedSystem:
-    """Laplace transforms of the state (2 × 1) and of the output, for a system that starts at rest."""
+    """Response of a system that starts at rest, in the Laplace domain.
+
+    Attributes:
+        state: Transform of the state, 2 × 1.
+        output: Transform of the output, a scalar.
+    """
 
     state: sympy.ImmutableMatrix
     output: sympy.Expr
 
 
 def general_system() -> GeneralSystem:
-    """Return the general system, each entry its own symbol."""
+    """Return the system with a symbol of its own for each entry of A, B, C and D."""
     return GeneralSystem(
         a=sympy.ImmutableMatrix(STATES, STATES, lambda row, column: sympy.Symbol(f"a_{row + 1}{column + 1}")),
         b=sympy.ImmutableMatrix(STATES, 1, lambda row, _: sympy.Symbol(f"b_{row + 1}")),
@@ -42,7 +55,7 @@ def general_system() -> GeneralSystem:
 
 
 def transform_of_derivative(start: sympy.Expr) -> sympy.Expr:
-    """Return the Laplace transform of q̇ with Q written for that of q, when q(0) is ``start``."""
+    """Return the Laplace transform s Q - q(0) of q̇, with Q for the transform of q and ``start`` for q(0)."""
     q = sympy.Function("q")
     transformed = sympy.laplace_transform(q(t).diff(t), t, s, noconds=True)
     named = transformed.subs(sympy.LaplaceTransform(q(t), t, s), sympy.Symbol("Q"))
@@ -50,7 +63,7 @@ def transform_of_derivative(start: sympy.Expr) -> sympy.Expr:
 
 
 def transform(system: GeneralSystem) -> TransformedSystem:
-    """Transform each equation and solve them one by one, without inverting a matrix."""
+    """Transform the equations of a system and solve them as scalar ones, without inverting a matrix."""
     unknowns = sympy.symbols(f"Q_1:{STATES + 1}")
     equations = [
         s * unknowns[row]

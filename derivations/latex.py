@@ -54,5 +54,5 @@ def latex(expression: sympy.Basic) -> str:
 
 
 def latex_equation(left: sympy.Basic, right: sympy.Basic) -> str:
-    """Return LaTeX of ``left = right``."""
+    """Return LaTeX of the equation ``left = right``; neither side is evaluated or reordered."""
     return f"{latex(left)} = {latex(right)}"

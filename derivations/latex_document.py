@@ -1,4 +1,4 @@
-"""The derivations as a LaTeX document of their own."""
+"""The LaTeX document that ``trimmer derive`` writes: both derivations, coefficients and nomenclature."""
 
 from __future__ import annotations
 
@@ -26,9 +26,17 @@ END = "\\end{document}\n"
 
 
 def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str:
-    """Return the derivation of the linear trimmer and that of its elements as LaTeX.
+    """Return the derivation of the linear trimmer and that of its elements as a LaTeX document.
 
     Added are all coefficients of the transfer function and the nomenclature.
+
+    Args:
+        derivation: The linear trimmer.
+        elements: Steps of the derivation of the describing functions.
+
+    Raises:
+        DimensionError: if a derived equation is not consistent in its dimensions.
+        ValueError: if the power balance does not hold.
     """
     linear = (_section(step) for step in narrative(derivation))
     nonlinear = (_section(step) for step in elements)

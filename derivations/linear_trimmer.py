@@ -1,4 +1,4 @@
-"""The whole derivation of the linear trimmer, made once and handed on."""
+"""The whole derivation of the linear trimmer as one record, from energies to transfer functions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,21 @@ from derivations.transfer_function import TransferFunctions, transfer_functions
 
 @dataclass(frozen=True)
 class LinearTrimmer:
-    """What follows from the declared mechanism; ``newton`` is the independent result from forces alone."""
+    """All that follows from the declared mechanism of n bodies.
+
+    Attributes:
+        mechanism: Bodies, springs, dampers and pin.
+        kinetic_energy: T, J.
+        potential_energy: U, J.
+        rayleigh_function: R, half of the power dissipated, W.
+        lagrangian: T - U, J.
+        accelerations: Of the n bodies, from the Euler-Lagrange equations, m/s².
+        newton: The same from forces alone, the independent way, m/s².
+        matrices: Of the equations of motion.
+        space: State space with displacement and velocity of the pin as inputs.
+        transfer: Transfer functions from the pin to each body.
+        power: Power balance along every motion, W.
+    """
 
     mechanism: Mechanism
     kinetic_energy: sympy.Expr
@@ -33,7 +47,11 @@ class LinearTrimmer:
 
 
 def derive_linear_trimmer() -> LinearTrimmer:
-    """Derive the linear trimmer from its list of masses, springs and dampers."""
+    """Derive the linear trimmer from its list of masses, springs and dampers.
+
+    Raises:
+        ValueError: if the equations of motion are not linear.
+    """
     mechanism = trimmer()
     matrices = motion_matrices(mechanism)
     return LinearTrimmer(

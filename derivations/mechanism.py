@@ -16,12 +16,18 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class Ground:
-    """The fixed surroundings."""
+    """The fixed surroundings, whose displacement is zero."""
 
 
 @dataclass(frozen=True)
 class RigidBody:
-    """A rigid body that moves along one line: its mass (kg) and its displacement (m, function of time)."""
+    """A rigid body that moves along one line.
+
+    Attributes:
+        name: What it is, in words.
+        mass: Mass, kg.
+        coordinate: Displacement in the fixed frame, m, a function of time.
+    """
 
     name: str
     mass: sympy.Expr
@@ -30,7 +36,12 @@ class RigidBody:
 
 @dataclass(frozen=True)
 class Pin:
-    """A massless point that is driven by a known displacement (m) relative to the body that carries it."""
+    """A massless point whose displacement relative to a body is given.
+
+    Attributes:
+        carrier: The body.
+        displacement: Displacement relative to it, m, a function of time.
+    """
 
     carrier: RigidBody
     displacement: sympy.Expr
@@ -41,7 +52,13 @@ End = Ground | RigidBody | Pin
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring of given stiffness (N/m) between two ends."""
+    """A linear spring.
+
+    Attributes:
+        stiffness: Stiffness, N/m.
+        start: One end.
+        end: The other end; the elongation is its displacement less that of ``start``.
+    """
 
     stiffness: sympy.Expr
     start: End
@@ -50,7 +67,13 @@ class Spring:
 
 @dataclass(frozen=True)
 class Damper:
-    """A linear damper of given coefficient (N s/m) between two ends."""
+    """A linear damper.
+
+    Attributes:
+        damping: Coefficient, N s/m.
+        start: One end.
+        end: The other end, as for a spring.
+    """
 
     damping: sympy.Expr
     start: End
@@ -59,7 +82,14 @@ class Damper:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies, springs and dampers, and the pin that drives them."""
+    """A chain of bodies, springs and dampers that a pin drives.
+
+    Attributes:
+        bodies: In the order of their coordinates.
+        springs: All springs.
+        dampers: All dampers.
+        pin: The pin.
+    """
 
     bodies: tuple[RigidBody, ...]
     springs: tuple[Spring, ...]
@@ -79,7 +109,7 @@ def position(end: End) -> sympy.Expr:
 
 
 def elongation(element: Spring | Damper) -> sympy.Expr:
-    """Return by how much an element is longer than at rest, m, as end minus start in that order."""
+    """Return by how much a spring or damper is longer than at rest, m: end minus start, in that order."""
     start, end = position(element.start), position(element.end)
     terms = (end, *(-term for term in sympy.Add.make_args(start) if term != 0))
     return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else end

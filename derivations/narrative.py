@@ -1,4 +1,4 @@
-"""The derivation of the linear trimmer told step by step: prose and formulas, for the report and for LaTeX.
+"""The derivation of the linear trimmer step by step: prose and formulas, for the report and for LaTeX.
 
 Prose is plain text with TeX mathematics between dollar signs, fit for Markdown and for LaTeX alike.
 """
@@ -21,7 +21,12 @@ MOST_TERMS_SHOWN = 19
 
 @dataclass(frozen=True)
 class Formula:
-    """A displayed equation in LaTeX; ``thesis`` is its number in the thesis, empty where it has none."""
+    """A displayed equation.
+
+    Attributes:
+        latex: The equation in LaTeX, without delimiters.
+        thesis: Its number in the thesis; empty where it has none.
+    """
 
     latex: str
     thesis: str = ""
@@ -29,7 +34,14 @@ class Formula:
 
 @dataclass(frozen=True)
 class Step:
-    """A step of the derivation."""
+    """A step of a derivation.
+
+    Attributes:
+        id: Identifier, unique among all steps.
+        title: Heading.
+        text: Prose, paragraphs separated by an empty line.
+        formulas: Displayed equations, shown after the prose.
+    """
 
     id: str
     title: str
@@ -38,7 +50,7 @@ class Step:
 
 
 def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:
-    """Tell the derivation.
+    """Return the steps of the derivation, from the mechanism to the checks.
 
     Raises:
         DimensionError: if a derived equation is not consistent in its dimensions.

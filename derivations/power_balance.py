@@ -14,9 +14,12 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class PowerBalance:
-    """Terms of dE/dt = P − D, all in W.
+    """Terms of dE/dt = P − D along the equations of motion, E being the energy of a mechanism.
 
-    ``residual`` is dE/dt − P + D along the equations of motion; it is zero when the balance holds.
+    Attributes:
+        input_power: P, power of the pin, W.
+        dissipated_power: D, power that the dampers take, W.
+        residual: dE/dt − P + D, W; zero when the balance holds.
     """
 
     input_power: sympy.Expr

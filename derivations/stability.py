@@ -1,4 +1,4 @@
-"""Facts about stability that the thesis leans on: argument principle, closed loop, bound on exp(A t)."""
+"""Facts about stability that the thesis rests on: argument principle, closed loop, bound on exp(A t)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def encirclements_of_origin() -> sympy.Expr:
 
 
 def closed_loop(feedback: sympy.Expr, forward: sympy.Expr) -> sympy.Expr:
-    """Return Y/U of a loop with negative feedback from its equation Y = forward (U − feedback Y)."""
+    """Return Y/U of a loop with negative feedback, solved from its equation Y = forward (U − feedback Y)."""
     output, reference = sympy.symbols("Y U")
     solution = sympy.solve(sympy.Eq(output, forward * (reference - feedback * output)), output)
     return sympy.simplify(solution[0] / reference)
@@ -43,6 +43,6 @@ def double_integrator() -> sympy.ImmutableMatrix:
 
 
 def exponential_norm(matrix: sympy.ImmutableMatrix) -> sympy.Expr:
-    """Return the Frobenius norm of exp(A t) for t ≥ 0."""
+    """Return the Frobenius norm of exp(A t) for t ≥ 0, with A for the n × n ``matrix``."""
     growth = (matrix * t).exp()
     return sympy.sqrt(sum(entry**2 for entry in growth))

@@ -11,14 +11,19 @@ from derivations.equations_of_motion import MotionMatrices
 
 @dataclass(frozen=True)
 class StateSpace:
-    """Matrices of ẋ = A x + B (u, u̇) with the state x = (q, q̇): ``a`` is 2n × 2n, ``b`` is 2n × 2."""
+    """Matrices of ẋ = A x + B (u, u̇) with the state x = (q, q̇), for n bodies; SI units.
+
+    Attributes:
+        a: A, 2n × 2n.
+        b: B, 2n × 2: a column for the displacement u of the pin and one for its velocity.
+    """
 
     a: sympy.ImmutableMatrix
     b: sympy.ImmutableMatrix
 
 
 def state_space(matrices: MotionMatrices) -> StateSpace:
-    """Turn the second-order equations into first-order ones."""
+    """Turn the n equations of second order into 2n of first order (thesis, equations 2.10 to 2.13)."""
     size = matrices.mass.rows
     inverse_mass = matrices.mass.inv()
     zero, identity = sympy.zeros(size, size), sympy.eye(size)
@@ -32,7 +37,13 @@ def state_space(matrices: MotionMatrices) -> StateSpace:
 
 
 def output_row(of: int, relative_to: int | None, size: int) -> sympy.ImmutableMatrix:
-    """Return the 1 × 2n output matrix of displacement ``of`` minus ``relative_to`` (indices from 0)."""
+    """Return the 1 × 2n output matrix of one displacement, or of the difference of two.
+
+    Args:
+        of: Index of the body from 0.
+        relative_to: Index of the body whose displacement is subtracted; None for the ground.
+        size: Number n of bodies.
+    """
     row = [sympy.Integer(0)] * (2 * size)
     row[of] += 1
     if relative_to is not None:

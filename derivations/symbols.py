@@ -11,7 +11,12 @@ from derivations.dimensions import FORCE, LENGTH, MASS, NUMBER, TIME, Dimension
 
 @dataclass(frozen=True)
 class Unit:
-    """An SI unit as it is written, with its dimension."""
+    """An SI unit.
+
+    Attributes:
+        text: How it is written.
+        dimension: Its dimension.
+    """
 
     text: str
     dimension: Dimension
@@ -32,7 +37,13 @@ ONE = Unit("1", NUMBER)
 
 @dataclass(frozen=True)
 class Quantity:
-    """A symbol, or a function of time, with its meaning and SI unit."""
+    """A symbol of the derivations, or a function of time.
+
+    Attributes:
+        symbol: The symbol or function.
+        meaning: What it stands for, in words.
+        unit: Its SI unit.
+    """
 
     symbol: sympy.Expr
     meaning: str

@@ -15,9 +15,12 @@ from derivations.symbols import s
 class TransferFunctions:
     """Transfer functions from the pin to each of the n displacements, over one common denominator.
 
-    ``denominator`` holds the coefficients of det(M s² + C s + K) / det M from s^2n down to 1.
-    ``from_displacement[i]`` and ``from_velocity[i]`` hold those of the numerators of q_i, from s^(2n-2) down,
-    for the pin's displacement and velocity as separate inputs.
+    Attributes:
+        denominator: The 2n + 1 coefficients of det(M s² + C s + K) / det M, from s^2n down to s^0; that of
+            s^(2n-k) in (rad/s)^k.
+        from_displacement: For each of the n bodies the 2n - 1 coefficients of its numerator, from s^(2n-2)
+            down to s^0, with the displacement of the pin as the input; that of s^(2n-2-k) in (rad/s)^(k+2).
+        from_velocity: The same with the velocity of the pin as a separate input, in (rad/s)^(k+1).
     """
 
     denominator: tuple[sympy.Expr, ...]
@@ -26,7 +29,10 @@ class TransferFunctions:
 
 
 def transfer_functions(matrices: MotionMatrices) -> TransferFunctions:
-    """Solve (M s² + C s + K) Q = F_u U + F_v V by Cramer's rule, in a ring of polynomials."""
+    """Solve (M s² + C s + K) Q = F_u U + F_v V by Cramer's rule, in a ring of polynomials.
+
+    There no quotient arises, so that nothing has to be simplified afterwards.
+    """
     dynamic_stiffness = matrices.mass * s**2 + matrices.damping * s + matrices.stiffness
     size = dynamic_stiffness.rows
     mass = matrices.mass.det()

@@ -1,4 +1,4 @@
-"""Sums and products that keep the order in which they are written."""
+"""Sums and products that SymPy neither reorders nor multiplies out, for formulas that are shown."""
 
 from __future__ import annotations
 
@@ -12,6 +12,6 @@ def total(*terms: sympy.Expr) -> sympy.Expr:
 
 
 def product(*factors: sympy.Expr) -> sympy.Expr:
-    """Return a product that is not multiplied out; ones are left out."""
+    """Return a product whose factors keep their order and are not multiplied out; ones are left out."""
     kept = [sympy.sympify(factor) for factor in factors if factor != 1]
     return sympy.Mul(*kept, evaluate=False) if len(kept) > 1 else sympy.Mul(*kept)

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
+from trimmer import TrimmerError
 from trimmer.command_line.command import Command
-from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
     from report.building.build import Built

@@ -5,12 +5,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.claim import Comparison, Confirmation, Part, Shown, Slip, Uncheckable, Verdict, Words
+from report.claim import Comparison, Confirmation, Mathematics, Part, Shown, Slip, Uncheckable, Verdict, Words
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.comparisons.expression import SameExpression, SameMatrix
@@ -20,14 +21,16 @@ from report.text import filled
 class More(TypedDict, total=False):
     """What any part may have.
 
-    ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds; ``item`` names the
-    printed thing that the part judges.
+    ``form`` is TeX that is shown on both sides in place of what the comparison holds, ``printed_form`` and
+    ``derived_form`` are shown on one side, as TeX if they are strings; ``item`` names the printed thing that
+    the part judges.
     """
 
     second: Confirmation | None
     slip: Slip | None
-    printed_form: Shown | None
-    derived_form: Shown | None
+    form: str
+    printed_form: Shown | str
+    derived_form: Shown | str
     item: str
 
 
@@ -43,6 +46,7 @@ def assertion(
     evidence: str,
     *,
     method: str,
+    numbers: Mapping[str, object] | None = None,
     asserted: bool = True,
     **more: Unpack[More],
 ) -> Part:
@@ -52,13 +56,14 @@ def assertion(
         label: what the part is about; empty for the only part.
         statement: the property, as Markdown.
         derived: whether it holds.
-        evidence: what shows it, with its numbers, as Markdown.
+        evidence: what shows it, as Markdown.
         method: how it was found.
+        numbers: those that the evidence asks for; see ``report.text.filled``.
         asserted: False where the thesis denies the property.
         more: see ``More``.
     """
-    found = Assertion(filled(statement), bool(derived), filled(evidence), filled(method), asserted)
-    return part(label, found, **more)
+    shown = filled(evidence, **(numbers or {}))
+    return part(label, Assertion(filled(statement), bool(derived), shown, filled(method), asserted), **more)
 
 
 def expression(
@@ -87,13 +92,16 @@ def matrix(
 
 def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
     """Return a part that makes a comparison."""
+    both = more.get("form")
+    shown = (more.get("printed_form", both), more.get("derived_form", both))
+    printed, derived = (Mathematics(form) if isinstance(form, str) else form for form in shown)
     return Part(
         filled(label),
         comparison,
         more.get("second"),
         more.get("slip"),
-        more.get("printed_form"),
-        more.get("derived_form"),
+        printed,
+        derived,
         more.get("item", ""),
     )
 
@@ -111,6 +119,12 @@ def made_here(name: str, derived: Any) -> Slip:
 def repeated(name: str, derived: Any) -> Slip:
     """Name a slip that was made somewhere else and is repeated here faithfully."""
     return Slip(filled(name), derived, Verdict.EXPLAINED)
+
+
+def same(means: str, first: Any, second: Any) -> Confirmation:
+    """Confirm an expression or a matrix by another derivation of it."""
+    alike = SameMatrix if isinstance(first, sympy.MatrixBase) else SameExpression
+    return Confirmation(filled(means), alike(first, second))
 
 
 def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:

@@ -3,7 +3,7 @@
     @claim("eq-5.6", source="report/chapters/chapter_5/claims/loci.py")
     def external_input(known: Evidence) -> Record:
         yield expression("", printed, derived, left=r)
-        yield text("Equation 2.1 with an eccentricity of [[ size | f1 ]] mm.", size=1e3 * amplitude)
+        yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
 
 ``report.collect`` finds the records by looking through the modules of ``report.chapters``.
 """
@@ -11,8 +11,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, final
 
 from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
@@ -40,15 +40,35 @@ class RecordError(ValueError):
 @final
 @dataclass(frozen=True)
 class Text:
-    """The text of a claim, as pandoc Markdown.
+    """The text of a claim, as pandoc Markdown: one paragraph, or two.
+
+    The first says what is printed, what is true, and why, in one to four sentences; the second what a wrong
+    statement changes elsewhere.
 
     Attributes:
-        explanation: What is printed, what is true, why: one to four sentences.
-        consequence: What a wrong statement changes elsewhere; empty if nothing.
+        prose: With a place for each number; see ``report.text.filled``.
+        numbers: By the names that the prose uses.
     """
 
-    explanation: str
-    consequence: str = ""
+    prose: str
+    numbers: Mapping[str, object] = field(default_factory=dict)
+
+    def given(self, **numbers: object) -> Text:
+        """Return the text with its numbers."""
+        return replace(self, numbers=numbers)
+
+    @property
+    def paragraphs(self) -> list[str]:
+        """The paragraphs with the numbers in their places.
+
+        Raises:
+            RecordError: if there are more than two.
+            TextError: if the prose asks for other numbers than are given.
+        """
+        found = filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        if len(found) > MOST_PARAGRAPHS:
+            raise RecordError(f"the text {found[0][:60]!r} has {len(found)} paragraphs, not one or two")
+        return found
 
 
 Item = Part | Uncheckable | Text
@@ -87,18 +107,19 @@ class ClaimRecord:
         """
         try:
             items = tuple(self.items(known))
+            texts = [item.paragraphs for item in items if isinstance(item, Text)]
         except (RecordError, TextError) as error:
             raise RecordError(f"claim {self.id}: {error}") from error
-        texts = [item for item in items if isinstance(item, Text)]
         if len(texts) != 1:
             raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
+        explanation, *consequence = texts[0]
         return Claim(
             id=self.id,
             parts=tuple(item for item in items if isinstance(item, Part | Uncheckable)),
-            explanation=texts[0].explanation,
+            explanation=explanation,
             source=self.source,
             impact=self.impact,
-            consequence=texts[0].consequence,
+            consequence="".join(consequence),
             lines=self.lines,
             severity=self.severity,
             certainty=self.certainty,
@@ -118,19 +139,9 @@ def claim(
     return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty)
 
 
-def text(prose: str, **numbers: object) -> Text:
-    """Return the text of a claim: a paragraph that explains, and one on the consequence if there is any.
-
-    For prose and numbers see ``report.text.filled``.
-
-    Raises:
-        RecordError: if there are more paragraphs.
-        TextError: see there.
-    """
-    paragraphs = filled(PARAGRAPH.sub(MARK, prose.strip()), **numbers).split(MARK)
-    if len(paragraphs) > MOST_PARAGRAPHS:
-        raise RecordError(f"the text {paragraphs[0][:60]!r} has {len(paragraphs)} paragraphs, not one or two")
-    return Text(*paragraphs)
+def text(prose: str) -> Text:
+    """Return the text of a claim; a text with numbers goes on with ``given``."""
+    return Text(prose)
 
 
 @final

@@ -1,4 +1,7 @@
-"""Types of arrays by what they hold; the docstring of a field or an argument gives the shape."""
+"""Types of arrays by their entries; the docstring of a field or an argument gives shape and unit.
+
+``Flags`` are truth values, ``Places`` indices of entries of another array.
+"""
 
 from __future__ import annotations
 

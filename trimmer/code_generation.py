@@ -34,7 +34,13 @@ Entries = tuple[sympy.Expr, ...] | tuple[tuple[sympy.Expr, ...], ...]
 
 @dataclass(frozen=True)
 class NumericFunction:
-    """A function to generate: its name, its docstring and the derived entries that it returns."""
+    """A function to generate, whose arguments are the thirteen parameters.
+
+    Attributes:
+        name: Name of the function.
+        documentation: Its docstring, one line.
+        entries: Derived entries that it returns: a row, or rows of a matrix.
+    """
 
     name: str
     documentation: str
@@ -43,7 +49,12 @@ class NumericFunction:
 
 @dataclass(frozen=True)
 class DerivedSources:
-    """What `trimmer derive` writes: the module `trimmer.generated.linear_trimmer`, and a LaTeX document."""
+    """What `trimmer derive` writes.
+
+    Attributes:
+        module: Source of the module `trimmer.generated.linear_trimmer`.
+        latex: The derivations as a LaTeX document.
+    """
 
     module: str
     latex: str
@@ -54,6 +65,8 @@ def derive_sources() -> DerivedSources:
 
     Raises:
         UnprovenError: if an equation of the describing functions is not proven.
+        DimensionError: if a derived equation is not consistent in its dimensions.
+        ValueError: if the power balance of the linear trimmer does not hold.
     """
     derivation = derive_linear_trimmer()
     functions = (_function_source(function) for function in _functions(derivation))

@@ -35,7 +35,11 @@ class Body(Enum):
 
 @dataclass(frozen=True)
 class Displacement:
-    """Displacement of a body, m; ``relative_to`` is the body it is measured from, None for the ground.
+    """Displacement of a body, m.
+
+    Attributes:
+        of: The body.
+        relative_to: The body from which it is measured; None for the ground.
 
     Raises:
         DisplacementError: if both bodies are the same.
@@ -76,7 +80,7 @@ class Displacement:
 
     @property
     def row(self) -> tuple[float, float, float, float]:
-        """Factors of q1 to q4 in this displacement."""
+        """Factors of q1 to q4 in this displacement: 1, -1 or 0."""
         factors = [0.0] * len(Body)
         factors[self.of.index] += 1.0
         if self.relative_to is not None:

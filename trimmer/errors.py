@@ -1,10 +1,10 @@
-"""What can go wrong: errors that the user of this package can put right, and warnings."""
+"""Errors that the user of this package can correct, and warnings."""
 
 from __future__ import annotations
 
 
 class TrimmerError(Exception):
-    """Something given by the user cannot be used; the message stands alone and says what to do."""
+    """An input of the user cannot be used; the message is complete in itself and says what to do."""
 
 
 class WrongTypeError(TrimmerError, TypeError):
@@ -12,7 +12,7 @@ class WrongTypeError(TrimmerError, TypeError):
 
 
 class FrequencyRangeError(TrimmerError, ValueError):
-    """A range of frequencies that cannot be used."""
+    """A range of frequencies is not of the form 0 < lowest < highest < inf."""
 
 
 class LinearElementError(TrimmerError, ValueError):
@@ -20,23 +20,23 @@ class LinearElementError(TrimmerError, ValueError):
 
 
 class UnsupportedElementError(TrimmerError, ValueError):
-    """An element that is not of a kind the solver can treat."""
+    """The element is none, or its describing function is neither bounded nor proportional to 1/amplitude."""
 
 
 class UndecidedWarning(UserWarning):
-    """Some part of the range is undecided: it may hold limit cycles that are not in the list."""
+    """Part of the frequency range is undecided: it may hold limit cycles that are not in the list."""
 
 
 class IllPosedLoopError(TrimmerError, ValueError):
-    """The motion is not determined, because an output acts on the input of its own element at once."""
+    """The motion is not determined, because an output acts without delay on the input of its own element."""
 
 
 class UnsupportedMotionError(TrimmerError, TypeError):
-    """The element has a describing function but no motion in time."""
+    """The element or the system has no motion in time, or not the motion that is asked for."""
 
 
 class OrbitNotFoundWarning(UserWarning):
-    """From a guess no periodic orbit was found."""
+    """Newton's method found no periodic orbit from a guess, such as a limit cycle of harmonic balance."""
 
 
 class OrbitNotFoundError(TrimmerError, ValueError):

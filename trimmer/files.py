@@ -1,4 +1,4 @@
-"""Writing files whole or not at all."""
+"""Atomic writes of files: whole or not at all."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class FileWriteError(TrimmerError, OSError):
 
 
 def write_atomically(path: Path, content: bytes | str) -> None:
-    """Write a file so that a reader finds the old content or the new one, never a part of it.
+    """Write a file in one atomic step, so that a reader finds the old content or the new one, never a part.
 
     The content goes to a temporary file in the same folder, which then takes the place of ``path``. Parent
     folders are made. An existing file keeps its permissions; a symbolic link stays, its target is replaced.

@@ -23,6 +23,9 @@ def read_parameters(path: Path) -> TrimmerParameters:
 
     Text in the file is never evaluated: a value is a TOML number or it is refused.
 
+    Args:
+        path: The file; values in SI units.
+
     Raises:
         ParameterError: if the file cannot be read or is not TOML, or for unknown keys, missing keys and
             unusable values; every problem is named, with the file, the key, the value and the reason.

@@ -16,7 +16,7 @@ class ParameterError(TrimmerError, ValueError):
 
 
 class Dimension(Enum):
-    """What a parameter measures, with its SI unit."""
+    """What a parameter measures; the value is its SI unit."""
 
     MASS = "kg"
     STIFFNESS = "N/m"
@@ -24,13 +24,19 @@ class Dimension(Enum):
 
     @property
     def unit(self) -> str:
-        """SI unit as plain text."""
+        """SI unit as plain text, such as ``N/m``."""
         return self.value
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """Description of one parameter: its symbol, what it means, and what it measures."""
+    """Description of one parameter.
+
+    Attributes:
+        symbol: Name of the field of ``TrimmerParameters``, such as ``m1``.
+        meaning: What it is, in words.
+        quantity: What it measures, which determines its unit and its sign.
+    """
 
     symbol: str
     meaning: str
@@ -38,7 +44,7 @@ class Parameter:
 
     @property
     def unit(self) -> str:
-        """SI unit as plain text."""
+        """SI unit of the parameter as plain text, such as ``N/m``."""
         return self.quantity.unit
 
 
@@ -92,7 +98,7 @@ class TrimmerParameters:
 
     @classmethod
     def thesis(cls) -> Self:
-        """Give the parameters of the thesis's trimmer (Listing A.1)."""
+        """Return the parameters of the thesis's trimmer (Listing A.1)."""
         return cls(
             **{"m1": 0.035, "m2": 0.003, "m3": 0.005, "m4": 0.030},
             **{"k1": 200e3, "k2": 30e3, "k3": 150e3, "k4": 100e3, "k5": 1e3},
@@ -112,18 +118,18 @@ class TrimmerParameters:
         return read_parameters(Path(path))
 
     def to_toml(self) -> str:
-        """Give the parameters as TOML text, each with its meaning and unit; it reads back equal."""
+        """Return the parameters as TOML text, each with its meaning and unit; it reads back equal."""
         from trimmer.parameter_files import parameters_as_toml
 
         return parameters_as_toml(self)
 
     def values(self) -> tuple[float, ...]:
-        """Give the thirteen values in the order the generated functions take: m1-m4, k1-k5, c1-c4."""
+        """Return the thirteen values, SI units, as the generated functions take them: m1-m4, k1-k5, c1-c4."""
         return tuple(getattr(self, parameter.symbol) for parameter in parameter_table())
 
 
 def parameter_table() -> tuple[Parameter, ...]:
-    """Describe every parameter, in the order m1-m4, k1-k5, c1-c4."""
+    """Return the description of every parameter, in the order m1-m4, k1-k5, c1-c4."""
     return tuple(_described(entry) for entry in fields(TrimmerParameters))
 
 
@@ -132,7 +138,7 @@ def _described(entry: Field[Any]) -> Parameter:
 
 
 def reason_against(value: object, quantity: Dimension) -> str:
-    """Say why a value cannot be used as such a quantity; empty if it can.
+    """Return why a value cannot be used as such a quantity, as a piece of a message; empty if it can.
 
     NumPy's real scalars count as numbers; truth values, text and complex numbers do not.
     """

@@ -1,1 +1,1 @@
-"""Backlash and friction: waveforms, harmonics, describing functions, and how their derivation is told."""
+"""Backlash and friction: waveforms, harmonics, describing functions, and their derivation step by step."""

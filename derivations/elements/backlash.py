@@ -19,22 +19,26 @@ from derivations.symbols import A
 GAP = sympy.Symbol("g", positive=True)
 """Total clearance, m."""
 GAMMA = sympy.Symbol("gamma", positive=True)
-"""M ω / D, a number."""
+"""M ω / D, a number: angular frequency times the load's time constant."""
 CONTACT = sympy.Symbol("phi_c", positive=True)
-"""Phase at which the load meets the other wall, rad."""
+"""Phase of the impact, at which the load meets the other wall, rad."""
 SEPARATION = sympy.Symbol("phi_s", positive=True)
-"""Phase at which the wall would have to pull, rad."""
+"""Phase of the separation, beyond which the wall would have to pull, rad."""
 
 
 def contact_force(side: int) -> sympy.Expr:
-    """Return force over D ω of the wall on the load, while the load follows the pin at ``side`` times g/2."""
+    """Return the force of the wall on the load over D ω, m, while the load follows the pin.
+
+    Args:
+        side: 1 or -1; the load is then at A sin θ + side g/2.
+    """
     load = A * sympy.sin(THETA) + side * GAP / 2
     return GAMMA * load.diff(THETA, 2) + load.diff(THETA)
 
 
 @cache
 def separation_angle() -> sympy.Expr:
-    """Return the phase in (0, π/2) at which the pushing force of the rising contact reaches zero."""
+    """Return the phase in (0, π/2) at which the pushing force of the rising contact reaches zero, rad."""
     tangent = sympy.Symbol("tangent", positive=True)
     force = sympy.expand(contact_force(-1) / (A * sympy.cos(THETA)))
     in_tangent = force.subs(sympy.sin(THETA), tangent * sympy.cos(THETA))
@@ -43,7 +47,7 @@ def separation_angle() -> sympy.Expr:
 
 @cache
 def free_flight() -> sympy.Expr:
-    """Return the load's position after separation, from γ y'' + y' = 0 and the pin's state at separation."""
+    """Return the load's position in flight, m, from γ y'' + y' = 0 and the pin's state at separation."""
     position = sympy.Function("y")
     pin = A * sympy.sin(THETA) - GAP / 2
     conditions = {
@@ -56,14 +60,14 @@ def free_flight() -> sympy.Expr:
 
 @cache
 def contact_ratio() -> sympy.Expr:
-    """Return g/A as a function of the contact angle: the flight ends where it meets the falling wall."""
+    """Return g/A as a function of the phase of impact: the flight ends where it meets the falling wall."""
     meeting = free_flight().subs(THETA, CONTACT) - (A * sympy.sin(CONTACT) + GAP / 2)
     gap = -meeting.subs(GAP, 0) / meeting.diff(GAP)
     return sympy.expand(gap / A)
 
 
 def general_waveform() -> Waveform:
-    """Return the load's position over a period that begins at separation; odd under a shift by π."""
+    """Return the load's position, m, over a period that begins at separation; odd under a shift by π."""
     flight, contact = free_flight(), A * sympy.sin(THETA) + GAP / 2
     first = (
         Segment(SEPARATION, CONTACT, flight),
@@ -79,7 +83,11 @@ def general_waveform() -> Waveform:
 
 
 def friction_waveform(gap: sympy.Expr = GAP) -> Waveform:
-    """Return the load's position without inertia, from the peak of the pin on: it stays, then follows."""
+    """Return the position of a load without inertia, m, from the peak of the pin on: it stays, then follows.
+
+    Args:
+        gap: Total clearance, m.
+    """
     half, pi = gap / 2, sympy.pi
     contact = sympy.asin(1 - gap / A)
     pin = A * sympy.sin(THETA)
@@ -94,7 +102,13 @@ def friction_waveform(gap: sympy.Expr = GAP) -> Waveform:
 
 
 def inertia_waveform(gap: sympy.Expr = GAP) -> Waveform:
-    """Return the load's position without friction, from the pin's largest velocity on: it flies straight."""
+    """Return the position of a load without friction, m, from the pin's largest velocity on.
+
+    The load keeps that velocity until it meets the other wall.
+
+    Args:
+        gap: Total clearance, m.
+    """
     half, pi = gap / 2, sympy.pi
     pin = A * sympy.sin(THETA)
     return Waveform(
@@ -108,7 +122,7 @@ def inertia_waveform(gap: sympy.Expr = GAP) -> Waveform:
 
 
 def inertia_contact_ratio() -> sympy.Expr:
-    """Return g/A of inertia-controlled backlash as a function of the contact angle."""
+    """Return g/A of inertia-controlled backlash as a function of the phase of impact."""
     flight, follow = inertia_waveform().segments[:2]
     meeting = (flight.value - follow.value).subs(THETA, CONTACT)
     gap = -meeting.subs(GAP, 0) / meeting.diff(GAP)
@@ -117,7 +131,13 @@ def inertia_contact_ratio() -> sympy.Expr:
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of the general element: separation, contact ratio and flight for M/D → 0 or M/D → ∞."""
+    """Limits of the general element for M/D → 0 or M/D → ∞.
+
+    Attributes:
+        separation: Phase of separation, rad.
+        ratio: g/A as a function of the angle of flight τ.
+        flight: Position at the angle τ after separation, m.
+    """
 
     separation: sympy.Expr
     ratio: sympy.Expr
@@ -126,7 +146,11 @@ class Limits:
 
 @cache
 def limits(towards: sympy.Expr) -> Limits:
-    """Return the limits of the general element for γ towards 0 (friction) or ∞ (inertia)."""
+    """Return the limits of the general element.
+
+    Args:
+        towards: Limit of γ: 0 for friction-controlled, ∞ for inertia-controlled backlash.
+    """
     angle = separation_angle()
     delay = sympy.Symbol("tau", positive=True)
     ratio, flight = (

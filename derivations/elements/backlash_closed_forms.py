@@ -1,6 +1,7 @@
-"""Closed forms for backlash, as they are shown and used; each is proven from the waveform where it is told.
+"""Closed forms for backlash, as they are shown and used; the modules of ``steps`` prove them from waveforms.
 
-Symbols are those of derivations/elements/backlash_harmonics.py. Integrals are over a segment of y exp(-jnθ).
+Symbols are those of derivations/elements/backlash_harmonics.py. An integral is that of y exp(-jnθ) over a
+segment of the waveform, in m rad; N_n is a number (m/m).
 """
 
 from __future__ import annotations
@@ -22,18 +23,18 @@ IMPEDANCE = total(1 / GAMMA, j * n)
 
 
 def flight() -> sympy.Expr:
-    """Position of the load in the general flight."""
+    """Position of a load with inertia and friction in its flight, m, at the phase θ."""
     travel = product(A * GAMMA * cos(SEPARATION), total(1, -exp(-total(THETA, -SEPARATION) / GAMMA)))
     return total(A * sin(SEPARATION), -HALF_GAP, travel)
 
 
 def turned(phase: sympy.Expr) -> sympy.Expr:
-    """Return exp(-jn · phase)."""
+    """Return exp(-jn · phase), the weight of harmonic n, at a phase in rad."""
     return exp(-j * n * phase)
 
 
 def swept(phase: sympy.Expr) -> sympy.Expr:
-    """Return an antiderivative of (1 - n²) cos θ exp(-jnθ) at a phase."""
+    """Return an antiderivative of (1 - n²) cos θ exp(-jnθ) at a phase in rad."""
     return product(total(sin(phase), -j * n * cos(phase)), turned(phase))
 
 
@@ -60,14 +61,14 @@ def _decayed() -> sympy.Expr:
 
 
 def contact_integral(separation: sympy.Expr) -> sympy.Expr:
-    """Integral of the contact for n = 1, from φ_c to half a period after the separation."""
+    """Integral of the contact for n = 1, from φ_c to half a period after the separation, a phase in rad."""
     pin = product(A / 4, total(exp(-2 * j * CONTACT), -exp(-2 * j * separation)))
     wall = product(j * HALF_GAP, total(exp(-j * CONTACT), exp(-j * separation)))
     return total(-j * A * CONTACT_ANGLE / 2, pin, -wall)
 
 
 def contact_integral_of_harmonic(separation: sympy.Expr) -> sympy.Expr:
-    """Integral of the contact for odd n >= 3."""
+    """Integral of the contact for odd n >= 3, between the same phases as for n = 1."""
     start, end = (
         product(total(cos(phase), j * n * sin(phase)), turned(phase)) for phase in (CONTACT, separation)
     )
@@ -76,32 +77,32 @@ def contact_integral_of_harmonic(separation: sympy.Expr) -> sympy.Expr:
 
 
 def friction_fundamental() -> sympy.Expr:
-    """N_1 without inertia."""
+    """N_1 of friction-controlled backlash by the angle of contact ℓ (thesis, equation 2.41)."""
     real = product(1 / pi, total(CONTACT_ANGLE, -sin(CONTACT_ANGLE) * cos(CONTACT_ANGLE)))
     return total(real, -j * sin(CONTACT_ANGLE) ** 2 / pi)
 
 
 def friction_harmonic() -> sympy.Expr:
-    """N_n without inertia, for odd n >= 3."""
+    """N_n of friction-controlled backlash for odd n >= 3."""
     return product(2 / (pi * n * BEYOND_FUNDAMENTAL), total(swept(CONTACT), -turned(pi / 2)))
 
 
 def inertia_fundamental() -> sympy.Expr:
-    """N_1 without friction."""
+    """N_1 of inertia-controlled backlash by the phase of impact φ_c (thesis, equation 2.43)."""
     sine, cosine = sin(CONTACT), cos(CONTACT)
     real = product(1 / pi, total(pi, -CONTACT, 2 * sine, -sine * cosine))
     return total(real, -product(j / pi, total(1, -cosine) ** 2))
 
 
 def inertia_harmonic() -> sympy.Expr:
-    """N_n without friction, for odd n >= 3."""
+    """N_n of inertia-controlled backlash for odd n >= 3."""
     load = product(j / n, total(turned(CONTACT), -1))
     pin = product(1 / BEYOND_FUNDAMENTAL, total(swept(CONTACT), j * n))
     return product(2 / (pi * n), total(load, pin))
 
 
 def general_fundamental() -> sympy.Expr:
-    """N_1 of the general backlash, as trimmer/elements/backlash_motion.py evaluates it."""
+    """N_1 of viscous-controlled backlash, in the form that trimmer/elements/backlash_motion.py evaluates."""
     middle = cos(total(SEPARATION, -CONTACT_ANGLE / 2)) ** 2
     bracket = total(DECAY * cos(SEPARATION) ** 2, middle)
     real = total(CONTACT_ANGLE, -sin(CONTACT_ANGLE), product(2 * sin(CONTACT_ANGLE), bracket))
@@ -111,7 +112,7 @@ def general_fundamental() -> sympy.Expr:
 
 
 def general_harmonic() -> sympy.Expr:
-    """N_n of the general backlash, for odd n >= 3."""
+    """N_n of viscous-controlled backlash for odd n >= 3."""
     load = product(cos(SEPARATION) / IMPEDANCE, _decayed())
     pin = product(1 / BEYOND_FUNDAMENTAL, total(swept(CONTACT), -swept(SEPARATION)))
     return product(2 / (pi * n), total(load, pin))

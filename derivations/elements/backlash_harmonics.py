@@ -46,7 +46,12 @@ DECAYED = (sympy.exp(-CONTACT / GAMMA), DECAY * sympy.exp(-SEPARATION / GAMMA))
 
 @dataclass(frozen=True)
 class SteadyMotion:
-    """The load's steady motion: its waveform from the separation on, and the phase of that separation."""
+    """The load's steady motion.
+
+    Attributes:
+        waveform: Position of the load, m, over the period that begins at the separation.
+        separation: Phase of that separation, rad.
+    """
 
     waveform: Waveform
     separation: sympy.Expr
@@ -79,13 +84,13 @@ class SteadyMotion:
 
 
 def in_phases(expression: sympy.Expr) -> sympy.Expr:
-    """Express by φ_s, φ_c and E what holds γ and exponentials of phases over γ."""
+    """Eliminate the symbols of ``MEANINGS`` and the exponentials of phases over γ; φ_s, φ_c and E remain."""
     return expression.subs(*DECAYED).subs(MEANINGS)
 
 
 @cache
 def friction_motion() -> SteadyMotion:
-    """Return the motion without inertia, with φ_c for its phase of impact π - asin(1 - g/A)."""
+    """Return the motion of a load without inertia, with φ_c for its phase of impact π - asin(1 - g/A)."""
     named = {sympy.asin(1 - GAP / A): sympy.pi - CONTACT}
     segments = (
         Segment(segment.start.xreplace(named), segment.end.xreplace(named), segment.value)
@@ -96,11 +101,11 @@ def friction_motion() -> SteadyMotion:
 
 @cache
 def inertia_motion() -> SteadyMotion:
-    """Return the motion without friction."""
+    """Return the motion of a load without friction, which separates at the phase 0."""
     return SteadyMotion(inertia_waveform(), sympy.Integer(0))
 
 
 @cache
 def general_motion() -> SteadyMotion:
-    """Return the motion with both."""
+    """Return the motion of a load with inertia and friction, which separates at the phase φ_s."""
     return SteadyMotion(general_waveform(), SEPARATION)

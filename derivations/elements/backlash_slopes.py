@@ -68,7 +68,7 @@ def slope_by_log_gamma() -> sympy.Expr:
 
 
 def position_by_log_gamma() -> sympy.Expr:
-    """Return the derivative by ln γ of the position over A, at a phase φ_s + t of the flight."""
+    """Return the derivative by ln γ of the position over A, at a phase φ_s + t of the flight (t in rad)."""
     position = sympy.expand((free_flight() / A).subs(GAMMA, 1 / TANGENT))
     change = position.diff(SEPARATION) / LOG_GAMMA_BY_SEPARATION
     return change.subs(THETA, SEPARATION + ELAPSED)
@@ -81,12 +81,12 @@ def lead() -> sympy.Expr:
 
 
 def closed_slope_by_ratio() -> sympy.Expr:
-    """Return dN_1/d(g/A) in closed form."""
+    """Return dN_1/d(g/A) at constant γ in closed form: its modulus is 2/π everywhere."""
     return 2 / pi * exp(-sympy.I * CONTACT)
 
 
 def closed_slope_by_log_gamma() -> sympy.Expr:
-    """Return dN_1/d(ln γ) as an integral over the flight."""
+    """Return dN_1/d(ln γ) at constant g/A as an integral over the flight."""
     integral = sympy.Integral(lead() * exp(-sympy.I * ELAPSED), (ELAPSED, 0, FLIGHT))
     return product(2 * sympy.I / pi, cos(SEPARATION), exp(-sympy.I * SEPARATION), integral)
 

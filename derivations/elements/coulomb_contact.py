@@ -20,7 +20,13 @@ def relative_velocity(first: RigidBody, second: RigidBody) -> sympy.Expr:
 
 
 def friction_forces(mechanism: Mechanism, first: RigidBody, second: RigidBody) -> tuple[sympy.Expr, ...]:
-    """Return the friction on each body of the mechanism when two of them rub on each other, N."""
+    """Return the force on each body of a mechanism, N, of Coulomb friction between two of them.
+
+    Args:
+        mechanism: The mechanism, whose order of bodies the result has.
+        first: One of the two bodies.
+        second: The other one.
+    """
     rate = sympy.Dummy("w", real=True)
     slope = sympy.diff(FORCE * sympy.Abs(rate), rate).subs(rate, relative_velocity(first, second))
     share = {first: 1, second: -1}
@@ -28,6 +34,6 @@ def friction_forces(mechanism: Mechanism, first: RigidBody, second: RigidBody) -
 
 
 def power(mechanism: Mechanism, forces: tuple[sympy.Expr, ...]) -> sympy.Expr:
-    """Return the power that forces on the bodies bring into the motion, W."""
+    """Return the power that forces on the bodies (N, in their order) bring into the motion, W."""
     rates = (body.coordinate.diff(t) for body in mechanism.bodies)
     return sympy.Add(*(force * rate for force, rate in zip(forces, rates, strict=True)))

@@ -21,26 +21,32 @@ UNITS = DIMENSIONS | {COULOMB: FORCE, GAP: LENGTH}
 
 
 def loop() -> sympy.Expr:
-    """Return what has to vanish in a limit cycle: the velocity less what it drives, over the velocity."""
+    """Return what is zero in a limit cycle: velocity less the plant's response to it, over the velocity."""
     velocity = sympy.Symbol("v")
     drive = -BACKLASH * FILTER * velocity - FRICTION * velocity
     return sympy.expand((velocity - PLANT * drive) / velocity)
 
 
 def equivalent() -> sympy.Expr:
-    """Return N_eq, for which the loop is 1 + N_eq G_m G_g."""
+    """Return N_eq, for which the loop is 1 + N_eq G_m G_g (thesis, equations 2.57 and 2.58)."""
     return sympy.expand((loop() - 1) / (PLANT * FILTER))
 
 
 def friction_term() -> sympy.Expr:
-    """Return N_f/G_g for G_g = 1/s: friction of the velocity's amplitude ω A, differentiated."""
+    """Return N_f/G_g for G_g = 1/s, N/m: friction at the velocity's amplitude ω A, times jω."""
     of_velocity = 4 * COULOMB / (sympy.pi * omega * A)
     return sympy.I * omega * of_velocity
 
 
 @dataclass(frozen=True)
 class UnitsCheck:
-    """Dimensions of the two terms: backlash, and friction as it stands and over a stiffness."""
+    """Dimensions of the two terms of the equivalent nonlinearity; None for a term that is zero.
+
+    Attributes:
+        backlash: Of N_r.
+        friction: Of N_f/G_g as it stands.
+        over_stiffness: Of N_f/G_g over a stiffness.
+    """
 
     backlash: Dimension | None
     friction: Dimension | None
@@ -50,7 +56,7 @@ class UnitsCheck:
         """Check that friction can be added to backlash over a stiffness, and not as it stands.
 
         Raises:
-            DimensionError: if one of the two is not so.
+            DimensionError: if friction fits as it stands, or does not fit over a stiffness.
         """
         if self.friction == self.backlash or self.over_stiffness != self.backlash:
             raise DimensionError(
@@ -60,6 +66,13 @@ class UnitsCheck:
 
 
 def units_check(backlash: sympy.Expr) -> UnitsCheck:
-    """Find the dimensions of both terms; ``backlash`` is its describing function by gap and amplitude."""
+    """Find the dimensions of both terms.
+
+    Args:
+        backlash: Describing function of backlash by gap and amplitude.
+
+    Raises:
+        DimensionError: if that is not consistent in its dimensions.
+    """
     friction = friction_term()
     return UnitsCheck(*(dimension_of(term, UNITS) for term in (backlash, friction, friction / k2)))

@@ -14,18 +14,18 @@ FORCE = sympy.Symbol("F_c", positive=True)
 LEVEL = sympy.Symbol("L", positive=True)
 """Output of a relay, in the unit of its output."""
 DAMPING = sympy.Symbol("d", positive=True)
-"""Viscous friction, N s/m."""
+"""Coefficient of viscous friction, N s/m."""
 
 
 def relay_waveform(level: sympy.Expr = FORCE) -> Waveform:
-    """Return level · sign(A sin θ): the output of a relay that its own input switches."""
+    """Return level · sign(A sin θ), in the unit of ``level``: the output of an ideal relay."""
     pi = sympy.pi
     return Waveform((Segment(sympy.Integer(0), pi, level), Segment(pi, 2 * pi, -level)))
 
 
 @cache
 def friction_waveform(force: sympy.Expr = FORCE) -> Waveform:
-    """Return force · sign(d(A sin θ)/dt): Coulomb friction, switched by the velocity of its input."""
+    """Return force · sign(d(A sin θ)/dt), N: Coulomb friction, which the velocity of its input switches."""
     pi = sympy.pi
     rising = sympy.solve(sympy.cos(THETA), THETA)
     turn, back = sorted(rising)
@@ -33,7 +33,7 @@ def friction_waveform(force: sympy.Expr = FORCE) -> Waveform:
 
 
 def viscous_waveform() -> Waveform:
-    """Return damping · d(A sin ωt)/dt: viscous friction of a displacement."""
+    """Return damping · d(A sin ωt)/dt, N: viscous friction of a displacement."""
     pi = sympy.pi
     force = DAMPING * omega * (A * sympy.sin(THETA)).diff(THETA)
     return Waveform((Segment(sympy.Integer(0), pi, force), Segment(pi, 2 * pi, force)))

@@ -15,7 +15,7 @@ from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.identity import require_equal
 
 HARMONIC = sympy.Symbol("n", odd=True, positive=True)
-"""An odd harmonic, from 3 on where the load of a backlash is concerned."""
+"""Number of an odd harmonic; for backlash from 3 on, since the pin's own motion is in the first one."""
 
 
 @cache
@@ -23,6 +23,10 @@ def antiderivative(integrand: sympy.Expr, variable: sympy.Symbol) -> sympy.Expr:
     """Return an antiderivative of a sum of products of powers, exponentials, sines and cosines.
 
     It is made of such functions itself, so it is continuous and may be taken between any two limits.
+
+    Args:
+        integrand: The sum.
+        variable: The symbol by which it is integrated; other symbols are constants.
 
     Raises:
         UnprovenError: if its derivative is not the integrand.
@@ -92,8 +96,17 @@ def first_half(waveform: Waveform) -> tuple[Segment, ...]:
 def odd_harmonic(waveform: Waveform, amplitude: sympy.Expr, harmonic: sympy.Expr) -> sympy.Expr:
     """Return N_n = (2j/(πA)) ∫ y exp(-jnθ) dθ over half a period, for odd n.
 
+    Args:
+        waveform: The output y over a period.
+        amplitude: A of the input A sin θ, in the unit of the input.
+        harmonic: n, a number or a symbol.
+
+    Returns:
+        N_n in the unit of output over input.
+
     Raises:
-        UnprovenError: if the waveform is not half-wave odd.
+        UnprovenError: if the waveform is not half-wave odd, or an antiderivative is not proven.
+        ValueError: if a segment is not such as ``antiderivative`` takes.
     """
     integrals = (evaluated(harmonic_integral(segment, harmonic)) for segment in first_half(waveform))
     return 2 * sympy.I / (sympy.pi * amplitude) * sympy.Add(*integrals)

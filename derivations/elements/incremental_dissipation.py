@@ -1,7 +1,7 @@
 """Proof that a driven trimmer with Coulomb friction forgets how it was started.
 
 Two motions with the same pin differ by d. The pin's terms cancel, and the energy E of the difference obeys
-dE/dt = -2 R(d') - sum of (f_a - f_b)(w_a - w_b) over the rubbing pairs, with the friction f at the relative
+dE/dt = -2 R(d') - sum of (f_a - f_b)(w_a - w_b) over the pairs of bodies with friction, f at the relative
 velocity w in either motion. Both terms take energy: R is positive definite, and f does not fall as w rises.
 So d' tends to zero: all motions have the same velocities in the end (incremental dissipation; Desoer and
 Vidyasagar, Feedback Systems, 1975). From this follows, for a pin that moves periodically:
@@ -10,8 +10,8 @@ Vidyasagar, Feedback Systems, 1975). From this follows, for a pin that moves per
 - For a pin with x(t + T/2) = -x(t) the motion turned over and shifted by half a period is a motion too, so
   it is the same one: its velocity has odd harmonics only.
 
-Play between pin and bridge makes no difference if the bridge is displaced, as in the thesis: behind the play
-the pin's motion is another periodic one, which depends on nothing that happens after it.
+Backlash between pin and bridge makes no difference if the bridge is displaced, as in the thesis: behind the
+backlash the pin's motion is another periodic one, which depends on nothing that happens after it.
 """
 
 from __future__ import annotations
@@ -32,9 +32,10 @@ class IncrementalDissipation:
 
     Attributes:
         residual: dE/dt plus the two losses, W; zero along any two motions with the same pin.
-        leading_minors: Of the matrices of mass, damping and stiffness, expanded.
-        friction_losses: (f_a - f_b)(w_a - w_b) over the force F_c, for every pair of directions of sliding
-            and for sticking; their symbols are positive.
+        leading_minors: Leading principal minors of the matrices of mass (kg), damping (N s/m) and stiffness
+            (N/m), expanded; those of order k in the k-th power of the unit.
+        friction_losses: (f_a - f_b)(w_a - w_b) over the force F_c, m/s, for every pair of directions of
+            sliding and for sticking; their symbols are positive.
     """
 
     residual: sympy.Expr
@@ -55,8 +56,8 @@ class IncrementalDissipation:
 def incremental_dissipation(trimmer: LinearTrimmer) -> IncrementalDissipation:
     """Derive how the difference of two motions with the same pin loses energy.
 
-    Any number of pairs may rub: the residual is derived for a friction force on each body, of which pairs of
-    equal and opposite forces are special cases.
+    Friction may act between any number of pairs: the residual is derived for a friction force on each body,
+    of which pairs of equal and opposite forces are special cases.
     """
     matrices = trimmer.matrices
     return IncrementalDissipation(
@@ -71,7 +72,7 @@ def incremental_dissipation(trimmer: LinearTrimmer) -> IncrementalDissipation:
 
 
 def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
-    """Return dE/dt of the difference of two motions plus what dampers and friction take of it."""
+    """Return dE/dt of the difference of two motions, plus the power that dampers and friction take, W."""
     bodies, pin = trimmer.mechanism.bodies, trimmer.mechanism.pin.displacement
     differences = [_values(f"d{index}") for index, _ in enumerate(bodies)]
     seconds = [_values(f"q{index}") for index, _ in enumerate(bodies)]
@@ -98,7 +99,7 @@ def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
 
 
 def _values(name: str) -> tuple[sympy.Symbol, sympy.Symbol]:
-    """Return symbols for a displacement and its rate."""
+    """Return symbols for a displacement and its rate, the latter marked by a prime."""
     return sympy.Symbol(name, real=True), sympy.Symbol(f"{name}'", real=True)
 
 
@@ -107,7 +108,7 @@ def _at(
     coordinates: list[sympy.Expr],
     values: list[tuple[sympy.Expr, sympy.Expr]],
 ) -> sympy.Expr:
-    """Put values in for coordinates and their rates."""
+    """Substitute a pair of value and rate for each coordinate and its time derivative."""
     rates = {q.diff(t): rate for q, (_, rate) in zip(coordinates, values, strict=True)}
     places = {q: place for q, (place, _) in zip(coordinates, values, strict=True)}
     return expression.xreplace(rates).xreplace(places)
@@ -127,5 +128,5 @@ def _friction_losses() -> tuple[sympy.Expr, ...]:
 
 
 def _has_positive_terms(polynomial: sympy.Expr) -> bool:
-    """Tell whether a polynomial in positive parameters has positive coefficients only, and some."""
+    """Return whether a polynomial in positive parameters has positive coefficients only, and at least one."""
     return all(coefficient > 0 for coefficient in polynomial.as_coefficients_dict().values())

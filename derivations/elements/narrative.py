@@ -1,4 +1,4 @@
-"""The derivation of the describing functions told step by step, each closed form proven as it is told."""
+"""The derivation of the describing functions step by step, with a proof of each closed form."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from derivations.narrative import Step
 
 
 def proven_steps() -> tuple[ProvenStep, ...]:
-    """Return the steps with what they have to prove.
+    """Return the steps, in their order, with the equalities that are to be proven.
 
     Raises:
         UnprovenError: if an antiderivative is wrong or a waveform is not half-wave odd.
-        DimensionError: if the units of the equivalent nonlinearity are not as told.
+        DimensionError: if the units of the equivalent nonlinearity are not those that its step states.
     """
     return (
         method.step(),
@@ -43,10 +43,10 @@ def proven_steps() -> tuple[ProvenStep, ...]:
 
 @cache
 def element_narrative() -> tuple[Step, ...]:
-    """Prove and tell every step.
+    """Prove every equation and return the steps for report and LaTeX; some seconds, so the result is kept.
 
     Raises:
         UnprovenError: naming the first equation that is not proven.
-        DimensionError: if the units of the equivalent nonlinearity are not as told.
+        DimensionError: if the units of the equivalent nonlinearity are not those that its step states.
     """
-    return tuple(step.tell() for step in proven_steps())
+    return tuple(step.proven() for step in proven_steps())

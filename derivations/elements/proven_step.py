@@ -1,4 +1,4 @@
-"""A step of a derivation whose equations are proven when it is told."""
+"""A step of a derivation whose equations are proven before it is shown."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ class Equality:
 
     Attributes:
         name: LaTeX of the left side.
-        closed: The closed form, as it is shown.
-        derived: What was derived.
+        closed: The closed form, the right side as it is shown.
+        derived: The expression that it has to equal, as it follows from the waveform.
         thesis: Number of the equation in the thesis, empty where it has none.
         given: What symbols stand for; substituted on both sides, in order, before they are compared.
     """
@@ -36,10 +36,12 @@ class Equality:
     given: Substitutions = ()
 
     def prove(self) -> Proof:
-        """Prove it.
+        """Prove that the closed form is what was derived, after all integrals are evaluated.
 
         Raises:
-            UnprovenError: naming the left side, if both differ or only points speak for it.
+            UnprovenError: naming the left side, if both differ or only points speak for it; or if an
+                antiderivative is not proven.
+            ValueError: if an integrand is not such as ``harmonics.antiderivative`` takes.
         """
         sides = (sympy.expand_power_exp(evaluated(side)) for side in (self.closed, self.derived))
         closed, derived = (side.subs(self.given) for side in sides)
@@ -54,14 +56,27 @@ class Equality:
 def integral_over(
     segment: Segment, harmonic: sympy.Expr, closed: sympy.Expr, given: Substitutions = ()
 ) -> Equality:
-    """Return the equality of ∫ y exp(-jnθ) dθ over a segment and its value in closed form."""
+    """Return the equality of ∫ y exp(-jnθ) dθ over a segment and its value in closed form.
+
+    Args:
+        segment: A part of the output y.
+        harmonic: n, a number or a symbol.
+        closed: The value.
+        given: What symbols stand for, see ``Equality``.
+    """
     limits = rf"\int_{{{latex(segment.start)}}}^{{{latex(segment.end)}}}"
     name = rf"{limits} y\, {latex(sympy.exp(-sympy.I * harmonic * THETA))}\, d\theta"
     return Equality(name, closed, harmonic_integral(segment, harmonic), given=given)
 
 
 def cases(name: str, segments: tuple[Segment, ...], thesis: str = "") -> Formula:
-    """Return the definition of a function by segments."""
+    """Return the definition of a function of θ by segments.
+
+    Args:
+        name: LaTeX of the function.
+        segments: Its parts, in the order in which they are shown.
+        thesis: Number of the equation in the thesis, empty where it has none.
+    """
     rows = (
         rf"{latex(total(*segment.value.as_ordered_terms()))} & "
         rf"\text{{for }} {latex(segment.start)} \leq \theta < {latex(segment.end)}"
@@ -73,7 +88,14 @@ def cases(name: str, segments: tuple[Segment, ...], thesis: str = "") -> Formula
 
 @dataclass(frozen=True)
 class ProvenStep:
-    """A step as it is derived: definitions as formulas, results as equalities, in the order of telling."""
+    """A step with its results still to be proven.
+
+    Attributes:
+        id: Identifier, unique among all steps.
+        title: Heading.
+        text: Prose, paragraphs separated by an empty line.
+        lines: Definitions as formulas and results as equalities, in the order in which they are shown.
+    """
 
     id: str
     title: str
@@ -85,11 +107,12 @@ class ProvenStep:
         """The lines that are to be proven."""
         return tuple(line for line in self.lines if isinstance(line, Equality))
 
-    def tell(self) -> Step:
-        """Prove every equality and return the step, with the means of its proofs in the text.
+    def proven(self) -> Step:
+        """Prove every equality and return the step, with the methods of its proofs in the text.
 
         Raises:
             UnprovenError: if an equality is not proven.
+            ValueError: if an integrand is not such as ``harmonics.antiderivative`` takes.
         """
         means = Counter(equality.prove().method for equality in self.equalities)
         proofs = ", ".join(

@@ -1,4 +1,4 @@
-"""The symbols of the describing functions with meaning and SI unit."""
+"""The symbols of the describing functions, each with its meaning and SI unit, for the nomenclature."""
 
 from __future__ import annotations
 

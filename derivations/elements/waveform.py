@@ -1,4 +1,4 @@
-"""A periodic signal given piece by piece over one period, and its Fourier coefficients."""
+"""A periodic output given by segments of one period, its Fourier coefficients and its describing function."""
 
 from __future__ import annotations
 
@@ -13,20 +13,30 @@ THETA = sympy.Symbol("theta", real=True)
 
 @dataclass(frozen=True)
 class Segment:
-    """The output between two phases: ``value`` is an expression in ``THETA``."""
+    """The output between two phases.
+
+    Attributes:
+        start: First phase, rad.
+        end: Last phase, rad.
+        value: The output as an expression in ``THETA``, in its own unit.
+    """
 
     start: sympy.Expr
     end: sympy.Expr
     value: sympy.Expr
 
     def position(self, phase: sympy.Expr) -> sympy.Expr:
-        """Return the value at a phase."""
+        """Return the output at a phase, rad."""
         return self.value.subs(THETA, phase)
 
 
 @dataclass(frozen=True)
 class Waveform:
-    """Segments that follow one another over a whole period of 2π."""
+    """A periodic output.
+
+    Attributes:
+        segments: Follow one another over a whole period of 2π.
+    """
 
     segments: tuple[Segment, ...]
 
@@ -52,14 +62,23 @@ class Waveform:
 
 @cache
 def segment_integral(segment: Segment, weight: sympy.Expr) -> sympy.Expr:
-    """Return the integral of a segment times a weight, by its antiderivative."""
+    """Return the integral over a segment of its output times a weight, by SymPy's own antiderivative."""
     primitive = sympy.integrate(sympy.expand(segment.value * weight), THETA)
     return primitive.subs(THETA, segment.end) - primitive.subs(THETA, segment.start)
 
 
 @cache
 def describing_function(waveform: Waveform, amplitude: sympy.Expr, harmonic: int = 1) -> sympy.Expr:
-    """Return N_n = (b_n + j a_n) / A (thesis, equation 2.35, for harmonic n)."""
+    """Return N_n = (b_n + j a_n) / A (thesis, equation 2.35, for harmonic n).
+
+    Args:
+        waveform: The output.
+        amplitude: A of the input A sin θ, in the unit of the input.
+        harmonic: n, a number.
+
+    Returns:
+        N_n in the unit of output over input.
+    """
     cosine, sine = waveform.cosine_coefficient(harmonic), waveform.sine_coefficient(harmonic)
     return (sine + sympy.I * cosine) / amplitude
 
@@ -68,9 +87,15 @@ def describing_function(waveform: Waveform, amplitude: sympy.Expr, harmonic: int
 def simplified_describing_function(
     waveform: Waveform, amplitude: sympy.Expr, gap: tuple[sympy.Expr, sympy.Expr] | None = None
 ) -> sympy.Expr:
-    """Return N = (b1 + j a1) / A with real and imaginary part each simplified by itself.
+    """Return N_1 = (b_1 + j a_1) / A with real and imaginary part each simplified by itself.
 
-    ``gap`` is a pair of a symbol and what to put for it first, such as the gap in terms of a contact angle.
+    Args:
+        waveform: The output.
+        amplitude: A of the input A sin θ, in the unit of the input.
+        gap: A symbol and its replacement, such as the gap in terms of a contact angle.
+
+    Returns:
+        N_1 in the unit of output over input.
     """
     sine, cosine = waveform.sine_coefficient(), waveform.cosine_coefficient()
     if gap is not None:

@@ -12,7 +12,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar, final
 
-from trimmer.errors import TrimmerError
+from trimmer import TrimmerError
 
 Result = TypeVar("Result")
 _JOBS: ContextVar[Sequence[Callable[[], Any]]] = ContextVar("jobs of this process")

@@ -1,4 +1,4 @@
-"""Second ways that claims share, as confirmations; what they compute is in ``report.numbers.independent``."""
+"""Second ways and methods that claims share; what they compute is in ``report.numbers.independent``."""
 
 from __future__ import annotations
 
@@ -6,25 +6,34 @@ from collections.abc import Sequence
 
 import control
 import mpmath
+import sympy
 
 from report.claim import Confirmation
-from report.numbers.independent import loci
-from report.numbers.independent.waveforms import ODD_ORDERS, at_the_jump
-from report.numbers.independent.waveforms import sampled_gain as sampled_gain
+from report.numbers.independent import loci, waveforms
+from report.numbers.independent.waveforms import ODD_ORDERS, Values, at_the_jump, sampled_gain
 from report.parts import close, equal, small, so
-from trimmer import response_at
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.elements.element import Element
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer import Element, LimitCycle, PeriodicOrbit, response_at
 
 DIGITS = 30
+RELATIVE = 1e-12
+"""Accuracy of a numeric integral."""
 CLOSES = 1e-6
 """Accuracy to which a loop closes with a sampled waveform or a sum of harmonics."""
+NEWTON = f"Newton's method in {DIGITS} digits"
+EXACTLY = "exact coefficients, 40 digits"
+TWO_DURATIONS = "the state at the impact and two durations, solved for with SciPy's matrix exponential"
+REPEATED = "the listing, repeated line by line"
+LOEB = "Loeb's criterion, from analytic derivatives of both curves"
+ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
+"""Names of ways that several claims go."""
 
 
-def second_way(means: str, holds: bool) -> Confirmation:
-    """Confirm a finding by another way to it, of which is known whether it leads to the same finding."""
-    return so(means, holds)
+def by_quadrature(
+    derived: sympy.Expr, numeric: complex, values: Values, means: str = "quadrature"
+) -> Confirmation:
+    """Confirm a derived expression, which may be zero, at one point by a numeric integral in many digits."""
+    symbolic = complex(sympy.sympify(derived).subs(values).evalf(waveforms.DIGITS))
+    return small(means, abs(numeric - symbolic), RELATIVE * max(1.0, abs(symbolic)))
 
 
 def by_division_back(omega: float, frequency: float) -> Confirmation:

@@ -1,30 +1,38 @@
-"""The open loop of section 5.2.1 and appendix E with drives of very different amplitude.
+"""The two blocks of section 5.2.1 with drives of very different amplitude, in open loop and fed back.
 
-Friction-controlled backlash of 40 µm, 100 Hz, pin displacement only, without friction between the bodies.
+The thesis calls figures 5.11, 5.12b and 5.14 open loop; the loop of figure 2.5 with a sinusoidal reference,
+e = r - y, is the other way to drive the two blocks. Both are friction-controlled backlash of ``LARGE_GAP``
+and the trimmer, the pin acting by its displacement alone, without friction between the bodies.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import final
 
 import control
 import numpy as np
 
-from report.numbers.linear_numbers import DRIVE_FREQUENCY
+from report.numbers.record import harmonics
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
+from trimmer import Drive, Element, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, Window, peaks, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.loops import Drive, OpenLoop
-from trimmer.motion.simulation import simulate
+from trimmer.motion.interconnection import Interconnection, realized
+from trimmer.motion.loops import Loop, element_around
+from trimmer.spectra.spectrum import amplitude_spectrum
 
-GAP = 4e-5
-"""Total clearance, m."""
-AMPLITUDES = (1.5e-6, 1.5e-4, 1.5e-3, 1.5e-2, 1.5e-1)
-"""Amplitudes of the pin in figure E.2, m, in rising order."""
-PERIODS = 40
-"""Periods from rest."""
-SAMPLES = 2048
-"""Samples of a period."""
+AMPLITUDES = (1.5e-6, 1.5e-4, DRIVE_AMPLITUDE, 1.5e-2, 1.5e-1)
+"""Amplitudes of the drive in figure E.2, m, in rising order."""
+PERIODS, SAMPLES = 40, 2048
+"""Periods of the open loop from rest, and samples of a period."""
+SETTLING, RECORD = 0.5, 0.5
+"""Time before a record of the loop with a reference and its length, s."""
+SAMPLE_RATE = 10_000.0
+"""Hz; that record holds a whole number of periods of the reference."""
+PEAKS = 6
+AWAY = 1.0
+"""Least distance of a line from every multiple of the reference's frequency, Hz."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,17 +56,116 @@ class AmplitudeRun:
 
 def solve_drive_amplitudes(system: control.StateSpace) -> tuple[AmplitudeRun, ...]:
     """Simulate each amplitude; ``system`` is the trimmer from the bridge's displacement to q2 - q4."""
-    return tuple(_run(system, amplitude) for amplitude in AMPLITUDES)
+    return tuple(_open_loop(system, amplitude) for amplitude in AMPLITUDES)
 
 
-def _run(system: control.StateSpace, amplitude: float) -> AmplitudeRun:
-    omega = 2 * math.pi * DRIVE_FREQUENCY
-    loop = OpenLoop(system, FrictionBacklash(GAP), Drive(amplitude, omega))
+def _open_loop(system: control.StateSpace, amplitude: float) -> AmplitudeRun:
+    loop = OpenLoop(system, FrictionBacklash(LARGE_GAP), Drive(amplitude, DRIVE_OMEGA))
     motion = simulate(loop, PERIODS / DRIVE_FREQUENCY)
     phases = 2 * math.pi * np.arange(2 * SAMPLES) / SAMPLES
-    output = motion.output(motion.duration - 2 / DRIVE_FREQUENCY + phases / omega)
+    output = motion.output(motion.duration - 2 / DRIVE_FREQUENCY + phases / DRIVE_OMEGA)
     lines = np.fft.rfft(output[SAMPLES:])
     first = 2 * (lines[1] * np.exp(1j * phases)).real / SAMPLES
-    amplitudes = 2 * np.abs(lines) / SAMPLES
-    amplitudes[0] /= 2
-    return AmplitudeRun(amplitude, phases, output, amplitudes, float(np.ptp(output - first)) / 2)
+    ripple = float(np.ptp(output - first)) / 2
+    return AmplitudeRun(amplitude, phases, output, harmonics(output[SAMPLES:]), ripple)
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class ReferenceLoop(Loop):
+    """Negative feedback with a reference: the element's input is r - y.
+
+    Attributes:
+        system: G.
+        element: The nonlinear element.
+        reference: r.
+    """
+
+    system: control.LTI
+    element: Element
+    reference: Drive
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations."""
+        closed = element_around(self.model, self.element, None)
+        return replace(closed, drive=self.reference, drive_gain=np.ones(len(closed.components)))
+
+    @property
+    def model(self) -> control.StateSpace:
+        """The system in state space."""
+        return realized(self.system)
+
+
+@dataclass(frozen=True, eq=False)
+class ReferenceRun:
+    """One run with a reference of ``DRIVE_FREQUENCY``.
+
+    Attributes:
+        amplitude: Of the reference, m.
+        largest: Largest |y| of the record, m.
+        base: Amplitude of y at the frequency of the reference, m.
+        frequency: Frequency of the largest line that is no multiple of the reference's, Hz; NaN for none.
+        line: Its amplitude, m; 0 for none.
+        motion: The motion from its start.
+    """
+
+    amplitude: float
+    largest: float
+    base: float
+    frequency: float
+    line: float
+    motion: Motion
+
+
+@dataclass(frozen=True, eq=False)
+class ReferenceNumbers:
+    """Runs of the loop with a reference.
+
+    Attributes:
+        from_rest: A reference of 1.5 mm in the thesis's loop, started from rest.
+        from_limit_cycle: Each of ``AMPLITUDES``, started on the limit cycle.
+        both_channels: 1.5 mm, started on the limit cycle of the loop with the pin's velocity too.
+    """
+
+    from_rest: ReferenceRun
+    from_limit_cycle: tuple[ReferenceRun, ...]
+    both_channels: ReferenceRun
+
+
+def solve_reference(orbit: PeriodicOrbit, orbit_both: PeriodicOrbit) -> ReferenceNumbers:
+    """Simulate the runs; the orbits are the stable limit cycles of the two loops for a gap of one metre."""
+    return ReferenceNumbers(
+        from_rest=_fed_back(orbit, DRIVE_AMPLITUDE, aboard=False),
+        from_limit_cycle=tuple(_fed_back(orbit, amplitude, aboard=True) for amplitude in AMPLITUDES),
+        both_channels=_fed_back(orbit_both, DRIVE_AMPLITUDE, aboard=True),
+    )
+
+
+def _fed_back(orbit: PeriodicOrbit, amplitude: float, aboard: bool) -> ReferenceRun:
+    reference = Drive(amplitude, DRIVE_OMEGA)
+    loop = ReferenceLoop(orbit.motion.loop.model, FrictionBacklash(LARGE_GAP), reference)
+    if aboard:
+        motion = simulate(
+            loop,
+            SETTLING + RECORD,
+            initial_state=LARGE_GAP * orbit.motion.state(0.0),
+            element_output=LARGE_GAP * float(orbit.motion.element_output(0.0)),
+        )
+    else:
+        motion = simulate(loop, SETTLING + RECORD)
+    output = motion.output(SETTLING + np.arange(round(RECORD * SAMPLE_RATE)) / SAMPLE_RATE)
+    line = 2 * abs(np.fft.rfft(output)[round(RECORD * DRIVE_FREQUENCY)]) / output.size
+    frequency, size = other_line(output, SAMPLE_RATE, DRIVE_FREQUENCY)
+    return ReferenceRun(amplitude, float(np.abs(output).max()), float(line), frequency, size, motion)
+
+
+def other_line(output: Reals, sample_rate: float, drive: float) -> tuple[float, float]:
+    """Return frequency (Hz) and amplitude of the largest line that is no multiple of a drive's frequency.
+
+    NaN and 0 if there is none.
+    """
+    found = peaks(amplitude_spectrum(output, sample_rate, Window.BLACKMAN_HARRIS), limit=PEAKS)
+    for peak in found:
+        if abs(peak.frequency - drive * round(peak.frequency / drive)) > AWAY:
+            return peak.frequency, peak.amplitude
+    return math.nan, 0.0

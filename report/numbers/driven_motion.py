@@ -6,37 +6,39 @@ and its velocity, as in equation 3.2; friction is between cutter and guard unles
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import find_peaks
 
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from report.numbers.record import change, harmonics, padded_spectrum
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    MEASURED_DRIVE_OMEGA,
+    SAMPLE_RATE,
+)
+from trimmer import CoulombFriction, Drive, FrictionBacklash, Motion, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.loops import Drive
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
 from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
-SAMPLE_RATE = 20_000.0
-"""That of the experiment's camera, Hz."""
 DURATION = 0.6
 """Length of a run from rest, s: fifteen time constants of the slowest mode."""
 FORCES = (0.25, 0.5, 0.75)
 """Friction of figures 3.6 to 3.8, N."""
-GAP = 200e-6
-"""Gap of the experiment with play, m."""
-LARGER_GAP, LARGEST_GAP = 200e-5, 200e-4
-"""The two other gaps that were simulated, m."""
 PERIOD = 1 / MEASURED_DRIVE_FREQUENCY
 PERIODS_LATER = int(DURATION / 2 / PERIOD)
 HARMONICS = 20
 STARTED_ASIDE = 1e-3
 """Displacement of the cutter at the start of the second of two motions with the same pin, m."""
+LOWEST, HIGHEST = 150.0, 1000.0
+"""Range of the peaks of what dies out after the start, Hz: beyond the drive itself."""
+SMALLEST = 0.05
+"""Smallest of these peaks, over the largest."""
 _PHASES = 4096
 
 
@@ -110,7 +112,7 @@ def solve_driven(parameters: TrimmerParameters) -> DrivenNumbers:
     """Simulate all runs."""
     settings = [
         *((0.0, force) for force in FORCES),
-        *((gap, force) for gap in (GAP, LARGER_GAP) for force in (0.0, *FORCES)),
+        *((gap, force) for gap in (EXPERIMENT_GAP, LARGER_GAP) for force in (0.0, *FORCES)),
         *((LARGEST_GAP, force) for force in FORCES),
     ]
     times, apart = _two_motions(parameters)
@@ -122,13 +124,13 @@ def driven_loop(parameters: TrimmerParameters, gap: float, force: float) -> Trim
     return TrimmerLoop(
         parameters,
         FrictionBacklash(gap) if gap else None,
-        Drive(DRIVE_AMPLITUDE, 2 * math.pi * MEASURED_DRIVE_FREQUENCY),
-        frictions=rubbing(force),
+        Drive(DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA),
+        frictions=friction_between_cutter_and_guard(force),
     )
 
 
-def rubbing(force: float) -> tuple[BodyFriction, ...]:
-    """Return friction between cutter and guard; none if the force (N) is 0."""
+def friction_between_cutter_and_guard(force: float) -> tuple[BodyFriction, ...]:
+    """Return Coulomb friction between these two; none if the force (N) is 0."""
     return (BodyFriction(CUTTER_RELATIVE_TO_GUARD, CoulombFriction(force)),) if force else ()
 
 
@@ -137,17 +139,17 @@ def _run(parameters: TrimmerParameters, gap: float, force: float) -> DrivenRun:
     motion = simulate(loop, DURATION)
     times = np.arange(int(DURATION * SAMPLE_RATE) + 1) / SAMPLE_RATE
     state = motion.state(np.minimum(times, DURATION))
-    harmonics, repeat, mirror = _settled(motion)
+    amplitudes, repeat, mirror = _settled(motion)
     early = times[times < DURATION / 2]
     return DrivenRun(
         gap=gap,
         force=force,
         times=times,
-        pin=DRIVE_AMPLITUDE * np.sin(2 * math.pi * MEASURED_DRIVE_FREQUENCY * times),
+        pin=DRIVE_AMPLITUDE * np.sin(MEASURED_DRIVE_OMEGA * times),
         cutter=state[Body.CUTTER.index],
         guard=state[Body.GUARD.index],
         transient=motion.output(early) - motion.output(early + PERIODS_LATER * PERIOD),
-        harmonics=harmonics,
+        harmonics=amplitudes,
         repeat=repeat,
         mirror=mirror,
     )
@@ -157,22 +159,13 @@ def _settled(motion: Motion) -> tuple[Reals, float, float]:
     """Return harmonics of the last period, and its distance from the one before and its mirror image."""
     start = motion.duration - 2 * PERIOD
     first, second = motion.output(start + np.arange(2 * _PHASES) * PERIOD / _PHASES).reshape(2, _PHASES)
-    size = float(np.abs(second).max())
-    if size == 0:
-        return np.zeros(HARMONICS), 0.0, 0.0
-    halves = second.reshape(2, -1)
-    amplitudes = 2 * np.abs(np.fft.rfft(second))[:HARMONICS] / _PHASES
-    amplitudes[0] /= 2
-    return (
-        amplitudes,
-        float(np.abs(second - first).max()) / size,
-        float(np.abs(halves.sum(axis=0)).max()) / size,
-    )
+    mirrored = -np.roll(second, _PHASES // 2)
+    return harmonics(second)[:HARMONICS], change(first, second), change(mirrored, second)
 
 
 def _two_motions(parameters: TrimmerParameters) -> tuple[Reals, Reals]:
     """Return instants and the energy of the difference of a motion from rest and one from aside."""
-    loop = driven_loop(parameters, GAP, FORCES[-1])
+    loop = driven_loop(parameters, EXPERIMENT_GAP, FORCES[-1])
     aside = np.zeros(2 * len(Body))
     aside[Body.CUTTER.index] = STARTED_ASIDE
     times = np.linspace(0, DURATION, 2001)
@@ -194,3 +187,17 @@ def difference_energy(parameters: TrimmerParameters, state: Reals) -> Reals:
     potential = values.k1 * q1**2 + values.k2 * (q2 - q1) ** 2 + values.k3 * q3**2
     potential = potential + values.k4 * (q4 - q3) ** 2 + values.k5 * (q2 - q3) ** 2
     return np.asarray((kinetic + potential) / 2)
+
+
+def transient_spectrum(run: DrivenRun) -> tuple[Reals, Reals]:
+    """Return frequencies (Hz) and the modulus of the spectrum of what dies out after the start (m s)."""
+    frequency, modulus = padded_spectrum(run.transient)
+    return frequency, modulus / SAMPLE_RATE
+
+
+def transient_peaks(run: DrivenRun) -> tuple[float, ...]:
+    """Return the frequencies of the peaks of that spectrum, rising, Hz."""
+    frequency, modulus = transient_spectrum(run)
+    inside = (frequency > LOWEST) & (frequency < HIGHEST)
+    places, _ = find_peaks(np.where(inside, modulus, 0.0), height=SMALLEST * modulus[inside].max())
+    return tuple(float(each) for each in frequency[places])

@@ -16,19 +16,14 @@ import mpmath
 
 from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
-from trimmer import InputChannels, response_at
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
+from report.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
+from trimmer import CoulombFriction, Element, InputChannels, LimitCycle, limit_cycles, response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 
-GAP, FORCE = 4e-6, 0.6
-"""Gap (m) and friction force (N) of figure 5.23."""
-OMEGA = 200 * math.pi
-"""Angular frequency of the drive, at which the thesis freezes its describing function, rad/s."""
-OTHER_FORCE, OTHER_GAP = 0.15, 200e-5
-"""Friction force (N) and gap (m) of figure 5.21."""
+FORCE = 0.6
+"""Friction force of figure 5.23, N; its gap is ``SMALL_GAP``."""
+OTHER_FORCE = 0.15
+"""Friction force of figure 5.21, N; its gap is ``LARGER_GAP``."""
 FORCES = (0.0006, 0.006, 0.06, 0.6)
 START_OF_EQUATION = (0.06, 23e3)
 """A (m) and ω (rad/s) near the one solution of equation 5.14 that a search over both has found."""
@@ -44,7 +39,7 @@ class Point:
     @property
     def frequency(self) -> float:
         """Frequency, Hz."""
-        return self.omega / (2 * math.pi)
+        return self.omega / TURN
 
 
 @dataclass(frozen=True)
@@ -76,20 +71,22 @@ class EquivalentNumbers:
     @property
     def force_of_merger(self) -> float:
         """Largest force between cutter and guard with a limit cycle, for the gap of figure 5.23, N."""
-        return GAP * self.in_place.merger.force_per_gap
+        return SMALL_GAP * self.in_place.merger.force_per_gap
 
 
-def listing_element(force: float, gap: float = GAP, omega: float = OMEGA) -> Element:
+def listing_element(force: float, gap: float = SMALL_GAP, omega: float = DRIVE_OMEGA) -> Element:
     """Return what Listing A.6 computes, above the edge of its dead band."""
     return FrictionBacklash(gap) - CoulombFriction(force / omega)
 
 
-def right_element(force: float, stiffness: float, gap: float = GAP) -> Element:
+def right_element(force: float, stiffness: float, gap: float = SMALL_GAP) -> Element:
     """Return backlash with friction as a stiffness, over a stiffness in N/m."""
     return FrictionBacklash(gap) + CoulombFriction(force / stiffness)
 
 
-def printed_function(amplitude: float, force: float, gap: float = GAP, omega: float = OMEGA) -> complex:
+def printed_function(
+    amplitude: float, force: float, gap: float = SMALL_GAP, omega: float = DRIVE_OMEGA
+) -> complex:
     """Evaluate equation 5.14 as it is printed, with the gap put in for its b."""
     c = 2 * gap / amplitude - 1
     real = math.pi / 2 - math.asin(c) - c * math.sqrt(1 - c**2)
@@ -117,11 +114,11 @@ def solve_equivalent(
         rounded_less_force=tuple(limit_cycles(rounded, listing_element(OTHER_FORCE))),
         listing=listing,
         listing_both_channels=tuple(limit_cycles(both, listing_element(FORCE))),
-        other_gap=tuple(limit_cycles(system, listing_element(OTHER_FORCE, OTHER_GAP))),
+        other_gap=tuple(limit_cycles(system, listing_element(OTHER_FORCE, LARGER_GAP))),
         by_force=tuple(cycle for cycles in by_force for cycle in cycles if cycle.stable),
         own_frequency=_own_frequency(system, listing[0]),
         as_printed=_newton(system, lambda a, _: printed_function(a, FORCE), *START_OF_EQUATION),
-        sign_turned=tuple(limit_cycles(system, right_element(FORCE, OMEGA))),
+        sign_turned=tuple(limit_cycles(system, right_element(FORCE, DRIVE_OMEGA))),
         over_stiffness=tuple(limit_cycles(system, right_element(FORCE, k2))),
         over_stiffness_both_channels=tuple(limit_cycles(both, right_element(FORCE, k2))),
         in_place=in_place,
@@ -131,10 +128,12 @@ def solve_equivalent(
 
 def _own_frequency(system: control.TransferFunction, frozen: LimitCycle) -> Point:
     """Solve with the term at the frequency of the loop, from the solution at the frozen one."""
-    start = frozen.amplitude * OMEGA / frozen.omega
+    start = frozen.amplitude * DRIVE_OMEGA / frozen.omega
     return _newton(
         system,
-        lambda amplitude, omega: complex(listing_element(FORCE, GAP, omega).describing_function(amplitude)),
+        lambda amplitude, omega: complex(
+            listing_element(FORCE, SMALL_GAP, omega).describing_function(amplitude)
+        ),
         start,
         frozen.omega,
     )

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 import control
 import numpy as np
 
-from trimmer import InputChannels, TrimmerParameters, linear_model, pin_model
+from report.thesis import TURN
+from trimmer import Body, InputChannels, LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.displacement import Body
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 BACKLASH = FrictionBacklash(1.0)
@@ -38,7 +37,7 @@ class Balances:
     @property
     def frequency(self) -> Reals:
         """Frequency, Hz."""
-        return self.omega / (2 * math.pi)
+        return self.omega / TURN
 
 
 @dataclass(frozen=True)

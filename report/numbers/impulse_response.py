@@ -15,10 +15,8 @@ import control
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from trimmer import ClosedLoop, FrictionBacklash, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.motion.loops import ClosedLoop
-from trimmer.motion.simulation import simulate
 
 GAPS = (1e-8, 2e-8, 3e-8)
 """Gaps of figure 5.7, m."""

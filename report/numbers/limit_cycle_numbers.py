@@ -5,24 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import control
-import mpmath
 import numpy as np
 from scipy.optimize import minimize_scalar
 
 from report.numbers.equivalent_nonlinearity import EquivalentNumbers, solve_equivalent
 from report.numbers.linear_numbers import LinearNumbers
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR
+from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, limit_cycles
 
-LISTING_NUMERATOR = (1e07, 1.233e10, 5.939e14, 1.65e17, 4.065e21, 3.667e23, 5.714e27)
-LISTING_DENOMINATOR = (1, 1378, 7.076e07, 3.878e10, 1.069e15, 2.676e17, 4.889e21, 4.595e23, 5.971e27)
-"""Coefficients of Listing A.9, lines 18 to 20, highest power first."""
 TIME_CONSTANTS = tuple(float(each) for each in np.geomspace(1e-6, 1.0, 9))
 """Load time constants M/D between the friction- and the inertia-controlled limit, s."""
-DIGITS = 30
 
 
 @dataclass(frozen=True)
@@ -57,7 +49,7 @@ class LimitCycleNumbers:
 
 def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
     """Solve harmonic balance for each kind of backlash."""
-    listing = control.tf(list(LISTING_NUMERATOR), list(LISTING_DENOMINATOR))
+    listing = control.tf(*(list(map(float, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR)))
     thesis, both = numbers.displacement_only, numbers.both_channels
     friction, inertia = FrictionBacklash(1.0), InertiaBacklash(1.0)
     by_friction, by_friction_both = _pair(thesis, friction), _pair(both, friction)
@@ -107,52 +99,10 @@ def _pair(system: control.TransferFunction, element: FrictionBacklash | InertiaB
     return Pair(unstable, stable)
 
 
-def friction_by_newton(
-    numerator: tuple[float, ...], denominator: tuple[float, ...], near: LimitCycle
-) -> tuple[float, float]:
-    """Return A/gap and ω (rad/s) of friction-controlled backlash by Newton's method in 30 digits.
+def cycles_of_constant_gamma(system: control.lti.LTI, gamma: float) -> tuple[LimitCycle, LimitCycle]:
+    """Return the limit cycles of viscous-controlled backlash if M ω / D did not depend on ω (figure 5.16).
 
-    Uses the closed form of the thesis's listing and the polynomials themselves, and nothing of the solver.
+    The unstable and the stable one, in order of frequency, for a gap of one metre.
     """
-    with mpmath.workdps(DIGITS):
-        above, below = ([mpmath.mpf(c) for c in coefficients] for coefficients in (numerator, denominator))
-
-        def residual(ratio: mpmath.mpf, scaled: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
-            c = 1 - 1 / ratio
-            gain = (mpmath.pi / 2 + mpmath.asin(c) + c * mpmath.sqrt(1 - c**2)) / mpmath.pi
-            element = mpmath.mpc(gain, -(1 - c**2) / mpmath.pi)
-            point = mpmath.mpc(0, scaled * near.omega)
-            loop = 1 + element * mpmath.polyval(above, point) / mpmath.polyval(below, point)
-            return loop.real, loop.imag
-
-        ratio, scaled = mpmath.findroot(residual, (near.amplitude, 1))
-        return float(ratio), float(scaled * near.omega)
-
-
-def friction_exactly(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, float]:
-    """Return A/gap and ω (rad/s) by ``friction_by_newton`` from the exact coefficients of the derivation."""
-    return friction_by_newton(
-        tuple(map(float, numbers.numerator)), tuple(map(float, numbers.denominator)), near
-    )
-
-
-def inertia_by_newton(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, float]:
-    """Return A/gap and ω (rad/s) of inertia-controlled backlash by Newton's method in the contact angle."""
-    with mpmath.workdps(DIGITS):
-        above, below = (
-            [mpmath.mpf(c.numerator) / c.denominator for c in coefficients]
-            for coefficients in (numbers.numerator, numbers.denominator)
-        )
-
-        def residual(angle: mpmath.mpf, scaled: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
-            sine, cosine = mpmath.sin(angle), mpmath.cos(angle)
-            element = (
-                mpmath.mpc(mpmath.pi + 2 * sine - angle - sine * cosine, -((1 - cosine) ** 2)) / mpmath.pi
-            )
-            point = mpmath.mpc(0, scaled * near.omega)
-            loop = 1 + element * mpmath.polyval(above, point) / mpmath.polyval(below, point)
-            return loop.real, loop.imag
-
-        start = mpmath.findroot(lambda angle: angle - mpmath.sin(angle) - 1 / near.amplitude, 1.5)
-        angle, scaled = mpmath.findroot(residual, (start, 1))
-        return float(1 / (angle - mpmath.sin(angle))), float(scaled * near.omega)
+    inner, outer = limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0))
+    return inner, outer

@@ -1,4 +1,4 @@
-"""Every number of the linear trimmer that claims and figures need, solved once.
+"""Every number of the linear trimmer that claims and figures need, solved once, and trimmers beside it.
 
 Exact coefficients come from the derivation with the listing's parameters as fractions; everything else from
 the numeric twin.
@@ -6,8 +6,7 @@ the numeric twin.
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import control
@@ -16,23 +15,25 @@ import sympy
 
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import PARAMETERS
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import (
     InputChannels,
     Mode,
     TrimmerParameters,
     UndampedMode,
-    linear_model,
     modes,
+    pin_model,
     time_response,
     transfer_function,
     undamped_modes,
 )
+from trimmer.arrays import Reals
+from trimmer.generated import linear_trimmer
 
-DRIVE_FREQUENCY = 100.0
-MEASURED_DRIVE_FREQUENCY = 109.945
-DRIVE_AMPLITUDE = 0.0015
 FIRST_PERIOD = 1 / DRIVE_FREQUENCY
 SAMPLES_PER_SECOND = 100_000
+DAMPING_FACTOR = 1e-3
+"""Of figure 5.4; the thesis does not give its own factor."""
 
 
 @dataclass(frozen=True)
@@ -110,11 +111,39 @@ def _exact(
 
 def _start_from_rest(parameters: TrimmerParameters) -> StartFromRest:
     times = np.arange(0, 0.4, 1 / SAMPLES_PER_SECOND)
-    omega = 2 * math.pi * DRIVE_FREQUENCY
-    pin = DRIVE_AMPLITUDE * np.vstack([np.sin(omega * times), omega * np.cos(omega * times)])
-    response = time_response(linear_model(parameters)[0, 0], times, pin[0])
+    pin, output = pin_and_output(parameters, times)
     first, last = times < FIRST_PERIOD, times > times[-1] - FIRST_PERIOD
     return StartFromRest(
-        deviation=float(np.abs(response.outputs - pin[0])[first].max()),
-        settled_amplitude=float(np.ptp(response.outputs[last]) / 2),
+        deviation=float(np.abs(output - pin)[first].max()),
+        settled_amplitude=float(np.ptp(output[last]) / 2),
     )
+
+
+def pin_and_output(parameters: TrimmerParameters, times: Reals) -> tuple[Reals, Reals]:
+    """Return the pin's displacement and the output of the thesis's model from rest, m.
+
+    Args:
+        parameters: The trimmer.
+        times: Equally spaced, s, shape (n,).
+    """
+    pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)
+    system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
+    return pin, time_response(system, times, pin).outputs
+
+
+def lightly_damped(parameters: TrimmerParameters) -> TrimmerParameters:
+    """Return the same trimmer with ``DAMPING_FACTOR`` of its damping."""
+    dampings = {name: DAMPING_FACTOR * getattr(parameters, name) for name in ("c1", "c2", "c3", "c4")}
+    return replace(parameters, **dampings)
+
+
+def lightly_damped_response(parameters: TrimmerParameters) -> control.TransferFunction:
+    """Return the transfer function of the thesis's output with little damping."""
+    return transfer_function(lightly_damped(parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+
+
+def sum_of_displacements(parameters: TrimmerParameters) -> control.TransferFunction:
+    """Return the transfer function from pin displacement to q1 + q2 + q3 + q4 (thesis, equation 5.3)."""
+    values = parameters.values()
+    numerator = np.sum(linear_trimmer.displacement_numerators(*values), axis=0)
+    return control.tf(numerator, np.array(linear_trimmer.characteristic_polynomial(*values)))

@@ -10,13 +10,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from report.numbers.driven_motion import FORCES, LARGEST_GAP, difference_energy, driven_loop
+from report.numbers.driven_motion import FORCES, difference_energy, driven_loop
+from report.thesis import LARGEST_GAP
+from trimmer import Body, BodyFriction, CoulombFriction, Displacement, TrimmerParameters, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import Body, Displacement
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.motion.simulation import simulate
-from trimmer.motion.trimmer_loop import BodyFriction
-from trimmer.parameters import TrimmerParameters
 
 CUTTER_RELATIVE_TO_MOTOR = Displacement(Body.CUTTER, Body.MOTOR)
 START = 1e-4

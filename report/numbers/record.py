@@ -1,4 +1,4 @@
-"""Records as the thesis takes them, and the bins of their spectra."""
+"""Records as the thesis takes them, and their spectra."""
 
 from __future__ import annotations
 
@@ -6,7 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from report.thesis import SAMPLE_RATE
 from trimmer.arrays import Reals
+
+PADDED = 2**17
+"""Samples of a record with zeros added: a finer grid of frequencies, not a finer resolution."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,25 @@ class Record:
 def line_amplitudes(output: Reals) -> Reals:
     """Return the amplitude at each bin of the spectrum of a record, without window."""
     return np.asarray(2 * np.abs(np.fft.rfft(output)) / output.size)
+
+
+def harmonics(period: Reals) -> Reals:
+    """Return the amplitudes of the harmonics 0, 1, 2 ... of a period that is sampled evenly."""
+    amplitudes = line_amplitudes(period)
+    amplitudes[0] /= 2
+    return amplitudes
+
+
+def change(before: Reals, after: Reals) -> float:
+    """Return the largest difference of two records, such as periods, over the largest of the second."""
+    difference = np.abs(after - before).max()
+    return float(difference / np.abs(after).max()) if difference else 0.0
+
+
+def padded_spectrum(output: Reals) -> tuple[Reals, Reals]:
+    """Return frequencies (Hz) and modulus of the transform of samples at ``SAMPLE_RATE``, on a finer grid."""
+    frequencies = np.fft.rfftfreq(PADDED, 1 / SAMPLE_RATE)
+    return np.asarray(frequencies, dtype=np.float64), np.abs(np.fft.rfft(output, PADDED))
 
 
 def largest_peaks(amplitudes: Reals, count: int) -> tuple[int, ...]:

@@ -13,14 +13,9 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
-from report.numbers.time_stepping import last_turn_in_steps
+from report.numbers.time_stepping import last_turn_in_steps, linear_step
+from trimmer import ClosedLoop, CoulombFriction, Motion, Relay, ViscousFriction, simulate
 from trimmer.arrays import Reals
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
-from trimmer.motion.loops import ClosedLoop
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
 
 IMPULSES = (1e-6, 1e-3, 1.0)
 """Impulse over force, s."""
@@ -182,11 +177,7 @@ def _in_the_middle(A: Reals, B: Reals, C: Reals, half_period: float) -> float:
 
 def _sampled(system: control.StateSpace) -> tuple[float, float]:
     """Follow the loop whose relay is set once a step from y at its begin."""
-    size = system.nstates
-    whole = np.zeros((size + 1, size + 1))
-    whole[:size, :size], whole[:size, size] = system.A, system.B[:, 0]
-    flow = expm(whole * STEP)
-    through, column, row = flow[:size, :size], flow[:size, size], system.C[0]
+    (through, column, _), row = linear_step(system, STEP), system.C[0]
     state, output = IMPULSES[0] * system.B[:, 0], np.empty(round(RECORD / STEP))
     for each in range(output.size):
         output[each] = row @ state

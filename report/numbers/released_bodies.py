@@ -6,21 +6,16 @@ displacement that all four bodies share is the simplest one.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from report.numbers.driven_motion import rubbing
-from report.numbers.equivalent_nonlinearity import FORCE, GAP
+from report.numbers.driven_motion import friction_between_cutter_and_guard
+from report.numbers.equivalent_nonlinearity import FORCE
 from report.numbers.record import Record, largest_peaks, line_amplitudes
+from report.thesis import SMALL_GAP, TURN
+from trimmer import Body, FrictionBacklash, InputChannels, TrimmerLoop, TrimmerParameters, pin_model, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import Body
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.motion.simulation import simulate
-from trimmer.motion.trimmer_loop import TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
 DISPLACEMENTS = (0.01, 0.1, 1.0)
 """Displacement that all bodies share at the start, m."""
@@ -70,7 +65,7 @@ def solve_released_bodies(parameters: TrimmerParameters) -> ReleasedBodiesNumber
     above = sorted(poles[poles.imag > 0], key=lambda pole: pole.imag)
     return ReleasedBodiesNumbers(
         runs=tuple(_run(parameters, displacement) for displacement in DISPLACEMENTS),
-        modes=tuple(float(pole.imag) / (2 * math.pi) for pole in above),
+        modes=tuple(float(pole.imag) / TURN for pole in above),
         decay=tuple(float(-pole.real) for pole in above),
     )
 
@@ -78,9 +73,9 @@ def solve_released_bodies(parameters: TrimmerParameters) -> ReleasedBodiesNumber
 def _run(parameters: TrimmerParameters, displacement: float) -> ReleasedBodies:
     loop = TrimmerLoop(
         parameters,
-        FrictionBacklash(GAP),
+        FrictionBacklash(SMALL_GAP),
         channels=InputChannels.DISPLACEMENT_ONLY,
-        frictions=rubbing(FORCE),
+        frictions=friction_between_cutter_and_guard(FORCE),
     )
     start = np.repeat([displacement, 0.0], len(Body))
     motion = simulate(loop, RECORD.duration, initial_state=start)

@@ -10,15 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from report.numbers.driven_motion import GAP, LARGEST_GAP, SAMPLE_RATE, rubbing
+from report.numbers.driven_motion import friction_between_cutter_and_guard
+from report.numbers.record import padded_spectrum
+from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
+from trimmer import Body, FrictionBacklash, InputChannels, Motion, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import Body
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
-from trimmer.motion.trimmer_loop import TrimmerLoop
-from trimmer.parameters import TrimmerParameters
 
 DURATION = 0.3
 """Length of a run, s."""
@@ -34,8 +30,6 @@ SCALE = 10
 """Factor on gap, friction and start between two motions that are to be alike."""
 APPENDIX_GAPS = (3e-4, 4e-4, 5e-4, 6e-4)
 """Gaps of figure E.1, m."""
-PADDED = 2**17
-"""Samples of the record with zeros added: a finer grid of frequencies, not a finer resolution."""
 NEAR_SECOND_MODE = (320.0, 420.0)
 """Range in which the peak near 350 Hz is sought, Hz."""
 _POINTS = 8_001
@@ -96,10 +90,8 @@ class ReleasedNumbers:
 
 def released_spectrum(run: ReleasedRun) -> tuple[Reals, Reals]:
     """Return frequencies (Hz) and amplitudes (m) of a run's spectrum, padded to a finer grid."""
-    return (
-        np.asarray(np.fft.rfftfreq(PADDED, 1 / SAMPLE_RATE), dtype=np.float64),
-        2 * np.abs(np.fft.rfft(run.output, PADDED)) / run.output.size,
-    )
+    frequency, modulus = padded_spectrum(run.output)
+    return frequency, 2 * modulus / run.output.size
 
 
 def released_peak(run: ReleasedRun) -> float:
@@ -125,12 +117,12 @@ def solve_released(parameters: TrimmerParameters) -> ReleasedNumbers:
     return ReleasedNumbers(
         figure=tuple(
             _run(parameters, both, gap, force, start)
-            for gap in (GAP, LARGEST_GAP)
+            for gap in (EXPERIMENT_GAP, LARGEST_GAP)
             for force in FORCES_OF_FIGURE
             for start in (INSIDE, OUTSIDE)
         ),
-        by_force=tuple(_run(parameters, both, GAP, force, OUTSIDE) for force in RISING_FORCES),
-        scaled=_run(parameters, both, SCALE * GAP, SCALE * RISING_FORCES[1], OUTSIDE),
+        by_force=tuple(_run(parameters, both, EXPERIMENT_GAP, force, OUTSIDE) for force in RISING_FORCES),
+        scaled=_run(parameters, both, SCALE * EXPERIMENT_GAP, SCALE * RISING_FORCES[1], OUTSIDE),
         appendix=tuple(_run(parameters, displacement_only, gap, 0.0, 2 * OUTSIDE) for gap in APPENDIX_GAPS),
     )
 
@@ -138,7 +130,12 @@ def solve_released(parameters: TrimmerParameters) -> ReleasedNumbers:
 def _run(
     parameters: TrimmerParameters, channels: InputChannels, gap: float, force: float, start: float
 ) -> ReleasedRun:
-    loop = TrimmerLoop(parameters, FrictionBacklash(gap), channels=channels, frictions=rubbing(force))
+    loop = TrimmerLoop(
+        parameters,
+        FrictionBacklash(gap),
+        channels=channels,
+        frictions=friction_between_cutter_and_guard(force),
+    )
     aside = np.zeros(2 * len(Body))
     aside[Body.CUTTER.index] = start * gap
     motion = simulate(loop, DURATION, initial_state=aside)

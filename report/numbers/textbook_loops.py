@@ -12,12 +12,9 @@ from typing import TYPE_CHECKING, Final
 
 import control
 import numpy as np
-from scipy.linalg import expm
 
-from trimmer import response_at
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.relay import Relay
+from report.numbers.time_stepping import linear_step
+from trimmer import FrictionBacklash, Relay, limit_cycles, response_at
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -130,20 +127,10 @@ def backlash_history() -> History:
     starts = np.array(STARTS) * first.amplitude
     drive = -1 / complex(response_at(loop.plant, first.omega))
     state = np.linalg.solve(1j * first.omega * np.eye(3) - space.A, space.B * drive).real * starts
-    inputs = _play_in_loop(_flow(space, step), space.C, state, starts)
+    inputs = _play_in_loop(linear_step(space, step), space.C[0], state, starts)
     windows = inputs.reshape(WINDOWS, _STEPS, starts.size)
     times = np.linspace(0.5, WINDOWS - 0.5, WINDOWS) * _STEPS * step
     return History(times, np.ptp(windows, axis=1) / 2)
-
-
-def _flow(space: control.StateSpace, step: float) -> tuple[Reals, Reals, Reals]:
-    """Return what a step makes of the state, of a constant input, and of an input that rises to one."""
-    states = space.A.shape[0]
-    block = np.zeros((states + 2, states + 2))
-    block[:states, :states], block[:states, states : states + 1] = space.A * step, space.B * step
-    block[states, states + 1] = 1.0
-    flow = expm(block)
-    return flow[:states, :states], flow[:states, states : states + 1], flow[:states, states + 1 :]
 
 
 def _play_in_loop(flow: tuple[Reals, Reals, Reals], output: Reals, state: Reals, starts: Reals) -> Reals:
@@ -153,9 +140,9 @@ def _play_in_loop(flow: tuple[Reals, Reals, Reals], output: Reals, state: Reals,
     play = starts - half_gap
     inputs = np.empty((WINDOWS * _STEPS, starts.size))
     for index in range(len(inputs)):
-        state = propagate @ state + constant * play
-        inputs[index] = -(output @ state)[0]
+        state = propagate @ state + np.outer(constant, play)
+        inputs[index] = -(output @ state)
         following = np.clip(play, inputs[index] - half_gap, inputs[index] + half_gap)
-        state = state + rising * (following - play)
+        state = state + np.outer(rising, following - play)
         play = following
     return inputs

@@ -13,8 +13,9 @@ import control
 import numpy as np
 from scipy.linalg import expm
 
+from report.thesis import TURN
+from trimmer import PeriodicOrbit
 from trimmer.arrays import Reals
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 STEP = 2e-5
 """Step of the loop with backlash, s."""
@@ -65,7 +66,7 @@ def lines_in_steps(
         frequencies: Of the line that is looked at, Hz, for each motion.
     """
     system, rows = orbit.motion.loop.model, np.array(references)
-    hold, ramp, through = _advance(system)
+    through, hold, ramp = linear_step(system, STEP)
     state = np.repeat(gap * orbit.motion.state(0.0)[:, None], len(references), axis=1)
     output = np.full(len(references), gap * float(orbit.motion.element_output(0.0)))
     before, row = output, system.C[0]
@@ -82,25 +83,28 @@ def lines_in_steps(
 def steps(amplitude: float, frequency: float) -> Reals:
     """Return a sine at the end of each step."""
     times = STEP * np.arange(1, round(DURATION / STEP) + 1)
-    return np.asarray(amplitude * np.sin(2 * math.pi * frequency * times))
+    return np.asarray(amplitude * np.sin(TURN * frequency * times))
 
 
 def _follow(output: Reals, signal: Reals, gap: float) -> Reals:
     return np.minimum(np.maximum(output, signal - gap / 2), signal + gap / 2)
 
 
-def _advance(system: control.StateSpace) -> tuple[Reals, Reals, Reals]:
-    """Return what a step adds for an input that is held, and for one that rises by one, and the flow."""
+def linear_step(system: control.StateSpace, step: float) -> tuple[Reals, Reals, Reals]:
+    """Return what a step (s) makes of the state, of an input that is held, and of one that rises to one.
+
+    Exact, by the matrix exponential; shapes (n, n), (n,) and (n,) for n states and one input.
+    """
     size = system.nstates
     whole = np.zeros((size + 2, size + 2))
-    whole[:size, :size], whole[:size, size] = system.A * STEP, system.B[:, 0] * STEP
+    whole[:size, :size], whole[:size, size] = system.A * step, system.B[:, 0] * step
     whole[size, size + 1] = 1.0
     flow = expm(whole)
-    return flow[:size, size], flow[:size, size + 1], flow[:size, :size]
+    return flow[:size, :size], flow[:size, size], flow[:size, size + 1]
 
 
 def _lines(record: Reals, frequencies: Sequence[float]) -> Reals:
     times = STEP * np.arange(record.shape[1])
     window = np.hanning(record.shape[1])
-    turning = np.exp(-2j * math.pi * np.outer(frequencies, times))
+    turning = np.exp(-1j * TURN * np.outer(frequencies, times))
     return np.asarray(2 * np.abs((record * window * turning).sum(axis=1)) / window.sum())

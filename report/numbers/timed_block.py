@@ -7,27 +7,30 @@ linear system whose coefficients change with the drive's period, so its free mot
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import control
 import numpy as np
 from scipy.linalg import expm
 
-from report.numbers.record import Record
+from report.numbers.record import Record, change, harmonics, largest_peaks, line_amplitudes
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_CONTACT,
+    LISTED_OFFSET,
+    TIMED_GAP,
+)
+from trimmer import Drive, InertiaBacklash, OpenLoop, simulate
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.motion.loops import Drive, OpenLoop
-from trimmer.motion.simulation import simulate
 
-GAP, AMPLITUDE, OFFSET = 0.0004, 0.0015, 0.0049
-"""Lines 2, 3 and 12 of Listing A.8, m."""
-FREQUENCY, CONTACT = 100.0, 0.00190662
-"""Lines 5 and 8: Hz, s."""
 RECORD = Record(0.1, 2_001)
 """A record from rest with the length of section 5.2.1, ten periods."""
 SETTLING = 0.6
 """Time after which the open loop repeats, s."""
+MOST = 40
+"""Peaks among which the largest is sought that is no multiple of the drive's frequency."""
 SLACK = 1e-12
 """Rounding of an instant, s."""
 _PHASES = 2048
@@ -35,7 +38,7 @@ _PHASES = 2048
 
 @dataclass(frozen=True)
 class _Piece:
-    """A stretch of the period: its end (s), and output = gain * input + slope * t + constant."""
+    """A segment of the period: its end (s), and output = gain * input + slope * t + constant."""
 
     end: float
     gain: float
@@ -64,29 +67,38 @@ class TimedBlockNumbers:
     repeat: float
 
     @property
+    def largest_other_line(self) -> tuple[float, float]:
+        """Frequency (Hz) and amplitude (m) of the largest line of the loop with the block.
+
+        Multiples of the drive's frequency do not count.
+        """
+        amplitudes = line_amplitudes(self.block_in_loop)
+        bins_of_drive = round(DRIVE_FREQUENCY * RECORD.duration)
+        other = next(number for number in largest_peaks(amplitudes, MOST) if number % bins_of_drive)
+        return RECORD.frequency(other), float(amplitudes[other])
+
+    @property
     def exponents(self) -> Complexes:
         """Floquet exponents, rad/s, their imaginary part up to multiples of the drive's frequency."""
-        return np.asarray(np.log(self.multipliers) * FREQUENCY)
+        return np.asarray(np.log(self.multipliers) * DRIVE_FREQUENCY)
 
 
 def solve_timed_block(system: control.StateSpace) -> TimedBlockNumbers:
     """Follow both; ``system`` is the thesis's G."""
     times = np.linspace(0, RECORD.duration, RECORD.samples)
     output, multipliers = _with_block(system, times)
-    loop = OpenLoop(system, InertiaBacklash(GAP), Drive(AMPLITUDE, 2 * math.pi * FREQUENCY))
+    loop = OpenLoop(system, InertiaBacklash(TIMED_GAP), Drive(DRIVE_AMPLITUDE, DRIVE_OMEGA))
     motion = simulate(loop, SETTLING)
     before, after = (
-        motion.output(SETTLING + (np.arange(_PHASES) / _PHASES - back) / FREQUENCY) for back in (2, 1)
+        motion.output(SETTLING + (np.arange(_PHASES) / _PHASES - back) / DRIVE_FREQUENCY) for back in (2, 1)
     )
-    harmonics = np.abs(np.fft.rfft(after)) * 2 / _PHASES
-    harmonics[0] /= 2
     return TimedBlockNumbers(
         times=times,
         block_in_loop=output,
         multipliers=multipliers,
         open_loop=motion.output(times),
-        harmonics=harmonics,
-        repeat=float(np.abs(after - before).max() / np.abs(after).max()),
+        harmonics=harmonics(after),
+        repeat=change(before, after),
     )
 
 
@@ -97,11 +109,11 @@ def _with_block(system: control.StateSpace, times: Reals) -> tuple[Reals, Comple
     output, flow = np.zeros(times.size), np.eye(system.nstates)
     state = np.zeros(matrices[0].shape[0])
     state[-3:-1] = 1.0  # cosine of the reference, and one
-    for number in range(round(RECORD.duration * FREQUENCY)):
-        begin = number / FREQUENCY
+    for number in range(round(RECORD.duration * DRIVE_FREQUENCY)):
+        begin = number / DRIVE_FREQUENCY
         state[-1] = 0.0  # time since the period began
         for piece, matrix in zip(pieces, matrices, strict=True):
-            end = number / FREQUENCY + piece.end
+            end = number / DRIVE_FREQUENCY + piece.end
             chosen = np.flatnonzero((times >= begin - SLACK) & (times < end - SLACK))
             output[chosen] = _along(matrix, state, times[chosen] - begin, system.C[0])
             step = expm(matrix * (end - begin))
@@ -115,12 +127,13 @@ def _with_block(system: control.StateSpace, times: Reals) -> tuple[Reals, Comple
 
 def _pieces() -> tuple[_Piece, ...]:
     """Return lines 10 to 13 of the listing."""
-    half, speed = 1 / (2 * FREQUENCY), 2 * math.pi * FREQUENCY * AMPLITUDE
+    contact, offset = float(LISTED_CONTACT), float(LISTED_OFFSET)
+    half, speed = 1 / (2 * DRIVE_FREQUENCY), DRIVE_OMEGA * DRIVE_AMPLITUDE
     return (
-        _Piece(CONTACT, 0.0, speed, -GAP / 2),
-        _Piece(half, 1.0, 0.0, GAP / 2),
-        _Piece(half + CONTACT, 0.0, -speed, OFFSET),
-        _Piece(2 * half, 1.0, 0.0, -GAP / 2),
+        _Piece(contact, 0.0, speed, -TIMED_GAP / 2),
+        _Piece(half, 1.0, 0.0, TIMED_GAP / 2),
+        _Piece(half + contact, 0.0, -speed, offset),
+        _Piece(2 * half, 1.0, 0.0, -TIMED_GAP / 2),
     )
 
 
@@ -130,11 +143,10 @@ def _matrix(system: control.StateSpace, piece: _Piece) -> Reals:
     matrix = np.zeros((size + 4, size + 4))
     column = system.B[:, 0]
     matrix[:size, :size] = system.A - piece.gain * np.outer(column, system.C[0])
-    matrix[:size, size] = piece.gain * AMPLITUDE * column
+    matrix[:size, size] = piece.gain * DRIVE_AMPLITUDE * column
     matrix[:size, size + 2] = piece.constant * column
     matrix[:size, size + 3] = piece.slope * column
-    omega = 2 * math.pi * FREQUENCY
-    matrix[size, size + 1], matrix[size + 1, size] = omega, -omega
+    matrix[size, size + 1], matrix[size + 1, size] = DRIVE_OMEGA, -DRIVE_OMEGA
     matrix[size + 3, size + 2] = 1.0
     return matrix
 

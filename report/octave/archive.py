@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from report.document import Program
-from trimmer.files import write_atomically
+from trimmer import write_atomically
 
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _READABLE = 0o100644 << 16

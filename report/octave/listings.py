@@ -26,7 +26,7 @@ from report.folders import templates
 from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
-from trimmer.parameters import TrimmerParameters, parameter_table
+from trimmer import TrimmerParameters, parameter_table
 
 NAMES: dict[sympy.Expr, str] = {
     **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},

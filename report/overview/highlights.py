@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from report.chapters.chapter_5.claims.section_5_1_2 import HARMONICS, LIMIT_CYCLE_OMEGA
+from report.chapters.chapter_5.claims.section_5_1_2 import HARMONICS
 from report.document import Highlight
 from report.evidence import Evidence
 from report.numbers.independent.linear_trimmer import highest_unfiltered
 from report.text import filled
-from report.thesis import DRIVE_FREQUENCY, EXPERIMENT_GAP, MEASURED_DRIVE_FREQUENCY, TURN
+from report.thesis import DRIVE_FREQUENCY, EXPERIMENT_GAP, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import Body, asymptotic_roll_off, filtering_ratio
 
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from report.document import Chapter, Document
-from trimmer.errors import TrimmerError
+from trimmer import TrimmerError
 
 
 class UnknownChapterError(TrimmerError, ValueError):

@@ -1,4 +1,4 @@
-"""The derivation as it is told, and the LaTeX document that `trimmer derive` writes."""
+"""The derivation step by step, and the LaTeX document that `trimmer derive` writes."""
 
 from dataclasses import replace
 
@@ -33,12 +33,12 @@ def test_latex_uses_dots_and_keeps_order(expression, expected):
     assert latex(expression) == expected
 
 
-def test_every_equation_of_the_linear_model_is_told(derivation):
+def test_every_equation_of_the_linear_model_is_shown(derivation):
     numbers = {formula.thesis for step in narrative(derivation) for formula in step.formulas}
     assert {"2.4", "2.5", "2.6", "2.7", "2.9", "2.10", "2.12", "2.13", "2.14", "2.21"} <= numbers
 
 
-def test_a_power_balance_that_does_not_close_stops_the_story(derivation):
+def test_a_power_balance_that_does_not_close_is_an_error(derivation):
     broken = replace(derivation, power=replace(derivation.power, residual=k2))
     with pytest.raises(ValueError, match="power balance"):
         narrative(broken)

@@ -11,15 +11,12 @@ from report.record import ClaimRecord, RecordError, claim, text
 def complete(known):
     yield digits("amplitude", "1.50", known, "m", slip=made_here("a slip of the pen", 1.5), item="1.50 m")
     yield uncheckable("frequency", "488 Hz", "the parameters", item="488 Hz")
-    yield text(
-        """
+    yield text("""
         It is [[ amplitude | f1 ]] m.
         It is not 1.50 m.
 
         Nothing follows.
-        """,
-        amplitude=known,
-    )
+    """).given(amplitude=known)
 
 
 def test_a_record_gives_its_claim_in_the_order_of_its_parts():
@@ -33,7 +30,11 @@ def test_a_record_gives_its_claim_in_the_order_of_its_parts():
 
 
 def test_a_text_of_one_paragraph_has_no_consequence():
-    assert text("Right.").consequence == ""
+    @claim("txt-1", source="")
+    def right(_):
+        yield text("Right.")
+
+    assert right.claim(None).consequence == ""
 
 
 def test_a_number_that_lacks_is_named_with_the_claim():
@@ -57,7 +58,7 @@ def test_a_claim_has_one_text(count):
 
 def test_a_text_has_no_third_paragraph():
     with pytest.raises(RecordError, match="3 paragraphs"):
-        text("One.\n\nTwo.\n\nThree.")
+        _ = text("One.\n\nTwo.\n\nThree.").paragraphs
 
 
 @pytest.mark.parametrize(

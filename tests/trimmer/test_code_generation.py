@@ -37,7 +37,7 @@ def test_sources_do_not_depend_on_the_hash_seed(sources):
     assert printed.stdout.decode("utf-8") == sources.module + sources.latex
 
 
-def test_latex_tells_the_describing_functions_too(sources):
+def test_latex_has_the_describing_functions_too(sources):
     for title in ("Ideal relay", "Friction-controlled backlash", "Viscous-controlled backlash"):
         assert rf"\section{{{title}}}" in sources.latex
 

@@ -64,7 +64,7 @@ def test_star_import_gives_the_public_names() -> None:
     assert set(trimmer.__all__) <= set(names)
 
 
-def test_an_unknown_name_is_told() -> None:
+def test_an_unknown_name_is_an_error() -> None:
     with pytest.raises(AttributeError, match="linaer_model"):
         trimmer.linaer_model  # noqa: B018
 

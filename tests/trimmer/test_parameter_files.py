@@ -34,7 +34,7 @@ def test_the_template_reads_back_equal(tmp_path: Path) -> None:
     assert TrimmerParameters.from_toml(written(tmp_path, TEMPLATE)) == TrimmerParameters.thesis()
 
 
-def test_the_template_tells_meaning_and_unit_of_each_key() -> None:
+def test_the_template_states_meaning_and_unit_of_each_key() -> None:
     lines = TEMPLATE.splitlines()
     for parameter in parameter_table():
         line = next(line for line in lines if line.startswith(f"{parameter.symbol} = "))
@@ -97,7 +97,7 @@ def test_a_missing_key_is_named_with_meaning_and_unit(tmp_path: Path) -> None:
     assert "c2: missing; add 'c2 = NUMBER' (N s/m, damping of the driving bridge)" in message
 
 
-def test_all_problems_of_a_file_are_told_at_once(tmp_path: Path) -> None:
+def test_all_problems_of_a_file_are_reported_at_once(tmp_path: Path) -> None:
     text = with_line("m1", "m9 = 1").replace("k1 = 200000.0", "k1 = -1")
     message = message_for(written(tmp_path, text))
     assert "3 problems" in message
@@ -109,17 +109,17 @@ def test_an_empty_file_lacks_every_key(tmp_path: Path) -> None:
     assert "13 problems" in message_for(written(tmp_path, ""))
 
 
-def test_a_missing_file_is_told_with_how_to_get_one(tmp_path: Path) -> None:
+def test_a_missing_file_is_reported_with_how_to_get_one(tmp_path: Path) -> None:
     assert "no such file; 'trimmer parameters --output FILE' writes one" in message_for(
         tmp_path / "none.toml"
     )
 
 
-def test_a_folder_is_told(tmp_path: Path) -> None:
+def test_a_folder_is_reported(tmp_path: Path) -> None:
     assert "is a folder" in message_for(tmp_path)
 
 
-def test_text_that_is_not_utf8_is_told_with_the_place(tmp_path: Path) -> None:
+def test_text_that_is_not_utf8_is_reported_with_the_place(tmp_path: Path) -> None:
     assert "not UTF-8 text (byte 3)" in message_for(written(tmp_path, b"# \n\xff"))
 
 
@@ -133,7 +133,7 @@ def test_text_that_is_not_utf8_is_told_with_the_place(tmp_path: Path) -> None:
         ("m1 = 1" + "0" * 5000, "not valid TOML"),
     ],
 )
-def test_a_syntax_error_is_told_with_its_line(tmp_path: Path, text: str, place: str) -> None:
+def test_a_syntax_error_is_reported_with_its_line(tmp_path: Path, text: str, place: str) -> None:
     message = message_for(written(tmp_path, text))
     assert "not valid TOML" in message
     assert place in message

@@ -30,7 +30,7 @@ def trimmers() -> st.SearchStrategy[TrimmerParameters]:
 
 @st.composite
 def stable_systems(draw: st.DrawFn) -> control.TransferFunction:
-    """Stable strictly proper systems of order 2 to 5, with light and heavy damping, zeros on both sides."""
+    """Stable strictly proper systems of order 2 to 5, with light and strong damping, zeros on both sides."""
     pairs = draw(st.integers(1, 2))
     denominator = np.poly1d([1.0])
     for _ in range(pairs):

@@ -20,7 +20,7 @@ SMALLEST_GAIN = 1e-6
 """|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis."""
 
 _BESIDE_ROOTS = 2.0
-"""How far these go beyond the roots, in x."""
+"""How far the blocks of the table go beyond the roots of G, in x."""
 
 _BESIDE_SOLUTIONS = 0.5
 """How far the range that is reported goes beyond what was found, in x."""
@@ -34,7 +34,7 @@ _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequenc
 def solve_bounded(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
 ) -> Searched:
-    """Find all solutions with a bounded N."""
+    """Find all solutions where N is bounded; ``omega_range`` in rad/s, all frequencies if None."""
     roots = _range_of_roots(response)
     if omega_range is None:
         breaks = np.concatenate([roots[0] - _GROWING[::-1], response.breaks(*roots), roots[1] + _GROWING])
@@ -56,7 +56,7 @@ def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[f
 
 
 def _range_of_roots(response: InverseResponse) -> tuple[float, float]:
-    """Smallest and largest x of the roots of G, and some more on either side."""
+    """Smallest and largest x of the roots of G, widened by ``_BESIDE_ROOTS`` on either side."""
     sizes = np.abs(response.roots[response.roots != 0]) * response.reference
     lowest, highest = sizes.min(initial=response.reference), sizes.max(initial=response.reference)
     return math.log(lowest) - _BESIDE_ROOTS, math.log(highest) + _BESIDE_ROOTS

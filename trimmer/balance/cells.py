@@ -1,4 +1,4 @@
-"""Boxes in the plane of u = amplitude_scale/amplitude and x = ln omega."""
+"""Boxes in the plane of u = amplitude_scale/amplitude, a number, and x = ln omega, omega in rad/s."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Cells:
-    """Closed boxes, one per entry of the four arrays of equal length.
+    """Closed boxes, one per entry of the four arrays.
 
     Attributes:
-        u_lower: Smallest u.
-        u_upper: Largest u.
-        x_lower: Smallest x.
-        x_upper: Largest x.
+        u_lower: Smallest u of each box, shape (n,).
+        u_upper: Largest u, shape (n,).
+        x_lower: Smallest x, shape (n,).
+        x_upper: Largest x, shape (n,).
     """
 
     u_lower: Reals
@@ -30,7 +30,13 @@ class Cells:
 
     @classmethod
     def grid(cls, u_breaks: Reals, x_lower: Reals, x_upper: Reals) -> Self:
-        """Combine each interval of u with each interval of x; x varies slowest."""
+        """Combine each interval of u with each interval of x; x varies slowest.
+
+        Args:
+            u_breaks: Limits of the intervals of u, shape (rows + 1,).
+            x_lower: Smallest x of each interval, shape (columns,).
+            x_upper: Largest x, shape (columns,).
+        """
         columns, rows = x_lower.size, u_breaks.size - 1
         return cls(
             np.tile(u_breaks[:-1], columns),
@@ -41,12 +47,12 @@ class Cells:
 
     @classmethod
     def none(cls) -> Self:
-        """No box."""
+        """Return an empty set of boxes, to which others are joined."""
         return cls(*(np.empty(0) for _ in range(4)))
 
     @classmethod
     def joined(cls, groups: Sequence[Cells]) -> Cells:
-        """Put the boxes of some groups one after the other."""
+        """Concatenate the boxes of several groups."""
         return Cells(
             np.concatenate([group.u_lower for group in groups]),
             np.concatenate([group.u_upper for group in groups]),
@@ -59,30 +65,30 @@ class Cells:
 
     @property
     def u_half(self) -> Reals:
-        """Half of the width in u."""
+        """Half of the width of each box in u, shape (n,)."""
         return 0.5 * (self.u_upper - self.u_lower)
 
     @property
     def x_half(self) -> Reals:
-        """Half of the width in x."""
+        """Half of the width of each box in x, shape (n,)."""
         return 0.5 * (self.x_upper - self.x_lower)
 
     @property
     def u_centre(self) -> Reals:
-        """Middle in u."""
+        """Centre of each box in u, shape (n,)."""
         return 0.5 * (self.u_lower + self.u_upper)
 
     @property
     def x_centre(self) -> Reals:
-        """Middle in x."""
+        """Centre of each box in x, shape (n,)."""
         return 0.5 * (self.x_lower + self.x_upper)
 
     def take(self, which: Flags | Places) -> Cells:
-        """Keep those that are flagged, or at some places."""
+        """Return the boxes that are flagged, or those at some places."""
         return Cells(self.u_lower[which], self.u_upper[which], self.x_lower[which], self.x_upper[which])
 
     def split(self, along_u: Flags, parts: int) -> Cells:
-        """Cut each box into equal parts along u where flagged, along x elsewhere."""
+        """Cut each box into equal parts along u where flagged (shape (n,)), along x elsewhere."""
         shares = np.arange(parts + 1) / parts
         u = np.where(along_u[:, None], self.u_lower[:, None] + 2 * self.u_half[:, None] * shares, 0.0)
         x = np.where(along_u[:, None], 0.0, self.x_lower[:, None] + 2 * self.x_half[:, None] * shares)
@@ -95,7 +101,7 @@ class Cells:
         )
 
     def inflated(self, factor: float, limits: Cells) -> Cells:
-        """Widen about the middle, but not beyond a single enclosing box."""
+        """Widen each box about its centre by a factor, but not beyond the single box ``limits``."""
         excess = 0.5 * (factor - 1.0)
         u, x = excess * (self.u_upper - self.u_lower), excess * (self.x_upper - self.x_lower)
         return Cells(
@@ -106,17 +112,17 @@ class Cells:
         )
 
     def contains(self, u: Reals, x: Reals) -> Flags:
-        """Whether each box contains the point of the same place."""
+        """Return whether each box contains the point at the same place; all shapes (n,)."""
         inside_u = (self.u_lower <= u) & (u <= self.u_upper)
         return np.asarray(inside_u & (self.x_lower <= x) & (x <= self.x_upper))
 
     def hold(self, u: Reals, x: Reals) -> Flags:
-        """Whether each box (first axis) contains each of some points (second axis)."""
+        """Return whether each of n boxes contains each of m points: shape (n, m)."""
         inside_u = (self.u_lower[:, None] <= u) & (u <= self.u_upper[:, None])
         return np.asarray(inside_u & (self.x_lower[:, None] <= x) & (x <= self.x_upper[:, None]))
 
     def lie_within(self, others: Cells) -> Flags:
-        """Whether each box lies within any one of some others."""
+        """Return whether each box lies within at least one of the others, shape (n,)."""
         inside = (
             (others.u_lower[:, None] <= self.u_lower)
             & (self.u_upper <= others.u_upper[:, None])

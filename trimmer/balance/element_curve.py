@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GainDisks:
-    """Disks that hold N on boxes, one entry per box.
+    """Disks that hold N on boxes; all arrays have the same shape, with one entry per box.
 
     Attributes:
-        centre: Centre of the disk.
-        radius: Radius of the disk.
+        centre: Centre of the disk, in the unit of N.
+        radius: Radius of the disk, in the unit of N.
         u_share: Part of the radius that comes from the width in u.
         exists: Whether the element has a describing function anywhere in the box.
     """
@@ -36,13 +36,13 @@ class GainDisks:
     exists: Flags
 
     def take(self, which: Any) -> GainDisks:
-        """Keep those at some places, given as NumPy takes an index."""
+        """Return the disks at an index of NumPy, such as places, flags or a tuple of slices."""
         return GainDisks(self.centre[which], self.radius[which], self.u_share[which], self.exists[which])
 
 
 @dataclass(frozen=True)
 class ElementCurve:
-    """The describing function of an element.
+    """The describing function of an element over u and x, in the unit of output over input.
 
     Attributes:
         element: The nonlinear element.
@@ -52,11 +52,11 @@ class ElementCurve:
 
     @property
     def depends_on_x(self) -> bool:
-        """Whether N changes with x."""
+        """Whether N depends on the frequency."""
         return self.element.depends_on_frequency
 
     def value(self, u: Reals, x: Reals) -> Complexes:
-        """Evaluate N; NaN outside the element's domain."""
+        """Evaluate N at arrays of equal shape; NaN outside the element's domain."""
         return np.asarray(self.element.describing_function(self.amplitude(u), self._omega(x)))
 
     def expansion(self, u: Reals, x: Reals) -> Expansion:
@@ -64,11 +64,14 @@ class ElementCurve:
         return self.element.expansion(self.amplitude(u), self._omega(x))
 
     def amplitude(self, u: Reals) -> Reals:
-        """Amplitude that belongs to u; infinite for u = 0, with NumPy's warning. NaN for u < 0."""
+        """Amplitude that belongs to u, in the unit of the element's input; NaN for u < 0.
+
+        It is infinite for u = 0, with NumPy's warning.
+        """
         return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
 
     def edge(self, x: Reals) -> Reals:
-        """Least upper bound of u at which the element has a describing function; broadcasts with x."""
+        """Supremum of u at which the element has a describing function, a number or in the shape of x."""
         if self.depends_on_x:
             return np.asarray(self.element.domain(self._omega(x)))
         return self._edge
@@ -78,12 +81,12 @@ class ElementCurve:
         return np.asarray(self.element.domain())
 
     def inside(self, cells: Cells) -> Flags:
-        """Whether each box lies inside the domain; its edge rises or falls with omega, but not both."""
+        """Return whether each box lies inside the domain, whose edge is monotonic in omega."""
         edge = np.minimum(self.edge(cells.x_lower), self.edge(cells.x_upper))
         return np.asarray(cells.u_upper <= edge)
 
     def variation(self, cells: Cells) -> tuple[Reals, Reals]:
-        """Bound the changes of dN/du and of dN/dx on boxes inside the domain."""
+        """Bound the changes of dN/du and of dN/dx on boxes inside the domain, two arrays of shape (n,)."""
         by_u, by_x = self.element.variation((cells.u_lower, cells.u_upper), self._omega_range(cells))
         return np.asarray(by_u), np.asarray(by_x)
 
@@ -117,20 +120,20 @@ class ElementCurve:
 
 
 _ROWS = 64
-"""Rows where one table serves all x."""
+"""Rows of a table where N does not depend on x, so that all blocks share them."""
 
 _ROWS_PER_BLOCK = 32
-"""Rows where each block has its own."""
+"""Rows of a table where each block has its own."""
 
 
 @dataclass(frozen=True)
 class GainTable:
-    """N on rows of u and blocks of x.
+    """Bounds of N on a coarse grid: rows of u and blocks of x.
 
     Attributes:
         curve: N.
-        u_breaks: Limits of the rows, from 0 on.
-        x_breaks: Limits of the blocks.
+        u_breaks: Limits of the rows, from 0 on, shape (rows + 1,).
+        x_breaks: Limits of the blocks, shape (blocks + 1,).
         disks: Disks that hold N, of shape (rows, blocks), or (rows, 1) if N does not depend on x.
     """
 
@@ -159,19 +162,19 @@ class GainTable:
 
     @cached_property
     def box(self) -> Cells:
-        """The one box that all of it covers."""
+        """The single box that the whole table covers."""
         sides = (self.u_breaks[0], self.u_breaks[-1], self.x_breaks[0], self.x_breaks[-1])
         return Cells(*(np.array([side]) for side in sides))
 
     @cached_property
     def largest_gain(self) -> float:
-        """Upper bound of |N|."""
+        """Upper bound of |N| on the whole table."""
         sizes = np.abs(self.disks.centre) + self.disks.radius
         return float(sizes[self.disks.exists].max())
 
     @cached_property
     def smallest_gain(self) -> float:
-        """Lower bound of |N|; 0 if it may vanish."""
+        """Lower bound of |N| on the whole table; 0 if N may vanish."""
         sizes = np.abs(self.disks.centre) - self.disks.radius
         return max(0.0, float(sizes[self.disks.exists].min()))
 
@@ -180,9 +183,9 @@ class GainTable:
         return self.disks.take((slice(None), blocks)) if self.curve.depends_on_x else self.disks
 
     def disks_at(self, rows: Places, blocks: Places) -> GainDisks:
-        """Disks of some rows, each at a block."""
+        """Disks at pairs of row and block, arrays of the same length."""
         return self.disks.take((rows, blocks if self.curve.depends_on_x else 0))
 
     def cells(self, rows: Places, x_lower: Reals, x_upper: Reals) -> Cells:
-        """Boxes on some rows between given x."""
+        """Boxes of some rows between given x, arrays of the same length."""
         return Cells(self.u_breaks[rows], self.u_breaks[rows + 1], x_lower, x_upper)

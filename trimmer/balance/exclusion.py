@@ -24,12 +24,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EnclosedCells:
-    """Boxes with what N and 1/G do on them, one entry of each part per box.
+    """Boxes with bounds of N and 1/G on them; each part has one entry per box.
 
     Attributes:
         cells: The boxes.
         disks: Disks that hold N.
-        enclosure: What 1/G does.
+        enclosure: Bounds of 1/G.
     """
 
     cells: Cells
@@ -45,11 +45,11 @@ class EnclosedCells:
         return len(self.cells)
 
     def refined(self, curve: ElementCurve) -> EnclosedCells:
-        """Replace the disks by those that hold N on the very boxes."""
+        """Replace the disks, which hold N on larger boxes, by those of the boxes themselves."""
         return EnclosedCells(self.cells, curve.disks(self.cells), self.enclosure)
 
     def open(self, smallest_gain: float) -> EnclosedCells:
-        """Keep those that may hold a solution."""
+        """Return the boxes that may hold a solution with |N| of at least ``smallest_gain``."""
         sizes, radius = np.abs(self.disks.centre), self.disks.radius
         smallest = np.maximum(sizes - radius, smallest_gain)
         possible = disks_meet(self.disks, self.enclosure)
@@ -58,14 +58,14 @@ class EnclosedCells:
 
 
 def disks_meet(disks: GainDisks, enclosure: Enclosure) -> Flags:
-    """Whether N and -1/G can be the same, given disks that hold them; arguments of any shape broadcast."""
+    """Return whether N and -1/G can be equal, given disks that hold them; any shapes that broadcast."""
     apart = disks.centre + enclosure.centre
     reach = disks.radius + enclosure.radius
     return np.asarray(disks.exists & ~(apart.real**2 + apart.imag**2 > reach**2))
 
 
 def sizes_meet(enclosure: Enclosure, smallest: Reals | float, largest: Reals | float) -> Flags:
-    """Whether |1/G| can be between the smallest and the largest |N|."""
+    """Return whether |1/G| can be between the smallest and the largest |N|; shapes broadcast."""
     # In this form it is true where a bound of 1/G is missing (NaN).
     return ~((enclosure.smallest > largest) | (enclosure.largest < smallest))
 
@@ -104,7 +104,7 @@ class _Columns:
 
 
 def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
-    """Find the boxes of the grid that may hold a solution, and count all that were compared."""
+    """Return the boxes of the grid that may hold a solution, and the number of boxes that were compared."""
     breaks = problem.table.x_breaks
     columns = _columns(problem, breaks[:-1], breaks[1:], np.arange(breaks.size - 1))
     size = 0

@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from trimmer.balance.inverse_response import InverseResponse
 
 GAMMA_RANGE = (1e-8, 1e8)
-"""omega M/D that is searched; beyond it, no measured frequency tells the load from friction- or
-inertia-controlled."""
+"""omega M/D that is searched; beyond it, no measured frequency distinguishes the load from a friction- or
+inertia-controlled one."""
 
 LIMIT_TOLERANCE = 1e-7
 """|1 + N G| below which a frequency counts as that of friction- or inertia-controlled backlash itself."""

@@ -1,4 +1,4 @@
-"""1/G(j omega) as a function of x = ln omega, with bounds of what it does on an interval.
+"""1/G(j omega) as a function of x = ln omega (omega in rad/s), with bounds on intervals of x.
 
 Harmonic balance reads N + 1/G = 0. The inverse response is used because it stays finite where G has a pole on
 the imaginary axis. All bounds follow from the distances between an interval of the axis and the roots of G.
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Enclosure:
-    """What 1/G does on intervals of x; each field has one entry per interval.
+    """Value and bounds of 1/G on n intervals of x; each field has shape (n,) and the unit of 1/G.
 
     Attributes:
         centre: 1/G in the middle of the interval.
@@ -40,7 +40,7 @@ class Enclosure:
     largest: Reals
 
     def take(self, which: Places) -> Enclosure:
-        """Keep those at some places."""
+        """Return the entries of the intervals at some places."""
         return Enclosure(
             self.centre[which],
             self.slope[which],
@@ -52,13 +52,13 @@ class Enclosure:
 
 
 class Response(Protocol):
-    """A complex function of x that stands for 1/G."""
+    """A complex function of x that takes the place of 1/G in N + 1/G = 0."""
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
-        """Evaluate it and its derivative at an array of x of one dimension."""
+        """Evaluate the function and its derivative by x, both of the shape (n,) of x."""
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
-        """Bound it on the intervals [lower, upper]."""
+        """Bound the function on the n intervals [lower, upper] of x, both of shape (n,)."""
 
 
 @dataclass(frozen=True)
@@ -72,11 +72,11 @@ class ConstantResponse:
     inverse: complex
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
-        """Give the constant, and no slope."""
+        """Return the constant, and zero for its derivative, at each x."""
         return np.full(x.shape, self.inverse), np.zeros(x.shape, dtype=complex)
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
-        """Give the constant with radius 0."""
+        """Return the constant with radius 0 for each interval."""
         value, slope = self.value_and_slope(lower)
         nothing = np.zeros(lower.shape)
         return Enclosure(value, slope, nothing, nothing, np.abs(value), np.abs(value))
@@ -86,14 +86,14 @@ _EVEN = 16
 """Equal parts of a range of x."""
 
 _BESIDE_A_ROOT = np.sinh(np.linspace(-3.0, 3.0, 9))
-"""Places where the range is cut as well, over the distance of a root from the axis."""
+"""Distances from a root's frequency at which the range is cut too, over the root's distance from the axis."""
 
 Number = TypeVar("Number", np.float64, np.complex128)
 
 
 @dataclass(frozen=True)
 class Turning:
-    """How 1/G turns on intervals of x; each field has one entry per interval.
+    """Bounds of the phase of 1/G on n intervals of x; each field has shape (n,).
 
     Attributes:
         centre: 1/G in the middle of the interval.
@@ -111,9 +111,9 @@ class InverseResponse:
     """1/G(j omega) = gain * prod(j omega/reference - pole) / prod(j omega/reference - zero).
 
     Attributes:
-        gain: Factor; real for a real G.
-        poles: Poles of G over the reference; at least as many as zeros.
-        zeros: Zeros of G over the reference.
+        gain: Factor, in the unit of 1/G; real for a real G.
+        poles: Poles of G over the reference, shape (number of poles,); at least as many as zeros.
+        zeros: Zeros of G over the reference, shape (number of zeros,).
         reference: Geometric mean of the roots' magnitudes, rad/s; it keeps products within range.
     """
 
@@ -124,7 +124,7 @@ class InverseResponse:
 
     @classmethod
     def of(cls, factored: ZeroPoleGain) -> Self:
-        """Take it from the zeros, poles and gain of G."""
+        """Return 1/G from the zeros, poles and gain of G."""
         magnitudes = np.abs(factored.roots)
         magnitudes = magnitudes[magnitudes > 0]
         reference = float(np.exp(np.log(magnitudes).mean())) if magnitudes.size else 1.0
@@ -134,12 +134,12 @@ class InverseResponse:
 
     @cached_property
     def roots(self) -> Complexes:
-        """All poles, then all zeros."""
+        """Poles of G, then its zeros, over the reference; shape (number of roots,)."""
         return np.concatenate([self.poles, self.zeros])
 
     @cached_property
     def exponents(self) -> Reals:
-        """Exponent of each of ``roots`` in 1/G: +1 for a pole of G, -1 for a zero."""
+        """Exponent of each of ``roots`` in 1/G, of the same shape: +1 for a pole of G, -1 for a zero."""
         return np.repeat([1.0, -1.0], [self.poles.size, self.zeros.size])
 
     @cached_property
@@ -159,16 +159,16 @@ class InverseResponse:
         return int(self.exponents[self.roots == 0].sum())
 
     def value(self, x: Reals) -> Complexes:
-        """Evaluate 1/G(j exp x) at an array of x of one dimension."""
+        """Evaluate 1/G(j exp x) at x of shape (n,)."""
         return self.gain * self._quotient(1j * self._omega(x) - self.roots[:, None])
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
-        """Evaluate 1/G(j exp x) and its derivative with respect to x."""
+        """Evaluate 1/G(j exp x) and its derivative by x at x of shape (n,)."""
         value, log_slope = self._value_and_log_slope(x)
         return value, value * log_slope
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
-        """Bound 1/G on the intervals [lower, upper] of x.
+        """Bound 1/G on the intervals [lower, upper] of x, both of shape (n,).
 
         With L = d ln(1/G)/dx = sum of exponent * s/(s - root) at s = j omega, the second derivative of
         ln(1/G) is at most the sum of omega |root| / distance**2, which gives the radius by Taylor's theorem.
@@ -192,7 +192,10 @@ class InverseResponse:
             return Enclosure(centre, slope, radius, slope_radius, smallest, largest)
 
     def turning(self, lower: Reals, upper: Reals) -> Turning:
-        """Bound the phase of 1/G on the intervals [lower, upper] of x, by the same theorem."""
+        """Bound the phase of 1/G on the intervals [lower, upper] of x by Taylor's theorem, as in ``enclose``.
+
+        Both have shape (n,).
+        """
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
             centre, log_slope = self._value_and_log_slope(0.5 * (lower + upper))
@@ -202,7 +205,7 @@ class InverseResponse:
         return Turning(centre, np.where(np.isnan(spread), np.inf, spread), np.abs(rate) > half * bend)
 
     def breaks(self, x_lower: float, x_upper: float) -> Reals:
-        """Cut a range of x into intervals; they are short beside lightly damped roots."""
+        """Return limits, rising, of intervals that cover a range of x; short beside lightly damped roots."""
         roots = self.roots[self.roots.imag > 0]
         beside = roots.imag + np.abs(roots.real) * _BESIDE_A_ROOT[:, None]
         x = np.log(np.maximum(beside, self._omega(np.array(x_lower))) * self.reference).ravel()

@@ -1,4 +1,4 @@
-"""How far the harmonics of an element get round the loop: the filtering hypothesis as numbers."""
+"""Harmonics of an element that come back to its input through G: the filtering hypothesis as numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from trimmer.elements.element import Element
 
 HARMONICS = (3, 5, 7)
-"""The first harmonics that an odd element makes."""
+"""The first harmonics above the fundamental that an odd element has."""
 
 
 def harmonic_leakage(

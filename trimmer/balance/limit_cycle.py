@@ -1,4 +1,4 @@
-"""What harmonic balance gives: limit cycles, and how far it is certain that there are no others."""
+"""Results of harmonic balance: limit cycles, and how far it is certain that there are no others."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class LimitCycle:
 
     @property
     def frequency(self) -> float:
-        """Frequency, Hz."""
+        """Frequency of the limit cycle, Hz."""
         return self.omega / (2.0 * math.pi)
 
     @property
@@ -55,7 +55,7 @@ class UndecidedRegion:
     """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
 
     Attributes:
-        amplitudes: Smallest and largest amplitude.
+        amplitudes: Smallest and largest amplitude, in the unit of the element's input; may be infinite.
         omegas: Smallest and largest angular frequency, rad/s.
     """
 
@@ -73,11 +73,11 @@ class Certificate:
         outside_excluded: Whether it is proven too that no limit cycle has a frequency outside that range.
         boxes: Number of boxes examined.
         undecided: Regions about which nothing is proven.
-        smallest_gain: Limit cycles with |N| below this were not looked for, and are not excluded either. 0 if
-            none can exist; more where N vanishes at the edge of a dead band while |G| is not bounded, as with
-            an integrator in G.
+        smallest_gain: Limit cycles with |N| below this, in the unit of N, were not looked for, and are not
+            excluded either. 0 if none can exist; more where N vanishes at the edge of a dead band while |G|
+            is not bounded, as with an integrator in G.
         winding_number: Turns of 1 + N G along the border of what was searched, an independent check: it must
-            be the sum of the indices. None if it cannot be told, as where G has a zero on the axis.
+            be the sum of the indices. None if it cannot be computed, as where G has a zero on the axis.
     """
 
     method: str
@@ -108,7 +108,7 @@ class HarmonicBalance:
 
     @property
     def confirmed(self) -> bool | None:
-        """Whether the winding number is the sum of the indices; None if it is not told."""
+        """Whether the winding number is the sum of the indices; None if there is no winding number."""
         if self.certificate.winding_number is None:
             return None
         return self.certificate.winding_number == sum(cycle.index for cycle in self.limit_cycles)

@@ -1,4 +1,4 @@
-"""The linear part of an element, which harmonic balance takes over to the linear system exactly.
+"""The linear part of an element, which harmonic balance moves to the linear system without approximation.
 
 With N = N_linear + N_rest, 1 + N G = 0 is 1/G + N_linear + N_rest = 0. So viscous friction leaves the element
 and joins 1/G as a linear feedback round the system, and what is left is bounded, or proportional to 1/A.
@@ -30,8 +30,8 @@ class LinearGain:
     """The describing function constant + j omega damping, the same at all amplitudes.
 
     Attributes:
-        constant: In the unit of output over input.
-        damping: That times s.
+        constant: In the unit of output over input of the element.
+        damping: In that unit times s.
     """
 
     constant: complex = 0.0
@@ -41,20 +41,20 @@ class LinearGain:
         return LinearGain(self.constant + other.constant, self.damping + other.damping)
 
     def scaled(self, factor: float) -> LinearGain:
-        """Multiply it by a factor."""
+        """Return the gain multiplied by a factor."""
         return LinearGain(factor * self.constant, factor * self.damping)
 
     def value(self, omega: Reals) -> Complexes:
-        """Evaluate it at angular frequencies, rad/s."""
+        """Evaluate the gain at angular frequencies, rad/s, in their shape."""
         return np.asarray(self.constant + 1j * self.damping * omega)
 
     def frozen(self, omega: float) -> LinearGain:
-        """Take its value at one omega, rad/s, for all."""
+        """Return the constant gain that has the value at one omega, rad/s."""
         return LinearGain(self.constant + 1j * self.damping * omega)
 
 
 def parted(element: Element) -> tuple[LinearGain, Element | None]:
-    """Part an element into its linear part and the rest; None if there is no rest."""
+    """Split an element into its linear part and the rest, which is None for a linear element."""
     match element:
         case ViscousFriction():
             return LinearGain(damping=element.damping), None
@@ -82,7 +82,7 @@ _POLISHING = 3
 
 
 def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseResponse:
-    """Add a linear gain to 1/G.
+    """Return 1/G plus a linear gain, in the unit of 1/G.
 
     The sum has the zeros of G as its poles; its zeros, the poles of the loop, are those of a polynomial.
 

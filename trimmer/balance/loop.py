@@ -21,12 +21,12 @@ _NOTHING = LinearGain()
 
 @dataclass(frozen=True)
 class LoopEquation:
-    """N + 1/G = 0 with the linear part of N taken over to 1/G.
+    """N + 1/G = 0 with the linear part of N moved to 1/G.
 
     Attributes:
-        response: 1/G and the linear part.
+        response: 1/G plus the linear part of N.
         curve: The rest of N.
-        linear: The linear part.
+        linear: The linear part of N.
     """
 
     response: InverseResponse
@@ -35,7 +35,11 @@ class LoopEquation:
 
 
 def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
-    """Take a loop apart.
+    """Return the equation of a loop with negative feedback, with the linear part of the element split off.
+
+    Args:
+        G: The linear system, one input and one output.
+        element: The nonlinear element.
 
     Raises:
         UnsupportedSystemError: if G is not a system that ``harmonic_balance`` accepts.
@@ -63,7 +67,7 @@ def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
 
 
 def inverse_response(G: control.lti.LTI) -> InverseResponse:
-    """Take 1/G from a proper system.
+    """Return 1/G of a proper system; the last few are kept, since sweeps ask for the same one again.
 
     Raises:
         UnsupportedSystemError: if it is improper, or not what ``ZeroPoleGain.of`` accepts.
@@ -74,7 +78,7 @@ def inverse_response(G: control.lti.LTI) -> InverseResponse:
 
 @dataclass(frozen=True)
 class _System:
-    """A system that is known again by its coefficients, whatever becomes of the object."""
+    """A system that is compared by its coefficients, so that a change of the object in place is noticed."""
 
     coefficients: tuple[bytes, ...]
     system: control.lti.LTI = field(compare=False)

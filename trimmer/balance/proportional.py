@@ -43,7 +43,12 @@ FALLBACK_REACH = 1e6
 def solve_proportional(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
 ) -> Searched:
-    """Find all solutions with an N that is proportional to u.
+    """Find all solutions where N is proportional to u.
+
+    Args:
+        response: 1/G.
+        curve: N.
+        omega_range: Lowest and highest angular frequency, rad/s; None for all.
 
     Raises:
         LinearElementError: if N does not depend on the amplitude.
@@ -58,7 +63,7 @@ def solve_proportional(
 
 
 def _coefficient(curve: ElementCurve) -> complex:
-    """N/u, which must be the same at all amplitudes."""
+    """Return c = N/u, which must be the same at all amplitudes."""
     u = np.array([0.25, 1.0, 3.0])
     if not np.any(curve.expansion(u, np.zeros(3)).by_u):
         raise LinearElementError(
@@ -105,6 +110,10 @@ def _real_and_negative(
 def proportional_range(response: InverseResponse, coefficient: complex) -> tuple[float, float, bool]:
     """Find a range of omega, rad/s, outside of which f is nowhere real and negative.
 
+    Args:
+        response: 1/G.
+        coefficient: c = N/u, in the unit of N.
+
     Returns:
         Lowest and highest omega, and whether both are proven.
     """
@@ -148,7 +157,7 @@ def _quiet_end(scales: Complexes, exponents: Reals, direction: complex) -> float
 
 
 def _crossing(response: InverseResponse, coefficient: complex, lower: float, upper: float) -> list[float]:
-    """The place between two x where f becomes real and negative, if there is one; its phase is monotonic."""
+    """Return the x between two others where f is real and negative, if any; its phase is monotonic."""
 
     def phase(x: float) -> float:
         return float(np.angle(-response.value(np.array([x])) / coefficient)[0])
@@ -159,7 +168,7 @@ def _crossing(response: InverseResponse, coefficient: complex, lower: float, upp
 
 
 def _holds_root_on_axis(response: InverseResponse, lower: Reals, upper: Reals) -> Flags:
-    """Whether G has a pole or zero j omega in each interval; f is infinite or zero there, not negative."""
+    """Return whether each interval holds a pole or zero j omega of G; f is infinite or zero there."""
     on_axis = response.roots[(response.roots.real == 0) & (response.roots.imag > 0)].imag * response.reference
     x = np.log(on_axis)[:, None]
     slack = 4 * _SMALLEST_HALF

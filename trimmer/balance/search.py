@@ -27,10 +27,10 @@ class Problem:
     """N(u, x) + 1/G(x) = 0 on the box of a table of N.
 
     Attributes:
-        response: 1/G, or what stands for it.
+        response: 1/G, or the function that takes its place.
         curve: N.
-        table: N on a coarse grid.
-        smallest_gain: Solutions with |N| below this are not looked for.
+        table: Bounds of N on a coarse grid.
+        smallest_gain: Solutions with |N| below this, in the unit of N, are not looked for.
     """
 
     response: Response
@@ -54,13 +54,13 @@ _MARGIN = 2.0
 
 @dataclass(frozen=True)
 class SearchResult:
-    """What a search has found.
+    """Solutions, and the boxes that the search left undecided.
 
     Attributes:
-        u: Solutions, their u.
-        x: Solutions, their x.
+        u: u of each solution, shape (n,).
+        x: x = ln omega of each solution, shape (n,).
         undecided: Boxes that may hold any number of solutions beside those.
-        examined: Number of boxes looked at.
+        examined: Number of boxes examined.
     """
 
     u: Reals
@@ -79,7 +79,7 @@ class _Solutions:
 
 
 def find_all(problem: Problem) -> SearchResult:
-    """Find all solutions in the box of a problem."""
+    """Find all solutions in the box that the table of a problem covers."""
     found = _Solutions(np.empty(0), np.empty(0), Cells.none())
     undecided = [Cells.none()]
     # Bounds that overflow, or are no number, exclude nothing.
@@ -101,7 +101,7 @@ def find_all(problem: Problem) -> SearchResult:
 
 
 def _hopeless(boxes: EnclosedCells) -> Flags:
-    """Whether boxes are too small, or too many, to be cut."""
+    """Return whether boxes are too small, or too many, to be cut."""
     sizes = np.maximum(np.abs(boxes.disks.centre), np.abs(boxes.enclosure.centre))
     radius = boxes.disks.radius + boxes.enclosure.radius
     narrow = (boxes.cells.x_half <= NARROWEST) & ~_along_u(boxes)
@@ -110,13 +110,13 @@ def _hopeless(boxes: EnclosedCells) -> Flags:
 
 
 def _along_u(boxes: EnclosedCells) -> Flags:
-    """Whether the width in u matters more to the bounds than that in x."""
+    """Return whether the width of each box in u adds more to its bounds than that in x."""
     u_share = boxes.disks.u_share
     return np.asarray(u_share >= boxes.disks.radius - u_share + boxes.enclosure.radius)
 
 
 def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:
-    """Find the solutions of cells that hold at most one; flag the cells of which nothing is left to know."""
+    """Find the solutions of cells that hold at most one; flag the cells that are decided."""
     regions = cells.inflated(_MARGIN, problem.table.box)
     test = examine(problem.response, problem.curve, cells, regions)
     settled = test.empty | cells.lie_within(found.regions)
@@ -144,10 +144,11 @@ class Searched:
 
     Attributes:
         method: How, in words.
-        result: What was found.
-        omegas: Range of angular frequency, rad/s.
+        result: Solutions and undecided boxes.
+        omegas: Range of angular frequency that was searched, rad/s.
         outside_excluded: Whether it is proven that there are none outside that range.
-        smallest_gain: |N| below which none were looked for; 0 if it is proven that there are none either.
+        smallest_gain: |N| below which none were looked for, in the unit of N; 0 if it is proven that there
+            are none either.
     """
 
     method: str

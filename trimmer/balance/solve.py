@@ -37,7 +37,7 @@ def limit_cycles(
     Arguments and errors are those of ``harmonic_balance``.
 
     Returns:
-        In order of frequency; empty if there are none.
+        In order of frequency, then of amplitude; empty if there are none.
 
     Warns:
         UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there;
@@ -64,7 +64,7 @@ def harmonic_balance(
 ) -> HarmonicBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
-    What is linear in the element, as viscous friction, is taken over to 1/G
+    What is linear in the element, as viscous friction, is moved to 1/G
     (``trimmer.balance.linear_part``). The plane of u = amplitude_scale/A and ln omega is then covered with
     boxes. A box is excluded where bounds of N and 1/G over it prove that there is no solution, or accepted
     where bounds of their slopes prove that there is at most one, which Newton's method then finds
@@ -74,8 +74,8 @@ def harmonic_balance(
     result (``trimmer.balance.winding_number``).
 
     Without a range all frequencies are covered, up to 55 decades on either side of the roots of G. There are
-    three limits to what is proven, and the certificate tells each. First, regions are undecided where the
-    curves of N and -1/G touch or coincide: at a tangency, with a relay where G is real on a stretch of the
+    three limits to what is proven, and the certificate states each. First, regions are undecided where the
+    curves of N and -1/G touch or coincide: at a tangency, with a relay where G is real on an interval of the
     axis, and with backlash at zero frequency and infinite amplitude if G(0) = -1. Second, ``smallest_gain``
     is not 0 if G has a pole on the imaginary axis and N vanishes at the edge of a dead band. Third, with N
     proportional to 1/A, limit cycles beyond a million times the outermost roots are not excluded if -1/G and

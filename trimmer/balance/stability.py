@@ -7,7 +7,7 @@ criterion; Gelb and Vander Velde, Multiple-Input Describing Functions, 1968, tre
 
 This sees one pole pair, and only slow changes. The other poles that oscillate are those of 1 + N G(s) with N
 frozen; N being complex for positive frequencies, those with a positive imaginary part count. Whether the mean
-runs away is told by the real poles of 1 + N_mean G(s), with the element's gain for the mean of its input
+runs away follows from the real poles of 1 + N_mean G(s), with the element's gain for the mean of its input
 (``Element.mean_gain``). The test says nothing about changes within one period, about an element's memory, or
 where the harmonics are not small; near tangency it is undecided.
 """
@@ -36,7 +36,7 @@ def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
 
     Args:
         response: 1/G.
-        gains: N, of shape (n,).
+        gains: N, of shape (n,), in the unit of 1/G.
 
     Returns:
         Poles over ``response.reference``, of shape (n, number of poles).
@@ -86,9 +86,12 @@ def other_unstable_poles(loop: LoopEquation, gains: Complexes, amplitudes: Reals
 
     Args:
         loop: The loop.
-        gains: N at each limit cycle.
-        amplitudes: At the element's input.
-        omegas: rad/s.
+        gains: N at each limit cycle, shape (n,), without its linear part.
+        amplitudes: Amplitude at the element's input, shape (n,).
+        omegas: Angular frequency, rad/s, shape (n,).
+
+    Returns:
+        Number of unstable poles of each, shape (n,).
     """
     poles = closed_loop_poles(loop.response, gains)
     own = np.abs(poles - 1j * omegas[:, None] / loop.response.reference).argmin(axis=1)
@@ -114,7 +117,7 @@ def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> Places | in
 
 
 def limit_cycles_at(loop: LoopEquation, u: Reals, x: Reals) -> tuple[LimitCycle, ...]:
-    """Describe the solutions at (u, x), in order of frequency, then of amplitude."""
+    """Return the limit cycles of solutions (u, x), shapes (n,), in order of frequency, then of amplitude."""
     if u.size == 0:
         return ()
     order = np.lexsort((-u, x))

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CellTest:
-    """What was found, one entry per box; of a box that reaches outside the element's domain nothing is.
+    """Result of the tests of n boxes, shapes (n,); nothing is proven of a box that leaves the domain of N.
 
     Attributes:
         empty: Whether the box is proven to hold no solution.
@@ -42,7 +42,14 @@ class CellTest:
 
 
 def examine(response: Response, curve: ElementCurve, cells: Cells, regions: Cells) -> CellTest:
-    """Test boxes for emptiness, and a wider region around each for at most one solution."""
+    """Test boxes for emptiness, and a wider region around each for at most one solution.
+
+    Args:
+        response: 1/G.
+        curve: N.
+        cells: n boxes.
+        regions: The n regions, each of which contains its box.
+    """
     u, x = regions.u_centre, regions.x_centre
     enclosure = response.enclose(regions.x_lower, regions.x_upper)
     gain, by_u, gain_by_x = curve.expansion(u, x)
@@ -68,7 +75,7 @@ def examine(response: Response, curve: ElementCurve, cells: Cells, regions: Cell
 
 
 def cross(first: Complexes, second: Complexes) -> Reals:
-    """Cross product of complex numbers as vectors of the plane."""
+    """Return the cross product of complex numbers as vectors of the plane; shapes broadcast."""
     return np.asarray(first.real * second.imag - first.imag * second.real)
 
 
@@ -81,11 +88,18 @@ _CONVERGED = 5e-8
 def solve_in(
     response: Response, curve: ElementCurve, boxes: Cells, u: Reals, x: Reals
 ) -> tuple[Reals, Reals, Flags]:
-    """Solve N + 1/G = 0 from a start in each box.
+    """Solve N + 1/G = 0 by Newton's method from a start in each box.
+
+    Args:
+        response: 1/G.
+        curve: N.
+        boxes: n boxes, each with at most one solution.
+        u: u of the starts, shape (n,).
+        x: x of the starts, shape (n,).
 
     Returns:
-        u, x, and whether Newton's method converged inside the box. It stops early for boxes that hold the
-        solution of another one, as the only solution they can hold is then known.
+        u, x, and whether Newton's method converged inside the box, shapes (n,). It stops early for boxes that
+        hold the solution of another one, as the only solution they can hold is then known.
     """
     for _ in range(_STEPS):
         u_step, x_step = newton_step(response, curve, u, x)
@@ -102,7 +116,7 @@ def solve_in(
 
 
 def newton_step(response: Response, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
-    """One step of Newton's method for the real and imaginary part of N + 1/G."""
+    """Return the step in u and in x of Newton's method for the real and imaginary part of N + 1/G."""
     inverse, slope = response.value_and_slope(x)
     gain, by_u, gain_by_x = curve.expansion(u, x)
     by_x = slope + gain_by_x

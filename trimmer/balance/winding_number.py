@@ -1,4 +1,4 @@
-"""How often F = N + 1/G turns round zero along the border of a region of amplitude and frequency.
+"""Winding number of F = N + 1/G about zero along the border of a region of amplitude and frequency.
 
 By the theory of the degree it is the sum, over the solutions inside, of the signs of the Jacobian
 determinant. With the border run so that the region lies to the left in the plane of ln A and ln omega, a
@@ -6,7 +6,7 @@ solution counts +1 where Loeb's criterion holds and -1 where it does not. So it 
 limit cycles that uses none of the steps that found them.
 
 The border is cut until a disk that holds F on a piece is seen from zero within 90 degrees. Then the phase
-changes by less than that along the piece, and its two ends tell by how much.
+changes by less than that along the piece, and the values at its two ends determine the change.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class _Pieces:
 
     @classmethod
     def joined(cls, groups: list[_Pieces]) -> Self:
-        """Put those of some groups one after the other."""
+        """Concatenate the pieces of several groups."""
         return cls(
             np.concatenate([group.v_start for group in groups]),
             np.concatenate([group.v_end for group in groups]),
@@ -64,11 +64,11 @@ class _Pieces:
         )
 
     def take(self, which: Flags) -> _Pieces:
-        """Keep some of them."""
+        """Return the pieces that are flagged."""
         return _Pieces(self.v_start[which], self.v_end[which], self.x_start[which], self.x_end[which])
 
     def halves(self, which: Flags) -> _Pieces:
-        """Halve some of them."""
+        """Return both halves of the pieces that are flagged: all first halves, then all second ones."""
         v, x = 0.5 * (self.v_start + self.v_end)[which], 0.5 * (self.x_start + self.x_end)[which]
         return _Pieces(
             np.concatenate([self.v_start[which], v]),
@@ -86,19 +86,19 @@ def winding_number(loop: LoopEquation, omegas: tuple[float, float]) -> int | Non
         omegas: Lowest and highest angular frequency, rad/s.
 
     Returns:
-        Number of turns; None if a solution, or a zero of G, is too near to the border to tell.
+        Number of turns; None if a solution, or a zero of G, is too near to the border to count them.
     """
     with np.errstate(all="ignore"):
         pieces = _border(loop.response, math.log(omegas[0]), math.log(omegas[1]))
         largest_u = _largest_u(loop, pieces)
         if largest_u is None:
             return None
-        told = []
+        narrow_pieces = []
         for _ in range(_MOST_LEVELS):
             narrow = _is_seen_narrowly(loop, pieces, largest_u)
-            told.append(pieces.take(narrow))
+            narrow_pieces.append(pieces.take(narrow))
             if narrow.all():
-                return _turns(loop, _Pieces.joined(told), largest_u)
+                return _turns(loop, _Pieces.joined(narrow_pieces), largest_u)
             pieces = pieces.halves(~narrow)
             if pieces.x_start.size > _MOST_PIECES:
                 break
@@ -155,7 +155,7 @@ def _u(curve: ElementCurve, v: Reals, x: Reals, largest_u: float) -> Reals:
 
 
 def _is_seen_narrowly(loop: LoopEquation, pieces: _Pieces, largest_u: float) -> Flags:
-    """Whether a disk that holds F on the box round each piece is seen from zero within 90 degrees."""
+    """Return whether a disk that holds F on the box round each piece is seen from zero within 90 degrees."""
     u_start = _u(loop.curve, pieces.v_start, pieces.x_start, largest_u)
     u_end = _u(loop.curve, pieces.v_end, pieces.x_end, largest_u)
     cells = Cells(

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def certificate_as_text(certificate: Certificate) -> list[str]:
-    """Say in lines what was searched, and where nothing is decided."""
+    """Return lines on the range that was searched, rad/s, and on the regions that are undecided."""
     lowest, highest = certificate.omegas
     others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
     outside = "; none exist outside" if certificate.outside_excluded else ""
@@ -25,7 +25,7 @@ def certificate_as_text(certificate: Certificate) -> list[str]:
 
 
 def certificate_as_json(certificate: Certificate) -> dict[str, object]:
-    """Give a certificate as entries of JSON, in SI units; what is infinite is null."""
+    """Return a certificate as entries of JSON, in SI units; what is infinite is null."""
     return {
         "method": certificate.method,
         "omegas": certificate.omegas,

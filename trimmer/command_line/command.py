@@ -1,4 +1,4 @@
-"""What a subcommand is."""
+"""The record of a subcommand: name, help, options and action."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Command:
         name: The word that selects it.
         help: One line for the list of commands.
         configure: Adds the command's options to its parser.
-        run: Does the work and returns the exit code. What the user can put right it raises as a
+        run: Does the work and returns the exit code. An error that the user can correct it raises as a
             ``trimmer.errors.TrimmerError``.
     """
 

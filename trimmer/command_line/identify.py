@@ -1,4 +1,4 @@
-"""``trimmer identify``: the load's time constant from the frequency of a measured limit cycle."""
+"""``trimmer identify``: time constant of the load behind a backlash, from a measured frequency."""
 
 from __future__ import annotations
 

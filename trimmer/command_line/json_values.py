@@ -1,4 +1,4 @@
-"""Numbers as JSON can hold them."""
+"""Infinite, missing and complex numbers in a form that JSON has."""
 
 from __future__ import annotations
 
@@ -11,5 +11,5 @@ def finite(value: float) -> float | None:
 
 
 def pair(value: complex) -> tuple[float, float]:
-    """Return the real and the imaginary part."""
+    """Return the real and the imaginary part, which are a list of two numbers in JSON."""
     return value.real, value.imag

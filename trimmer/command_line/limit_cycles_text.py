@@ -24,7 +24,10 @@ _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" 
 
 
 def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
-    """Lay limit cycles out as a table, followed by what is certain."""
+    """Return limit cycles as a table, followed by the certificate.
+
+    Amplitudes are in the unit of the element's input, frequencies in rad/s and Hz, angles in degrees.
+    """
     rows = [
         (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
         for cycle in balance.limit_cycles
@@ -39,7 +42,7 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
 
 
 def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
-    """Give limit cycles as JSON: full precision, SI units; what is infinite is null."""
+    """Return limit cycles as JSON: full precision, SI units; what is infinite is null."""
     content = {
         "element": repr(element),
         "limit_cycles": [
@@ -57,7 +60,7 @@ def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
 
 
 def identified_as_text(identified: Identification) -> str:
-    """Lay time constants out as a table, followed by their intervals and by the feasible frequencies."""
+    """Return time constants, s, as a table, followed by their intervals and by the feasible frequencies."""
     lines = ["no M/D gives a limit cycle at this frequency"]
     if identified.time_constants:
         lines = ["Time constants M/D", *_table_of(identified.time_constants)]
@@ -77,7 +80,7 @@ def identified_as_text(identified: Identification) -> str:
 
 
 def identified_as_json(identified: Identification) -> str:
-    """Give what was identified as JSON; an infinite M/D, which is inertia-controlled backlash, is null."""
+    """Return what was identified as JSON; an infinite M/D, which is inertia-controlled backlash, is null."""
     nearest = identified.nearest
     content = {
         "frequency": identified.frequency,

@@ -1,4 +1,4 @@
-"""``trimmer linear``: what the linear model says about a trimmer, for people and for machines."""
+"""``trimmer linear``: modes, resonances, bandwidth and stability of the linear trimmer."""
 
 from __future__ import annotations
 

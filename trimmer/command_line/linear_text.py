@@ -22,7 +22,7 @@ Rows = Iterable[tuple[str, ...]]
 
 
 def as_text(summary: LinearSummary) -> str:
-    """Lay the summary out as short tables."""
+    """Return the summary as short tables in Hz, rad/s and dB."""
     sections = (
         [
             f"Linear trimmer: output {summary.output.label}, pin acts by {_CHANNELS[summary.channels]}, "
@@ -53,7 +53,7 @@ def as_text(summary: LinearSummary) -> str:
 
 
 def as_json(summary: LinearSummary) -> str:
-    """Give the summary as JSON: full precision, SI units, complex numbers as [real, imaginary].
+    """Return the summary as JSON: full precision, SI units, complex numbers as [real, imaginary].
 
     What is infinite or not defined is null.
     """

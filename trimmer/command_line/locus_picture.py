@@ -26,7 +26,7 @@ FORMATS = ("svg", "png", "pdf")
 _POINTS = 4000
 _SIZE = (6.4, 5.0)
 _DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
-"""Metadata that make the same picture the same bytes."""
+"""Metadata without a date, so that the same picture has the same bytes."""
 
 
 def check_format(path: Path) -> None:
@@ -40,9 +40,15 @@ def check_format(path: Path) -> None:
 
 
 def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_format: str) -> bytes:
-    """Draw the two curves and mark the limit cycles, and give the file's content.
+    """Draw G and -1/N, mark the limit cycles, and return the content of the file.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
+
+    Args:
+        G: The linear system, one input and one output.
+        element: The nonlinear element.
+        balance: Limit cycles; its certificate gives the range of frequencies, rad/s.
+        file_format: One of ``FORMATS``.
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
@@ -75,7 +81,7 @@ def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_fo
 
 
 def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, Complexes]]:
-    """The curves -1/N over amplitude, from large amplitudes to the smallest the element allows."""
+    """Return the curves -1/N over amplitude, down to the smallest of the domain, with their labels."""
     if not element.depends_on_frequency:
         return [("-1/N(A)", _inverse(element, None))]
     omegas = [cycle.omega for cycle in balance.limit_cycles] or [np.sqrt(np.prod(balance.certificate.omegas))]

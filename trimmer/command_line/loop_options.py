@@ -25,12 +25,12 @@ class OptionError(TrimmerError, ValueError):
 
 @dataclass(frozen=True)
 class ElementChoice:
-    """An element by the word that selects it.
+    """A choice of the option ``--element``.
 
     Attributes:
-        name: The word.
+        name: The word that selects the element.
         options: The options it needs, in the order in which ``make`` takes their values.
-        make: Makes the element.
+        make: Returns the element for the values of these options, in SI units.
     """
 
     name: str
@@ -78,7 +78,7 @@ ELEMENTS = (
 
 
 def add_loop_options(parser: ArgumentParser) -> None:
-    """Add the options that choose the linear part."""
+    """Add the options that choose the linear part: parameters, output, channels."""
     parser.add_argument(
         "--parameters",
         metavar="FILE",
@@ -116,7 +116,7 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
 
 
 def linear_part(arguments: Namespace) -> control.StateSpace:
-    """Build the linear part that the options choose.
+    """Return the linear part that the options choose, from the displacement of the pin (m) to the output (m).
 
     Raises:
         TrimmerError: if the output or the parameter file cannot be used.
@@ -129,7 +129,7 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
 
 
 def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
-    """Read the parameters from the file that was given, or take the thesis's.
+    """Return the parameters of the file that was given, or those of the thesis.
 
     Raises:
         ParameterError: if the file cannot be used.
@@ -141,7 +141,7 @@ def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
 
 
 def chosen_element(arguments: Namespace) -> Element:
-    """Make the element that the options choose.
+    """Return the element that the options choose.
 
     Raises:
         OptionError: if an option is missing, has no use for the element, or has an unusable value.

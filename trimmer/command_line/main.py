@@ -36,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: Words after the program's name; those of the process if not given.
 
     Returns:
-        0, or 2 for what the user can put right, or 130 if interrupted, or what the subcommand returns.
+        The exit code of the subcommand, 2 for an error that the user can correct, or 130 if interrupted.
     """
     parsed = _parser(_commands()).parse_args(arguments)
     try:
@@ -51,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _drop_output()
         return 0
     except OSError as error:
-        # What commands read and write themselves they report as a TrimmerError; what is left is printing.
+        # Errors of reading and writing files come as a TrimmerError, so this one is of printing.
         name = error.filename or "standard output"
         print(f"trimmer: {name}: {error.strerror}; send the output elsewhere", file=sys.stderr)
         _drop_output()
@@ -61,7 +61,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _drop_output() -> None:
-    """Send to nowhere what is left to print; Python would complain on closing standard output."""
+    """Discard what is left to print; Python would report an error on closing standard output."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -76,7 +76,7 @@ def _commands() -> list[Command]:
 
 
 def _loaded(entry: EntryPoint) -> Command | None:
-    """Load a command of another package; one that is broken must not take the others with it."""
+    """Load a command of another package; None for one that is broken, which must not stop the others."""
     try:
         command = entry.load()
     except Exception as error:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def add_motion_options(parser: ArgumentParser) -> None:
-    """Add the options that choose what moves and what moves it."""
+    """Add the options that choose the loop, its element and frictions, and its drive or impulse."""
     add_element_options(parser, required=False)
     add_loop_options(parser)
     parser.add_argument(
@@ -38,7 +38,7 @@ def add_motion_options(parser: ArgumentParser) -> None:
 
 
 def chosen_loop(arguments: Namespace) -> TrimmerLoop:
-    """Put the loop together that the options choose.
+    """Return the loop that the options choose.
 
     Raises:
         TrimmerError: if options contradict each other or cannot be used.

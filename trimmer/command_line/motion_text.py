@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from trimmer.motion.motion import Motion
 
 SHARE = 0.1
-"""Share of the motion, at its end, that the summary describes."""
+"""Part of the duration, at the end of the motion, that the summary describes."""
 POINTS = 20_001
 REPEATING = (EventKind.IMPACT, EventKind.SWITCH)
 ONE_SIDE = ("upper contact", "plus")
 
 
 def as_text(motion: Motion) -> str:
-    """Summarise a motion: how it ended, what happened, and how it moves at the end."""
+    """Return a summary of a motion: outcome, number of events of each kind, amplitudes (m) at the end."""
     counts = Counter((event.component, event.kind.value) for event in motion.events)
     lines = [
         f"Motion of {motion.duration:.6g} s: {motion.outcome.value}",
@@ -38,7 +38,7 @@ def as_text(motion: Motion) -> str:
 
 
 def as_json(motion: Motion) -> str:
-    """Give a motion as JSON: outcome, every event, and the ranges at the end; SI units."""
+    """Return a motion as JSON: outcome, every event, and the amplitudes at the end; SI units."""
     content = {
         "duration": motion.duration,
         "outcome": motion.outcome.name.lower(),

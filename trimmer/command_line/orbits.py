@@ -1,4 +1,4 @@
-"""``trimmer orbits``: exact limit cycles of a trimmer, beside what harmonic balance predicts."""
+"""``trimmer orbits``: exact limit cycles of a trimmer, beside the predictions of harmonic balance."""
 
 from __future__ import annotations
 
@@ -41,4 +41,4 @@ def _run(arguments: Namespace) -> int:
 
 
 COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
-"""The subcommand."""
+"""The subcommand ``trimmer orbits``."""

@@ -19,7 +19,10 @@ HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "erro
 
 
 def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
-    """Lay orbits out as a table, each beside its prediction, followed by what is certain of those."""
+    """Return orbits as a table, each beside its prediction, followed by the certificate of the predictions.
+
+    Amplitudes are in the unit of the element's input, frequencies in Hz.
+    """
     lines = [f"Exact limit cycles of {element!r}", *table(HEADS, [_row(orbit) for orbit in orbits])]
     lines += [
         f"predicted, but not found: amplitude {each.amplitude:.6g} at {each.frequency:.6g} Hz"
@@ -33,7 +36,7 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[Per
 
 
 def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
-    """Give orbits as JSON: full precision, SI units."""
+    """Return orbits as JSON: full precision, SI units."""
     content = {
         "element": repr(element),
         "orbits": [_entry(orbit) for orbit in orbits],

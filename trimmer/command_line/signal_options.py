@@ -16,7 +16,11 @@ MISSING_VALUES = ("refuse", "interpolate")
 
 
 def positive(text: str) -> float:
-    """Read a positive finite number, as the type of an option."""
+    """Return the positive finite number that a text states, as the type of an option.
+
+    Raises:
+        ArgumentTypeError: if it states none.
+    """
     try:
         number = float(text)
     except ValueError:
@@ -27,7 +31,11 @@ def positive(text: str) -> float:
 
 
 def positive_whole(text: str) -> int:
-    """Read a positive whole number, as the type of an option."""
+    """Return the positive whole number that a text states, as the type of an option.
+
+    Raises:
+        ArgumentTypeError: if it states none.
+    """
     if not text.isdecimal() or int(text) == 0:
         raise ArgumentTypeError(f"{text!r} is not a positive whole number")
     return int(text)

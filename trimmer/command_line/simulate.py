@@ -1,4 +1,4 @@
-"""``trimmer simulate``: the exact motion of a trimmer with play and friction."""
+"""``trimmer simulate``: the exact motion of a trimmer with backlash and friction."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from trimmer.signals.signal import Signal
 
 MOST_SAMPLES = 50_000_000
-"""Samples of a signal that still fit into memory with room to spare."""
+"""Largest number of samples of a signal in a file; they fit into memory with room to spare."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -72,7 +72,7 @@ def _run(arguments: Namespace) -> int:
 
 
 def _signals(motion: Motion, sample_rate: float) -> list[Signal]:
-    """Sample the output, and input and output of the play."""
+    """Sample the output, and input and output of the backlash, m."""
     import numpy as np
 
     from trimmer.signals.signal import Signal
@@ -87,4 +87,4 @@ def _signals(motion: Motion, sample_rate: float) -> list[Signal]:
 
 
 COMMAND = Command("simulate", "exact motion with play and friction, as text, CSV or sound", _configure, _run)
-"""The subcommand."""
+"""The subcommand ``trimmer simulate``."""

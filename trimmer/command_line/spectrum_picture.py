@@ -30,9 +30,13 @@ _MARKERS = {
 
 
 def draw(analysis: SpectrumAnalysis, file_format: str) -> bytes:
-    """Draw a spectrum up to a little above its highest peak, and give the file's content.
+    """Draw a spectrum up to a little above its highest peak, and return the content of the file.
 
-    Peaks are marked by their best explanation; the largest have their frequency written beside them.
+    Peaks are marked by their best explanation; the largest have their frequency, Hz, written beside them.
+
+    Args:
+        analysis: The spectrum and its classified peaks.
+        file_format: One of ``locus_picture.FORMATS``.
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
@@ -67,7 +71,7 @@ def _origin(classified: ClassifiedPeak) -> object:
 
 
 def _outline(analysis: SpectrumAnalysis) -> tuple[Reals, Reals]:
-    """Give the spectrum as a line of not too many points: the largest of as many bins as it takes."""
+    """Return frequency, Hz, and amplitude of at most ``_POINTS`` points, largest of each block of bins."""
     spectrum = analysis.spectrum
     last = _last_bin(spectrum, max((each.peak.frequency for each in analysis.peaks), default=np.inf))
     frequency, amplitude = spectrum.frequency[1 : last + 1], spectrum.amplitude[1 : last + 1]

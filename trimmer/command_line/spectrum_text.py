@@ -38,10 +38,10 @@ class Predictions:
     """Frequencies that the model predicts.
 
     Attributes:
-        source: Which trimmer it is the model of.
-        natural_frequencies: Of the natural modes, Hz; 0 for an overdamped one.
-        gap: Total clearance of the play, m; None if no limit cycles were asked for.
-        limit_cycles: Of the stable limit cycles, Hz.
+        source: Name of the trimmer: that of the thesis, or a parameter file.
+        natural_frequencies: Frequencies of the natural modes, Hz; 0 for an overdamped one.
+        gap: Total clearance of the backlash, m; None if no limit cycles were asked for.
+        limit_cycles: Frequencies of the stable limit cycles, Hz.
     """
 
     source: str
@@ -51,19 +51,22 @@ class Predictions:
 
 
 def as_text(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
-    """Lay spectrum, harmonics and peaks out as short tables."""
+    """Return spectrum, harmonics and peaks as short tables: Hz, degrees, the unit of the signal."""
     sections = [list(_head(file, analysis))]
     if analysis.harmonics is not None:
         sections.append(list(_harmonics(analysis.harmonics, analysis.signal.unit)))
     sections.append(list(_peaks(analysis)))
     sections.append(list(_candidates(analysis, predictions)))
     if wav is not None:
-        sections.append([_told_wav(wav, analysis)])
+        sections.append([_wav_line(wav, analysis)])
     return "\n\n".join("\n".join(lines) for lines in sections)
 
 
 def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
-    """Give spectrum, harmonics and peaks as JSON: full precision, SI units, phases of cosines in rad."""
+    """Return spectrum, harmonics and peaks as JSON: full precision, Hz, rad, the unit of the signal.
+
+    Phases are those of cosines.
+    """
     signal, spectrum, fit = analysis.signal, analysis.spectrum, analysis.harmonics
     content = {
         "file": str(file),
@@ -112,8 +115,8 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
         (
             f"{classified.peak.frequency:.6g}",
             f"{classified.peak.amplitude:.6g}",
-            *_told(classified.explanation, "unexplained"),
-            *_told_other(classified),
+            *_match_cells(classified.explanation, "unexplained"),
+            *_second_cells(classified),
         )
         for classified in analysis.peaks
     ]
@@ -138,7 +141,7 @@ def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterato
         yield from textwrap.wrap(note, _WIDTH, initial_indent="  ", subsequent_indent="  ")
 
 
-def _told_wav(wav: WavFile, analysis: SpectrumAnalysis) -> str:
+def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:
     rate = analysis.signal.sample_rate
     resampled = "" if rate == wav.sample_rate else f", resampled from {rate:.9g} Hz"
     full_scale = f"{wav.full_scale:.6g} {analysis.signal.unit}".rstrip()
@@ -187,17 +190,17 @@ def _origin(origin: Origin) -> dict[str, Any]:
             return {"kind": "limit cycle", **vars(origin)}
 
 
-def _told(match: Match | None, otherwise: str) -> tuple[str, str]:
+def _match_cells(match: Match | None, otherwise: str) -> tuple[str, str]:
     return (
         (otherwise, "") if match is None else (match.origin.label, f"{round(match.distance, 2) + 0.0:+.2f}")
     )
 
 
-def _told_other(classified: ClassifiedPeak) -> tuple[str, str]:
-    """Tell the second explanation; of an unexplained peak, what it is nearest to, though too far from."""
+def _second_cells(classified: ClassifiedPeak) -> tuple[str, str]:
+    """Return the second explanation; for an unexplained peak the nearest candidate, though it is too far."""
     if classified.explanation is not None or not classified.candidates:
-        return _told(classified.second, "")
-    label, distance = _told(min(classified.candidates, key=lambda match: abs(match.distance)), "")
+        return _match_cells(classified.second, "")
+    label, distance = _match_cells(min(classified.candidates, key=lambda match: abs(match.distance)), "")
     return f"nearest: {label}", distance
 
 

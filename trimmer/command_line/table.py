@@ -1,4 +1,4 @@
-"""Tables as plain text."""
+"""Tables as plain text, each column as wide as its widest cell."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def table(heads: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
-    """Lay rows out in columns under their heads, as lines; ``none`` if there is no row."""
+    """Return lines with rows in columns under their heads, or ``none`` if there is no row."""
     if not rows:
         return ["  none"]
     listed = [heads, *rows]

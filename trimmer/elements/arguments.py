@@ -1,4 +1,4 @@
-"""Checks of what is given to an element: fields, amplitudes, frequencies, harmonics."""
+"""Checks of the arguments of an element: fields, amplitudes, frequencies, harmonics."""
 
 from __future__ import annotations
 
@@ -52,19 +52,19 @@ def harmonic_number(harmonic: int) -> int:
 
 
 def positive_amplitudes(amplitude: ArrayLike) -> Reals:
-    """Return amplitudes as an array; infinity and NaN pass.
+    """Return amplitudes as an array of the same shape; infinity and NaN pass.
 
     Raises:
-        ValueError: if one is zero or negative.
+        ValueError: if one is zero or negative, or no real number.
     """
     return _positive("amplitude", amplitude, "half of peak to peak, in the unit of the input")
 
 
 def positive_omegas(omega: ArrayLike) -> Reals:
-    """Return angular frequencies as an array; NaN passes.
+    """Return angular frequencies, rad/s, as an array of the same shape; NaN passes.
 
     Raises:
-        ValueError: if one is zero, negative or infinite.
+        ValueError: if one is zero, negative or infinite, or no real number.
     """
     omegas = _positive("omega", omega, "rad/s")
     if np.count_nonzero(np.isinf(omegas)):

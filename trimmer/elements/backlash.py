@@ -1,4 +1,4 @@
-"""What friction-, inertia- and viscous-controlled backlash share."""
+"""The common base of friction-, inertia- and viscous-controlled backlash."""
 
 from __future__ import annotations
 
@@ -33,10 +33,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Backlash(Element):
-    """Backlash in front of a load M v' + D v = 0; u = gap / amplitude.
+    """Backlash in front of a load M v' + D v = 0 with u = gap / amplitude; N is a number (m/m).
 
     Attributes:
         gap: Total clearance, > 0, in the unit of the input (m).
+
+    Raises:
+        ValueError: if the gap is not positive and finite.
     """
 
     gap: float
@@ -46,15 +49,18 @@ class Backlash(Element):
 
     @property
     def amplitude_scale(self) -> float:
-        """The gap."""
+        """The gap, in the unit of the input (m): N depends on gap/amplitude alone."""
         return self.gap
 
     @abstractmethod
     def gamma(self, omega: Reals) -> Reals:
-        """Return omega M/D at each omega, limited to ``GAMMA_LIMITS``."""
+        """Return omega M/D, a number, at each omega (rad/s, any shape), limited to ``GAMMA_LIMITS``."""
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the largest gap/amplitude: (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+        """Return the largest gap/amplitude, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²).
+
+        It has the shape of ``omega``.
+        """
         return largest_ratio(self.gamma(self._omegas(omega)))[()]
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
@@ -78,7 +84,7 @@ class Backlash(Element):
             return Variation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return 1: the motion in the gap is the same wherever the pin swings about."""
+        """Return 1: the load follows the mean of the pin, wherever that is."""
         return np.ones(np.shape(amplitude))[()]
 
     def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:

@@ -44,7 +44,7 @@ class BacklashBox:
     latest_impact: Reals
 
     def slope_by_log_gamma(self) -> Reals:
-        """Bound |dN/d(ln gamma)|.
+        """Bound |dN/d(ln gamma)| on each box, shape (n,).
 
         The modulus is at most (2/π) cos θ_s ∫ k(s) ds over the flight, with the k of backlash_frequency.py.
         With x = s/gamma, k(s) = (s²/gamma) f(x) and f(x) = (1 - (1 + x) exp(-x)) / x², which falls from 1/2
@@ -62,12 +62,12 @@ class BacklashBox:
         return ROUNDED_UP * SLOPE_BY_RATIO * np.minimum(falling, rising)
 
     def change_of_slope_by_ratio(self) -> Reals:
-        """Bound the change of dN/d(g/A) = (2/π) exp(-jθ_c) between two points of a box."""
+        """Bound the change of dN/d(g/A) = (2/π) exp(-jθ_c) between two points of each box, shape (n,)."""
         angle = np.minimum(self._impact_range(), np.pi)
         return ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * angle)
 
     def change_of_slope_by_log_gamma(self) -> Reals:
-        """Bound the change of dN/d(ln gamma) between two points of a box.
+        """Bound the change of dN/d(ln gamma) between two points of each box, shape (n,).
 
         The derivative is (2j/π) ∫ p exp(-jθ) dθ from θ_s to θ_c, with p = cos θ_s k(θ - θ_s), zero at θ_s. So
         it changes by at most (2/π) (max p times the range of θ_c + max |dp/d(ln gamma)| times the longest

@@ -1,4 +1,4 @@
-"""How the describing function of backlash changes with frequency, that is, with gamma = omega M/D."""
+"""Derivative of backlash's describing function by frequency, that is, by ln gamma with gamma = omega M/D."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TOGETHER = 4096
 
 
 def slope_by_log_gamma(motion: BacklashMotion) -> Complexes:
-    """Evaluate dN/d(ln gamma) of the first harmonic at constant g/A.
+    """Evaluate dN_1/d(ln gamma) at constant g/A, in the shape (n,) of the motion's arrays.
 
     At a fixed phase θ_s + s of the flight, the derivative of y/A by ln gamma is cos θ_s times
     k(s) = gamma (1 - exp(-s/gamma)) - s exp(-s/gamma): the changes of θ_s cancel, because position,

@@ -26,7 +26,7 @@ NODES_BESIDE_HARMONIC = 14
 
 
 def harmonic_of(motion: BacklashMotion, harmonic: int) -> Complexes:
-    """Evaluate N_n for odd n >= 3."""
+    """Evaluate N_n for odd n >= 3, in the shape of the motion's arrays; NaN where there is no motion."""
     short = motion.flight < SMALL * np.minimum(1.0, motion.gamma)
     flying = motion.flight < motion.contact
     length = np.minimum(motion.flight, motion.contact)

@@ -1,4 +1,4 @@
-"""The steady motion of a load behind a backlash, and what follows from it: waveform and harmonics.
+"""The steady motion of a load behind a backlash, with its waveform and its first harmonic.
 
 The pin moves as A sin θ; the load M v' + D v = 0 lies in a gap g, with gamma = omega M/D. It is pushed along
 y = A sin θ - g/2 up to the separation phase θ_s = atan(1/gamma), where the contact would have to pull; flies
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 GAMMA_LIMITS = (1e-150, 1e150)
-"""Beyond these gamma, no double can tell the motion from friction- or inertia-controlled backlash."""
+"""Beyond these gamma, the motion equals friction- or inertia-controlled backlash in double precision."""
 
 SLOPE_BY_RATIO = 2.0 / np.pi
 """Modulus of dN/d(g/A) of the first harmonic, at any g/A and gamma."""
@@ -54,13 +54,23 @@ class BacklashMotion:
 
 
 def separation(gamma: Reals) -> tuple[Reals, Reals]:
-    """Return cos θ_s and sin θ_s at θ_s = atan(1/gamma)."""
+    """Return cos θ_s and sin θ_s at θ_s = atan(1/gamma), in the shape of gamma."""
     root = np.sqrt(1.0 + gamma**2)
     return gamma / root, 1.0 / root
 
 
 def position(motion: BacklashMotion, phase: Reals, amplitude: Reals, gap: float) -> Reals:
-    """Evaluate the load's position at phases of the pin, rad, in the unit of amplitude and gap."""
+    """Evaluate the load's position at phases of the pin.
+
+    Args:
+        motion: The motion, one per entry.
+        phase: θ, rad, in the shape of the motion's arrays.
+        amplitude: A, in the same shape.
+        gap: Total clearance, in the unit of the amplitude.
+
+    Returns:
+        Position in the unit of the amplitude; NaN where there is no motion.
+    """
     after_separation = np.mod(phase - np.arctan2(motion.sine, motion.cosine), 2.0 * np.pi)
     rising = after_separation < np.pi
     elapsed = np.where(rising, after_separation, after_separation - np.pi)
@@ -71,7 +81,9 @@ def position(motion: BacklashMotion, phase: Reals, amplitude: Reals, gap: float)
 
 
 def fundamental(motion: BacklashMotion) -> Complexes:
-    """Evaluate N of the first harmonic; every term of each part has one sign, so no digits cancel.
+    """Evaluate N_1, in the shape of the motion's arrays.
+
+    Every term of the real and of the imaginary part has one sign, so no digits cancel.
 
     With v the relative velocity of impact, c = cos θ_s, E = exp(-flight/gamma) and l = contact:
     π Re N = l - sin l + 2 sin l (c² E + cos²(θ_s - l/2)),
@@ -89,12 +101,12 @@ def fundamental(motion: BacklashMotion) -> Complexes:
 
 
 def slope_by_ratio(motion: BacklashMotion) -> Complexes:
-    """Evaluate dN/d(g/A) of the first harmonic at constant omega: (2/π) exp(-j impact phase)."""
+    """Evaluate dN_1/d(g/A) = (2/π) exp(-j impact phase) at constant omega, in the shape of the arrays."""
     return np.asarray(SLOPE_BY_RATIO * np.exp(-1j * motion.impact_phase))
 
 
 def complex_of(real: Reals, imaginary: Reals) -> Complexes:
-    """Return an array of complex numbers from their parts."""
+    """Return complex numbers from real and imaginary parts of equal shape, without the cost of a sum."""
     values = np.empty(real.shape, dtype=complex)
     values.real, values.imag = real, imaginary
     return values

@@ -1,4 +1,4 @@
-"""Domains and bounds that do not depend on amplitude and frequency, in the shape that was asked for."""
+"""Domains and bounds that do not depend on amplitude and frequency, in the shape of the arguments."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def unlimited_domain(omega: Reals) -> Reals:
-    """Return infinity in the shape of omega."""
+    """Return infinity in the shape of omega: the element has a describing function at any amplitude."""
     return np.full(omega.shape, np.inf)[()]
 
 

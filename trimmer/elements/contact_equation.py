@@ -1,4 +1,4 @@
-"""Solve for the flight of a backlash's load: it ends where the load meets the other side.
+"""Solve for the flight of the load behind a backlash: it ends where the load meets the other side.
 
 With gamma = omega M/D, c = cos θ_s and s = sin θ_s at the separation phase atan(1/gamma), a flight of t takes
 g/A = c gamma (1 - exp(-t/gamma)) - c sin t + s (1 - cos t). Its derivative is the relative velocity, positive
@@ -27,16 +27,16 @@ STEPS = 3
 """Halley steps that take every starting value below to rounding; a test covers all gamma and g/A."""
 QUARTER = 0.5 * np.pi
 _LARGEST_AMPLITUDE = 1e200
-"""Amplitude over gap beyond which powers of the flight underflow; no double tells N from 1 there."""
+"""Amplitude over gap beyond which powers of the flight underflow; N is 1 there in double precision."""
 
 
 def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
-    """Find the motion at arrays of one dimension and equal size; NaN where there is none.
+    """Find the steady motion at each entry of arrays of one dimension; NaN where there is none.
 
     Args:
         gap: Total clearance, in the unit of the amplitude.
-        amplitude: > 0.
-        gamma: omega M/D, within ``GAMMA_LIMITS``.
+        amplitude: > 0, shape (n,).
+        gamma: omega M/D, within ``GAMMA_LIMITS``, shape (n,).
     """
     cosine, sine = separation(gamma)
     finite = np.minimum(amplitude, _LARGEST_AMPLITUDE * gap)
@@ -61,7 +61,10 @@ def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
 
 
 def largest_ratio(gamma: Reals) -> Reals:
-    """Return the g/A of a flight of half a period: (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+    """Return the g/A of a flight of half a period, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²).
+
+    It has the shape of gamma.
+    """
     cosine, sine = separation(gamma)
     return np.asarray(2.0 * sine - cosine * gamma * np.expm1(-np.pi / gamma))
 

@@ -40,11 +40,11 @@ class CoulombFriction(SquareWaveElement):
 
     @property
     def height(self) -> float:
-        """The force."""
+        """The friction force, N."""
         return self.force
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return 0: the place does not matter."""
+        """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
         return np.zeros(np.shape(amplitude))[()]
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:

@@ -1,4 +1,4 @@
-"""The interface of a nonlinear element: describing function, waveform, and what a solver needs of them."""
+"""The interface of a nonlinear element: describing function, waveform, derivatives and their bounds."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Number = TypeVar("Number", np.float64, np.complex128)
 
 _ANY_OMEGA = np.ones(())
-"""What stands for omega where it does not count, rad/s."""
+"""Omega, rad/s, that is used where the element does not depend on it."""
 
 BLOCK = 16384
 """Entries that are computed together: few enough for the processor's cache, enough to make calls cheap."""
@@ -39,7 +39,7 @@ class Element(ABC):
     y(θ + π) = -y(θ), so even harmonics are zero. A is half of peak to peak.
 
     Where an element has no steady output (an amplitude too small for its gap) it returns NaN; ``domain``
-    tells where that is. NaN in gives NaN out. ``describing_function(A)`` is what python-control calls, so
+    gives the limit. NaN in gives NaN out. ``describing_function(A)`` is what python-control calls, so
     an element that does not depend on frequency is accepted by ``control.describing_function_plot`` and
     ``control.describing_function_response``; freeze another with ``at``.
 
@@ -54,15 +54,15 @@ class Element(ABC):
     @property
     @abstractmethod
     def amplitude_scale(self) -> float:
-        """Natural unit of amplitude; u = amplitude_scale / amplitude has no unit."""
+        """Natural scale of the amplitude, in the unit of the input; u = amplitude_scale / amplitude."""
 
     def describing_function(
         self, amplitude: ArrayLike, omega: ArrayLike | None = None, harmonic: int = 1
     ) -> Complexes:
-        """Evaluate N_n.
+        """Evaluate the describing function N_n of a harmonic.
 
         Args:
-            amplitude: A > 0, of any shape; infinity gives the limit.
+            amplitude: A > 0, in the unit of the input, of any shape; infinity gives the limit.
             omega: Angular frequency, rad/s, > 0, of a shape that broadcasts with the amplitude. Needed if
                 ``depends_on_frequency``.
             harmonic: n >= 1.
@@ -97,11 +97,12 @@ class Element(ABC):
 
         Args:
             phase: θ, rad, any real number; the output has period 2π.
-            amplitude: A > 0, finite.
+            amplitude: A > 0, finite, in the unit of the input.
             omega: Angular frequency, rad/s, > 0. Needed if ``depends_on_frequency``.
 
         Returns:
-            Output, of the shape that phase, amplitude and omega broadcast to; NaN outside the domain.
+            Output in its unit, of the shape that phase, amplitude and omega broadcast to; NaN outside the
+            domain.
 
         Raises:
             ValueError: as for ``describing_function``, and for an infinite amplitude.
@@ -117,17 +118,17 @@ class Element(ABC):
         return _scalar_if_0d(values)
 
     def derivatives(self, amplitude: ArrayLike, omega: ArrayLike | None = None) -> Derivatives:
-        """Evaluate dN/du and dN/d(ln omega) of the first harmonic analytically.
+        """Evaluate dN/du and dN/d(ln omega) of the first harmonic analytically, in the unit of N.
 
-        Arguments and errors are those of ``describing_function``; NaN outside the domain.
+        Arguments, shapes and errors are those of ``describing_function``; NaN outside the domain.
         """
         expansion = self.expansion(amplitude, omega)
         return Derivatives(expansion.by_u, expansion.by_log_omega)
 
     def expansion(self, amplitude: ArrayLike, omega: ArrayLike | None = None) -> Expansion:
-        """Evaluate N of the first harmonic and its derivatives in one go.
+        """Evaluate N of the first harmonic and its derivatives together, which costs less than each alone.
 
-        Arguments and errors are those of ``describing_function``; NaN outside the domain.
+        Arguments, shapes and errors are those of ``describing_function``; NaN outside the domain.
         """
         amplitudes, omegas = self._inputs(amplitude, omega)
         missing = np.isnan(amplitudes) | np.isnan(omegas)
@@ -141,6 +142,12 @@ class Element(ABC):
     @abstractmethod
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u = amplitude_scale / amplitude at each omega; N is NaN from there on.
+
+        Args:
+            omega: Angular frequency, rad/s, > 0, of any shape. Needed if ``depends_on_frequency``.
+
+        Returns:
+            Supremum, a number without unit, in the shape of ``omega``; infinite if any amplitude will do.
 
         Raises:
             ValueError: as for ``describing_function``.
@@ -156,7 +163,8 @@ class Element(ABC):
                 ``depends_on_frequency``.
 
         Returns:
-            Bounds of broadcast shape. They are proven for exact arithmetic and rounded upwards.
+            Bounds of broadcast shape, in the unit of N. They are proven for exact arithmetic and rounded
+            upwards.
 
         Raises:
             ValueError: as for ``describing_function``.
@@ -174,7 +182,7 @@ class Element(ABC):
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return the gain for the mean of the input, while that oscillates.
 
-        It is the slope of the mean output over a small mean of the input b + A sin θ, at b = 0. A mean that
+        It is the slope of the mean output over the mean b of the input b + A sin θ, at b = 0. A mean that
         runs away makes a limit cycle unstable. Gelb and Vander Velde (1968), chapter 6, treat such inputs.
 
         Args:
@@ -185,7 +193,11 @@ class Element(ABC):
         """
 
     def at(self, omega: float) -> ElementAtFrequency:
-        """Return this element frozen at an omega, rad/s: its N depends on amplitude only."""
+        """Return this element frozen at an omega, rad/s: its N depends on amplitude only.
+
+        Raises:
+            ValueError: if omega is not positive and finite.
+        """
         from trimmer.elements.element_at_frequency import ElementAtFrequency
 
         return ElementAtFrequency(self, omega)
@@ -211,15 +223,15 @@ class Element(ABC):
 
     @abstractmethod
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        """Evaluate N_n for an odd harmonic at arrays of one dimension and equal size."""
+        """Evaluate N_n for an odd harmonic; all arrays have shape (n,)."""
 
     @abstractmethod
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
-        """Evaluate the output at arrays of one dimension and equal size."""
+        """Evaluate the output; all arrays have shape (n,)."""
 
     @abstractmethod
     def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
-        """Evaluate N_1 and its derivatives at arrays of one dimension and equal size."""
+        """Evaluate N_1 and its derivatives; all arrays have shape (n,)."""
 
     def _inputs(self, amplitude: ArrayLike, omega: ArrayLike | None) -> tuple[Reals, Reals]:
         amplitudes, omegas = positive_amplitudes(amplitude), self._omegas(omega)

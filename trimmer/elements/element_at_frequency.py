@@ -22,10 +22,12 @@ if TYPE_CHECKING:
 @final
 @dataclass(frozen=True)
 class ElementAtFrequency(Element):
-    """What an element does at one omega, taken for all omega: a shortcut of the thesis, and what plots need.
+    """An element with its describing function at one omega taken for all omega.
+
+    The thesis does so where N depends on frequency, and plots of one curve need it.
 
     Attributes:
-        element: What is frozen.
+        element: The element that is frozen.
         omega: Angular frequency that takes the place of any other, > 0, rad/s.
 
     Raises:
@@ -40,32 +42,32 @@ class ElementAtFrequency(Element):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """False."""
+        """False: the frozen omega takes the place of any other."""
         return False
 
     @property
     def amplitude_scale(self) -> float:
-        """That of the element."""
+        """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the limit of the element at the frozen omega."""
+        """Return the supremum of u of the element at the frozen omega, in the shape of ``omega``."""
         return np.full(self._omegas(omega).shape, self.element.domain(self.omega))[()]
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return the element's bound of dN/du at the frozen omega, and 0."""
+        """Return the element's bound of |dN/du| at the frozen omega, and 0 for |dN/d(ln omega)|."""
         shape = range_shape(u_range, omega_range)
         bound = self.element.sensitivity(u_range, (self.omega, self.omega))
         return Sensitivity(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return the element's bound of the change of dN/du at the frozen omega, and 0."""
+        """Return the element's bound of the change of dN/du at the frozen omega, and 0 for the other one."""
         shape = range_shape(u_range, omega_range)
         bound = self.element.variation(u_range, (self.omega, self.omega))
         return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return that of the element; it does not depend on omega."""
+        """Return the gain of the element, which does not depend on omega."""
         return self.element.mean_gain(amplitude)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:

@@ -1,6 +1,7 @@
 """A describing function next to a point: its value, its derivatives, and bounds of these on a box.
 
-The variables are u = amplitude_scale / amplitude and ln omega.
+The variables are u = amplitude_scale / amplitude and ln omega. As both are numbers, all fields are in the
+unit of N, output over input, and have the shape that the arguments broadcast to.
 """
 
 from __future__ import annotations

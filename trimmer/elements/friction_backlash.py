@@ -1,4 +1,4 @@
-"""Friction-controlled backlash."""
+"""Friction-controlled backlash: the load stops as soon as it is not pushed."""
 
 from __future__ import annotations
 
@@ -46,22 +46,22 @@ class FrictionBacklash(Backlash):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """False."""
+        """False: without inertia the load has no time constant."""
         return False
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return 2."""
+        """Return 2, in the shape of ``omega``: the load moves if the amplitude exceeds half of the gap."""
         return np.full(self._omegas(omega).shape, 2.0)[()]
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return the change of (2/π) exp(-jθ) with the phase of the impact, θ = π/2 + acos(1 - u); and 0."""
+        """Return the change of dN/du = (2/π) exp(-jθ_c) with the impact at θ_c = π/2 + acos(1 - u); and 0."""
         shape = range_shape(u_range, omega_range)
         earliest, latest = (np.arccos(1.0 - np.minimum(u, 2.0)) for u in u_range)
         by_u = ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR))
         return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
     def gamma(self, omega: Reals) -> Reals:
-        """Return what stands for zero."""
+        """Return the lower one of ``GAMMA_LIMITS`` in place of 0, by which formulas would divide."""
         return np.full(omega.shape, GAMMA_LIMITS[0])
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:

@@ -1,4 +1,4 @@
-"""Inertia-controlled backlash."""
+"""Inertia-controlled backlash: the load keeps its velocity while it is not pushed."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ class InertiaBacklash(Backlash):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """False."""
+        """False: without friction the load has no time constant."""
         return False
 
     def gamma(self, omega: Reals) -> Reals:
-        """Return what stands for infinity."""
+        """Return the upper one of ``GAMMA_LIMITS`` in place of infinity, for which formulas give NaN."""
         return np.full(omega.shape, GAMMA_LIMITS[1])

@@ -1,4 +1,4 @@
-"""Ideal relay."""
+"""Ideal relay, and with it Coulomb friction of a velocity."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Relay(SquareWaveElement):
 
     @property
     def height(self) -> float:
-        """The level."""
+        """The level, in the unit of the output."""
         return self.level
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:

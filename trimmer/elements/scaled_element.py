@@ -22,8 +22,8 @@ class ScaledElement(Element):
     """An element whose output is multiplied by a factor, and so is its describing function of each harmonic.
 
     Attributes:
-        element: What is scaled.
-        factor: Not zero, finite; may be negative.
+        element: The element that is scaled.
+        factor: Finite and not zero, of any sign; if it has a unit, that multiplies the unit of the output.
 
     Raises:
         ValueError: if the factor is zero, infinite or NaN.
@@ -38,16 +38,16 @@ class ScaledElement(Element):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """Whether the element does."""
+        """Whether the scaled element depends on frequency."""
         return self.element.depends_on_frequency
 
     @property
     def amplitude_scale(self) -> float:
-        """That of the element: a factor on the output leaves the input alone."""
+        """The scale of the element: a factor on the output leaves the input alone."""
         return self.element.amplitude_scale
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the limit of the element."""
+        """Return the supremum of u of the element, which the factor leaves alone."""
         return self.element.domain(omega)
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
@@ -61,7 +61,7 @@ class ScaledElement(Element):
         return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return that of the element times the factor."""
+        """Return the gain of the element times the factor."""
         return self.factor * self.element.mean_gain(amplitude)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:

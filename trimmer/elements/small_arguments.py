@@ -1,4 +1,7 @@
-"""Differences that lose all digits for small arguments when they are evaluated as written."""
+"""Differences that lose all digits for small arguments when they are evaluated as written.
+
+Arguments are arrays of any shape, which the result has too; none has a unit.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ DECAY_INTEGRAL = [(-1.0) ** k / factorial(k + 3) for k in range(12)]
 
 
 def argument_less_sine(x: Reals) -> Reals:
-    """Evaluate x - sin x for x >= 0."""
+    """Evaluate x - sin x for x >= 0, by its series where x is small."""
     value = np.asarray(x - np.sin(x))
     small = x < SMALL
     if small.any():

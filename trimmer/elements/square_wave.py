@@ -1,4 +1,4 @@
-"""What an ideal relay and Coulomb friction share: an output that switches between two values."""
+"""The common base of ideal relay and Coulomb friction: an output that switches between two values."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ class SquareWaveElement(Element):
     """
 
     LEAD: ClassVar[complex]
-    """exp(jφ)."""
+    """exp(jφ) with the lead φ of the output over the input."""
 
     @property
     @abstractmethod
     def height(self) -> float:
-        """Output while it is positive."""
+        """Output in its positive half period, > 0, in the unit of the output."""
 
     @property
     def depends_on_frequency(self) -> bool:
-        """False."""
+        """False: the output has the same height at any frequency."""
         return False
 
     @property
     def amplitude_scale(self) -> float:
-        """The height of the output."""
+        """The height of the output, so that N = (4/π) exp(jφ) u; only its number counts, not its unit."""
         return self.height
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
@@ -52,7 +52,7 @@ class SquareWaveElement(Element):
         return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return 4/π and 0."""
+        """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is proportional to u."""
         return constant_sensitivity(_FUNDAMENTAL, 0.0, u_range, omega_range)
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:

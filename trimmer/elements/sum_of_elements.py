@@ -39,22 +39,22 @@ class SumOfElements(Element):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """Whether any term does."""
+        """Whether any term depends on frequency."""
         return any(term.depends_on_frequency for term in self.terms)
 
     @property
     def amplitude_scale(self) -> float:
-        """The scale of the first term."""
+        """The scale of the first term; u of the sum is that of this term."""
         return self.terms[0].amplitude_scale
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the smallest of the terms' limits."""
+        """Return the smallest of the terms' suprema, each in terms of the u of the sum."""
         omegas = self._omegas(omega)
         limits = [self._ratio(term) * term.domain(omegas) for term in self.terms]
         return np.asarray(reduce(np.minimum, limits))[()]
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return the sums of the terms' bounds."""
+        """Return the sums of the terms' bounds: a modulus of a sum is at most the sum of the moduli."""
         bounds = [
             (self._ratio(term), term.sensitivity(self._range_of(term, u_range), omega_range))
             for term in self.terms
@@ -65,7 +65,7 @@ class SumOfElements(Element):
         )
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return the sums of the terms' bounds."""
+        """Return the sums of the terms' bounds of the changes."""
         bounds = [
             (self._ratio(term), term.variation(self._range_of(term, u_range), omega_range))
             for term in self.terms
@@ -76,7 +76,7 @@ class SumOfElements(Element):
         )
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return the sum of the terms' gains."""
+        """Return the sum of the terms' gains for the mean."""
         return reduce(add, (term.mean_gain(amplitude) for term in self.terms))
 
     def _range_of(self, term: Element, u_range: Range) -> Range:

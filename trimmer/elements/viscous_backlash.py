@@ -42,9 +42,9 @@ class ViscousBacklash(Backlash):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """True."""
+        """True: N depends on gamma = omega M/D."""
         return True
 
     def gamma(self, omega: Reals) -> Reals:
-        """Return omega M/D."""
+        """Return omega M/D, limited to ``GAMMA_LIMITS`` where the time constant is 0 or infinite."""
         return np.asarray(np.clip(self.time_constant * omega, *GAMMA_LIMITS))

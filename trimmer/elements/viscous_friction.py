@@ -25,7 +25,7 @@ class ViscousFriction(Element):
     """Viscous friction, F = damping * dx/dt, of a displacement x: N = j omega damping; no higher harmonics.
 
     Attributes:
-        damping: > 0, N s/m.
+        damping: Coefficient of viscous friction, > 0, N s/m.
 
     Raises:
         ValueError: if the damping is not positive and finite.
@@ -38,7 +38,7 @@ class ViscousFriction(Element):
 
     @property
     def depends_on_frequency(self) -> bool:
-        """True."""
+        """True: N = j omega damping."""
         return True
 
     @property
@@ -51,13 +51,13 @@ class ViscousFriction(Element):
         return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return 0, and the damping times the upper omega."""
+        """Return 0 for |dN/du|, and the damping times the upper omega for |dN/d(ln omega)|, N/m."""
         omega = self._omegas(None if omega_range is None else omega_range[1])
         shape = range_shape(u_range, omega_range)
         return Sensitivity(np.zeros(shape)[()], np.broadcast_to(self.damping * omega, shape)[()])
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return 0, and the damping times the width in omega."""
+        """Return 0 for the change of dN/du, and the damping times the width in omega for the other, N/m."""
         lower, upper = (
             self._omegas(limit) for limit in ((None, None) if omega_range is None else omega_range)
         )
@@ -66,7 +66,7 @@ class ViscousFriction(Element):
         return Variation(np.zeros(shape)[()], change[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return 0: the place does not matter."""
+        """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
         return np.zeros(np.shape(amplitude))[()]
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:

@@ -36,7 +36,7 @@ class RealAxisCrossing:
 
     Attributes:
         omega: Angular frequency, rad/s.
-        value: G there, a real number; negative on the negative real axis (phase crossover).
+        value: G there, a real number in the unit of output over input; negative at a phase crossover.
     """
 
     omega: float
@@ -51,7 +51,7 @@ def gain_crossings(system: control.lti.LTI, level: float = 1.0) -> tuple[float, 
 
     Args:
         system: A system with one input and one output.
-        level: Gain, > 0; 1 is 0 dB.
+        level: Gain, > 0, in the unit of output over input; 1 is 0 dB.
 
     Returns:
         Angular frequencies, rad/s.
@@ -76,7 +76,13 @@ def gain_crossings(system: control.lti.LTI, level: float = 1.0) -> tuple[float, 
 def real_axis_crossings(system: control.lti.LTI) -> tuple[RealAxisCrossing, ...]:
     """Find all omega > 0 where G(j omega) crosses the real axis away from the origin, in rising order.
 
-    A stretch along the axis, as of an undamped system, is no crossing.
+    Where G is real on an interval of the axis, as in an undamped system, that is no crossing.
+
+    Args:
+        system: A system with one input and one output.
+
+    Returns:
+        Crossings with omega in rad/s and the value in the unit of output over input.
 
     Raises:
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.

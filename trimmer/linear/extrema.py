@@ -35,7 +35,11 @@ _SAME = 16 * np.finfo(float).eps
 
 
 def polished_root(function: Callable[[float], float], lower: float, upper: float) -> float:
-    """Find the sign change of a function between two frequencies to the last digits, at any scale."""
+    """Find the sign change of a function between two frequencies, rad/s, to the last digits, at any scale.
+
+    Raises:
+        ValueError: if the function has the same sign at both ends.
+    """
     tolerance = 4 * np.finfo(float).eps
     return float(brentq(function, lower, upper, xtol=np.finfo(float).tiny, rtol=tolerance, maxiter=1000))
 
@@ -107,7 +111,8 @@ class Extremum:
 
     Attributes:
         omega: Angular frequency, rad/s.
-        magnitude: |G| there; infinite at a pole on the imaginary axis, 0 at a zero on it.
+        magnitude: |G| there, in the unit of output over input; infinite at a pole on the imaginary axis, 0 at
+            a zero on it.
     """
 
     omega: float

@@ -52,7 +52,7 @@ def response_at(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
         omega: Angular frequencies, rad/s, of any shape.
 
     Returns:
-        Complex array of the shape of ``omega``.
+        Complex array of the shape of ``omega``, in the unit of output over input.
 
     Raises:
         UnsupportedSystemError: see ``require_siso``.

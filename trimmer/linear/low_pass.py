@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 DECIBELS_PER_DECADE = 20.0
-"""Roll-off of one pole more than zeros."""
+"""Roll-off of one pole in excess of the zeros, dB per decade."""
 
 
 def bandwidth(system: control.lti.LTI, dbdrop: float = -3.0) -> float:
@@ -63,7 +63,10 @@ def bandwidth_crossings(system: control.lti.LTI, dbdrop: float = -3.0) -> tuple[
 
 
 def asymptotic_roll_off(system: control.lti.LTI) -> float:
-    """Give the slope of |G| towards infinite frequency, dB per decade: -20 for each pole more than zeros.
+    """Return the slope of |G| towards infinite frequency, dB per decade: -20 for each pole more than zeros.
+
+    Args:
+        system: A system with one input and one output.
 
     Raises:
         UnsupportedSystemError: see ``require_siso``.

@@ -42,8 +42,8 @@ def linear_model(
     """Build the state-space model with both inputs (equations 2.10 to 2.14 of the thesis).
 
     Args:
-        parameters: The trimmer.
-        output: One displacement, or several, which become the outputs in that order.
+        parameters: The trimmer, SI units.
+        output: One displacement, or several, which become the outputs in that order, m.
 
     Returns:
         A continuous-time system with 8 states, 2 inputs and one output per displacement, all named
@@ -155,7 +155,7 @@ def _without_leading_zeros(coefficients: Reals) -> Reals:
 
 
 def _require_finite(parameters: TrimmerParameters, *results: Reals) -> None:
-    """Check that no product or ratio of the parameters overflowed."""
+    """Check that no product or ratio of the parameters overflowed, and name the lightest body if one did."""
     if not all(np.isfinite(result).all() for result in results):
         lightest = min(("m1", "m2", "m3", "m4"), key=lambda name: getattr(parameters, name))
         raise ParameterError(

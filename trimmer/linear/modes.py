@@ -75,6 +75,9 @@ def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
     A pair of complex eigenvalues is one mode. Every real eigenvalue is a mode of its own, so an overdamped
     oscillator shows as two.
 
+    Args:
+        parameters: The trimmer, SI units.
+
     Returns:
         Four modes, or up to eight if some are overdamped.
     """
@@ -93,7 +96,11 @@ def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
 
 
 def undamped_modes(parameters: TrimmerParameters) -> tuple[UndampedMode, ...]:
-    """Find the four modes without damping (K v = omega^2 M v), by rising natural frequency."""
+    """Find the four modes without damping (K v = omega^2 M v), by rising natural frequency.
+
+    Args:
+        parameters: The trimmer, SI units; its dampers do not count.
+    """
     values = parameters.values()
     M = np.array(linear_trimmer.mass_matrix(*values))
     K = np.array(linear_trimmer.stiffness_matrix(*values))

@@ -32,7 +32,7 @@ def encirclements(system: control.lti.LTI, point: float = -1.0) -> int:
 
     Args:
         system: A proper system with one input and one output.
-        point: The point, a real number.
+        point: The point, a real number in the unit of output over input.
 
     Returns:
         Number of clockwise encirclements; negative if they are counter-clockwise.

@@ -1,4 +1,4 @@
-"""Everything the linear model says about one trimmer and one output, gathered in one frozen object."""
+"""All results of the linear model for one trimmer and one output, collected in one record."""
 
 from __future__ import annotations
 
@@ -26,7 +26,12 @@ CRITICAL_POINT = -1.0
 
 @dataclass(frozen=True)
 class LowPass:
-    """Bandwidth from the gain at zero frequency, and all frequencies where its level is crossed, rad/s."""
+    """Low-pass behaviour relative to the gain at zero frequency.
+
+    Attributes:
+        bandwidth: Lowest frequency at which |G| falls 3 dB below that gain, rad/s; infinite if it never does.
+        crossings: All frequencies at which |G| crosses that level, rad/s, rising.
+    """
 
     bandwidth: float
     crossings: tuple[float, ...]
@@ -34,10 +39,21 @@ class LowPass:
 
 @dataclass(frozen=True)
 class LinearSummary:
-    """Results of the linear model from pin displacement to one output.
+    """Results of the linear model from pin displacement (m) to one output (m).
 
-    ``low_pass`` is None where the gain at zero frequency is zero or infinite, so that no bandwidth is
-    defined, and ``encirclements`` (clockwise, of -1) where the Nyquist locus passes through -1.
+    Attributes:
+        parameters: The trimmer.
+        output: The output.
+        channels: The inputs that the pin acts through.
+        modes: Modes of the trimmer by rising natural frequency.
+        factored: Gain, zeros and poles of G, rad/s.
+        gain_crossings: Frequencies where |G| is 1, rad/s, rising.
+        real_axis_crossings: Where G is real, by rising frequency.
+        low_pass: Bandwidth; None where the gain at zero frequency is zero or infinite, so that there is none.
+        peaks: Local maxima of |G| by rising frequency.
+        antiresonances: Local minima of |G| by rising frequency.
+        roll_off: Slope of |G| towards infinite frequency, dB per decade.
+        encirclements: Clockwise encirclements of -1 by the Nyquist locus; None where it passes through -1.
     """
 
     parameters: TrimmerParameters
@@ -61,8 +77,14 @@ def summarise(
 ) -> LinearSummary:
     """Analyse the transfer function from pin displacement to an output.
 
+    Args:
+        parameters: The trimmer, SI units.
+        output: The displacement that is the output.
+        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too.
+
     Raises:
         UnsupportedSystemError: if the pin does not reach the output, so that G = 0.
+        ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
     system = transfer_function(parameters, output, channels)
     return LinearSummary(

@@ -28,10 +28,10 @@ class TimeResponse:
 
     Attributes:
         time: Instants, s, shape (n,).
-        outputs: Outputs at them, shape (n,) for a system with one input and one output, else
+        outputs: Outputs at them in their units, shape (n,) for a system with one input and one output, else
             (number of outputs, n).
-        states: States at them, shape (number of states, n).
-        inputs: Inputs at them, shape (n,) for a system with one input and one output, else
+        states: States at them, shape (number of states, n), in their units.
+        inputs: Inputs at them in their units, shape (n,) for a system with one input and one output, else
             (number of inputs, n).
     """
 
@@ -74,9 +74,8 @@ def time_response(
         system: A continuous-time system. A transfer function is refused: its states are not defined, and
             converting it loses digits; build the state space instead (``pin_model``), or use ``control.ss``.
         times: Instants, s, shape (n,), n >= 2, rising at equal distances.
-        inputs: Input at the instants, shape (n,), or (number of inputs, n) if there are several.
-        initial_state: State at the first instant, shape (number of states,); a single number stands for every
-            state.
+        inputs: Input at the instants in its unit, shape (n,), or (number of inputs, n) if there are several.
+        initial_state: State at the first instant, shape (number of states,), or one number for every state.
 
     Raises:
         UnsupportedSystemError: if the system is not a continuous-time StateSpace.

@@ -26,9 +26,14 @@ _ROUNDING = 64 * np.finfo(float).eps
 
 @dataclass(frozen=True)
 class ZeroPoleGain:
-    """G(s) = gain (s - z1)(s - z2).../((s - p1)(s - p2)...), with zeros and poles in rad/s.
+    """G(s) = gain (s - z1)(s - z2).../((s - p1)(s - p2)...).
 
     A real part that is rounding beside the largest root is 0: a root on the imaginary axis is there exactly.
+
+    Attributes:
+        gain: Factor, in the unit of output over input times (rad/s)^relative_degree.
+        zeros: Zeros, rad/s, by rising magnitude.
+        poles: Poles, rad/s, by rising magnitude.
     """
 
     gain: float
@@ -64,7 +69,10 @@ class ZeroPoleGain:
 
     @property
     def static_gain(self) -> float:
-        """Limit of G(s) for s to 0; infinite, without a sign, if poles at 0 outnumber zeros there."""
+        """Limit of G(s) for s to 0, in the unit of output over input.
+
+        It is infinite, without a sign, if poles at 0 outnumber zeros there.
+        """
         at_origin = self.roots == 0
         excess = self.exponents[at_origin].sum()
         if excess != 0:
@@ -74,22 +82,28 @@ class ZeroPoleGain:
 
     @property
     def roots(self) -> Complexes:
-        """All zeros, then all poles."""
+        """All zeros, then all poles, rad/s, shape (number of roots,)."""
         return np.array(self.zeros + self.poles, dtype=complex)
 
     @property
     def exponents(self) -> Reals:
-        """Exponent of each of ``roots`` in G: +1 for a zero, -1 for a pole."""
+        """Exponent of each of ``roots`` in G, of the same shape: +1 for a zero, -1 for a pole."""
         return np.repeat([1.0, -1.0], [len(self.zeros), len(self.poles)])
 
     def log_gain(self, omega: ArrayLike) -> Reals:
-        """Natural logarithm of |G(j omega)|; -inf at a zero on the axis, inf at a pole on it."""
+        """Natural logarithm of |G(j omega)| at omega (rad/s), in its shape.
+
+        It is -inf at a zero on the axis and inf at a pole on it.
+        """
         with np.errstate(divide="ignore"):
             distances = np.log(np.abs(1j * np.asarray(omega)[..., None] - self.roots))
         return np.asarray(np.log(abs(self.gain)) + distances @ self.exponents)
 
     def phase(self, omega: ArrayLike) -> Reals:
-        """Phase of G(j omega), rad, continuous in omega but for jumps of pi at roots on the axis."""
+        """Phase of G(j omega), rad, at omega (rad/s), in its shape.
+
+        It is continuous in omega but for jumps of pi at roots on the axis.
+        """
         rise = np.asarray(omega)[..., None] - self.roots.imag
         run = -self.roots.real
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -98,11 +112,11 @@ class ZeroPoleGain:
         return np.asarray(angles @ self.exponents + (np.pi if self.gain < 0 else 0.0))
 
     def log_gain_slope_terms(self, omega: float) -> Reals:
-        """Share of each root in d ln|G| / d omega, s; 0 for a root that lies at j omega itself."""
+        """Share of each of ``roots`` in d ln|G| / d omega, s; 0 for a root that lies at j omega itself."""
         return self._slope_terms(omega).imag * -1.0
 
     def phase_slope_terms(self, omega: float) -> Reals:
-        """Share of each root in d(phase) / d omega, s; 0 for a root on the axis."""
+        """Share of each of ``roots`` in d(phase) / d omega, s; 0 for a root on the axis."""
         return self._slope_terms(omega).real
 
     def _slope_terms(self, omega: float) -> Complexes:
@@ -153,7 +167,7 @@ def _eigenvalues(matrix: Reals) -> Complexes:
 
 
 def _balanced(matrix: Reals) -> tuple[Reals, Reals]:
-    """Scale the states so that rows and columns are of like size; give the matrix and the scales."""
+    """Scale the states so that rows and columns are of like size; return the matrix and the scales."""
     if matrix.size == 0:
         return matrix, np.ones(0)
     balanced, _, _, scales, _ = dgebal(matrix, scale=1, permute=0)

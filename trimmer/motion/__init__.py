@@ -1,1 +1,10 @@
-"""Exact motion of a linear system with switched elements: the flow between events is known in closed form."""
+"""Exact motion of a linear system with switched elements: the flow between events is known in closed form.
+
+``simulation`` is the entry, ``loops`` and ``trimmer_loop`` say what moves, ``motion`` holds the result and
+``energy`` balances it. ``switched_component`` is the interface of an element in time, implemented by
+``backlash_component``, ``relay_component`` and ``linear_components``; ``components_of_elements`` chooses
+among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes
+and ``taylor`` its series over a step; ``mode_tables`` and ``tables`` hold these for the compiled code of
+``kernel``, ``first_event``, ``sampling`` and ``linear_combination``, which ``compilation`` compiles.
+``initial`` gives the state at the start.
+"""

@@ -1,4 +1,4 @@
-"""General backlash in the time domain: contact on either side, and free flight in the gap."""
+"""Backlash in the time domain: contact on either side, free flight in the gap, and rest in it."""
 
 from __future__ import annotations
 
@@ -50,12 +50,12 @@ class BacklashComponent(Component):
 
     @property
     def name(self) -> str:
-        """What it is called in events."""
+        """Name of the component in events: backlash."""
         return "backlash"
 
     @property
     def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes."""
+        """Names of the modes by number: ``FREE``, ``UPPER``, ``LOWER``, ``RESTING``."""
         return ("free", "upper contact", "lower contact", "at rest in the gap")
 
     @property
@@ -65,27 +65,27 @@ class BacklashComponent(Component):
 
     @property
     def state_count(self) -> int:
-        """Position of a free load, its velocity if it has one, and the share that is left of the first."""
+        """Number of states of a free load: position, velocity if any, and the share of it that remains."""
         return 3 if self.slows_down else 2 if self.time_constant > 0 else 1
 
     def mirrored(self, mode: int) -> int:
-        """Return the mode on the other side."""
+        """Return the mode of the mirrored motion: the contacts change places, the others stay."""
         return (FREE, LOWER, UPPER, RESTING)[mode]
 
     @property
     def even_states(self) -> int:
-        """One: the share that is left of the velocity."""
+        """One if the load slows down, else none: the share of the velocity that remains keeps its sign."""
         return 1 if self.slows_down else 0
 
     def output_law(self, mode: int) -> OutputLaw:
-        """Return the position of the load."""
+        """Return the position of the load, m: a state of its own in the gap, pin -+ gap/2 in contact."""
         if mode in (FREE, RESTING):
             return Explicit(0.0, (1.0,) + (0.0,) * (self.state_count - 1), 0.0)
         half_gap = 0.5 * self.gap
         return Explicit(1.0, (0.0,) * self.state_count, -half_gap if mode == UPPER else half_gap)
 
     def state_rates(self, mode: int) -> Reals:
-        """Return the free flight; in contact the own states rest, unused."""
+        """Return the matrix of free flight, 1/s; in contact the own states rest, unused."""
         rates = np.zeros((self.state_count, self.state_count))
         if mode == FREE and self.time_constant > 0:
             rates[0, 1] = 1.0
@@ -94,13 +94,13 @@ class BacklashComponent(Component):
         return rates
 
     def switching_function(self, signals: Signals) -> Reals:
-        """Return the contact force on the upper side over D, or over M where that is the greater number."""
+        """Return the contact force on the upper side over D (m/s), or over M (m/s²) if M/D exceeds 1 s."""
         if self.time_constant > 1.0:
             return signals.input_curvature + signals.input_rate / self.time_constant
         return self.time_constant * signals.input_curvature + signals.input_rate
 
     def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
-        """Return the clearances in the gap, the contact force in contact."""
+        """Return the clearances to both sides in the gap, the contact force in contact."""
         if mode == RESTING:
             return self._clearances(signals)
         if mode == FREE:
@@ -138,7 +138,7 @@ class BacklashComponent(Component):
         return (EventFunction(share - SETTLED * signals.one, rest, rest),)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Start at rest in the gap, or in contact where the wished output would lie outside the gap."""
+        """Start at rest in the gap, or in contact where the requested output, m, would lie outside of it."""
         mode, position = RESTING if self.slows_down else FREE, output
         if input_value - output > 0.5 * self.gap:
             mode, position = UPPER, input_value - 0.5 * self.gap

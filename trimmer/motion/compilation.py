@@ -29,7 +29,7 @@ SOURCES = (
 
 @cache
 def sources() -> bytes:
-    """Return a digest of the modules that compiled code is made of.
+    """Return a digest of ``SOURCES``, the modules that compiled code is made of, 32 bytes.
 
     Numba keeps machine code by the file of a function and by what the function closes over, but it does not
     notice a change in a function that is called. So every entry point closes over this digest.
@@ -46,6 +46,9 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
     That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
     that compile at the same time do not disturb each other, since files are written whole. Where nothing can
     be written, or a kept file is damaged, each process compiles for itself.
+
+    Args:
+        entry: An entry point, whose arguments have the same types in each call.
     """
     for_itself: Callable[..., Any] = numba.njit(entry)
     try:

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 
 def components_of(element: Element) -> list[tuple[Component, float]]:
-    """Return the components of an element, each with the factor of its output.
+    """Return the components of an element in the order of its terms, each with the factor of its output.
+
+    A component has the units of its term; the factors of nested scaled elements are multiplied.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time, as one that is frozen at a frequency.

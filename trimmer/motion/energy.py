@@ -1,4 +1,4 @@
-"""Where the energy of a moving trimmer comes from and where it goes."""
+"""Energy balance of a moving trimmer: kinetic and potential energy, work of the pin, losses."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class EnergyBalance:
 
     @property
     def residual(self) -> float:
-        """What is missing, relative to the largest term; 0 for a trimmer at rest."""
+        """Modulus of the sum of all terms over the largest one, a number; 0 for a trimmer at rest."""
         terms = (
             self.kinetic_at_end,
             -self.kinetic_at_start,
@@ -71,7 +71,16 @@ class EnergyBalance:
 
 @dataclass(frozen=True)
 class _Sampled:
-    """Displacements, velocities (4 x times), bridge and its rate, forces and rates between bodies."""
+    """Signals of a motion at m times.
+
+    Attributes:
+        q: Displacements of the bodies, shape (4, m), m.
+        rate: Their velocities, shape (4, m), m/s.
+        bridge: Displacement of the bridge relative to the motor, shape (m,), m.
+        bridge_rate: Its velocity, shape (m,), m/s.
+        forces: Forces between bodies, shape (number of components, m), N.
+        sliding: Rates of the displacements that these act against, in the same shape, m/s.
+    """
 
     q: Reals
     rate: Reals

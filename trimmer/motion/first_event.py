@@ -24,7 +24,7 @@ from trimmer.motion.tables import Tables, Work
 from trimmer.motion.taylor import DEGREE, MOST_ZEROS
 
 DEEPEST = 48
-"""Halvings after which a dip that does not show its sign is taken as touching, not crossing."""
+"""Halvings after which a minimum whose sign is not settled is taken as touching, not crossing."""
 NARROWEST = 2.0**-DEEPEST
 """Width of an interval after as many halvings."""
 CLOSE = 2.0**-10
@@ -35,7 +35,11 @@ NOWHERE = 2.0
 
 @compiled
 def sign_variations(coefficients: Reals, count: int) -> tuple[int, bool]:
-    """Count the changes of sign, and tell whether the first sign is a minus; zeros do not count."""
+    """Count the changes of sign of the first ``count`` coefficients; zeros do not count.
+
+    Returns:
+        Number of changes, and whether the first sign is a minus.
+    """
     variations, begins_negative = 0, False
     previous = 0.0
     for i in range(count):
@@ -51,7 +55,10 @@ def sign_variations(coefficients: Reals, count: int) -> tuple[int, bool]:
 
 @compiled
 def halve(coefficients: Reals, count: int, left: Reals, right: Reals) -> None:
-    """Split Bernstein coefficients at the middle of the interval (de Casteljau)."""
+    """Split ``count`` Bernstein coefficients at the middle of the interval into ``left`` and ``right``.
+
+    This is de Casteljau's algorithm.
+    """
     copy(coefficients, count, right)
     left[0] = right[0]
     for level in range(1, count):
@@ -114,8 +121,8 @@ def first_root(
         pieces: Room for DEEPEST + 3 intervals: coefficients, start and width of each.
 
     Returns:
-        The zero, and where before it the polynomial first dips to less than ``rounding`` without a zero;
-        NOWHERE for what there is not.
+        The zero, and the place before it where the polynomial first falls below ``rounding`` without a zero;
+        ``NOWHERE`` in place of either that does not exist.
     """
     begin, wide = pieces.shape[1] - 2, pieces.shape[1] - 1
     piece = pieces[DEEPEST + 2]

@@ -21,7 +21,14 @@ if TYPE_CHECKING:
 def initial_segment(
     loop: Loop, modes: ModeTables, initial_state: ArrayLike | None, impulse: float, element_output: float
 ) -> tuple[int, Reals]:
-    """Return the mode and the extended state at t = 0.
+    """Return the number of the mode, and the extended state, shape (n,), at t = 0.
+
+    Args:
+        loop: What moves.
+        modes: Its modes.
+        initial_state: States of ``loop.model``; None for zeros.
+        impulse: Strength of an impulse at the input of the linear system, in the unit of that input times s.
+        element_output: Position of a load behind a backlash, m.
 
     Raises:
         ValueError: if a value is not real and finite, or if an initial state has the wrong shape or is given

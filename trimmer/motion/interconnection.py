@@ -63,16 +63,19 @@ class Interconnection:
     """x' = A x + B v, with the output v_k of component k and its input e = C x + D v + drive_gain * drive.
 
     Attributes:
-        A: n x n.
-        B: n x m for m components.
-        C: m x n.
-        D: m x m.
-        drive_gain: m numbers: how the drive adds to each input.
+        A: State matrix of the linear system, n x n; its units follow from those of the states.
+        B: Input matrix, n x m for m components.
+        C: Output matrix, m x n.
+        D: Direct feedthrough, m x m.
+        drive_gain: Factor with which the drive adds to each input, shape (m,).
         components: The m components.
         labels: Their names, for events.
-        drive: The motion that drives, or None.
+        drive: The prescribed motion of the pin; None without one.
         element_factors: The first components make up the nonlinear element; its output is the sum of theirs
             with these factors.
+
+    Raises:
+        IllPosedLoopError: if an output acts without delay on an input that must not jump.
     """
 
     A: Reals
@@ -105,12 +108,12 @@ class Interconnection:
 
 
 def acts(row: Reals, column: Reals) -> bool:
-    """Tell whether a product of a row and a column is more than rounding."""
+    """Return whether the product of a row and a column is more than rounding."""
     return effect(row, column) != 0.0
 
 
 def effect(row: Reals, column: Reals) -> float:
-    """Return a product of a row and a column, relative to the sum of the moduli; 0 if it is rounding."""
+    """Return the product of a row and a column over the sum of its terms' moduli; 0 if it is rounding."""
     terms = row * (column / abs(column).max(initial=np.finfo(float).tiny))
     total, size = float(terms.sum()), float(abs(terms).sum())
     return total / size if abs(total) > NEGLIGIBLE * size else 0.0
@@ -121,9 +124,9 @@ class Layout:
     """Positions in the extended state.
 
     Attributes:
-        order: States of the plant, which come first.
-        first_states: For each component, where its own states begin.
-        sine: Where the drive's sine stands; its cosine follows.
+        order: Number of states of the plant, which come first.
+        first_states: Position of the first own state of each component.
+        sine: Position of the drive's sine; its cosine follows.
         size: Number of entries; the last one is one.
     """
 
@@ -134,19 +137,19 @@ class Layout:
 
     @classmethod
     def of(cls, interconnection: Interconnection) -> Layout:
-        """Lay out an interconnection."""
+        """Return the layout of an interconnection: plant, components, drive, one."""
         counts = [component.state_count for component in interconnection.components]
         ends = np.cumsum([interconnection.order, *counts])
         sine = int(ends[-1])
         return cls(interconnection.order, tuple(int(end) for end in ends[:-1]), sine, sine + 3)
 
     def unit(self, position: int) -> Reals:
-        """Return the row that picks one entry."""
+        """Return the row, shape (size,), that gives the entry at a position."""
         row = np.zeros(self.size)
         row[position] = 1.0
         return row
 
     @property
     def one(self) -> Reals:
-        """The row that gives one."""
+        """The row, shape (size,), that gives the constant one."""
         return self.unit(self.size - 1)

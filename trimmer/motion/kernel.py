@@ -1,4 +1,4 @@
-"""The march from event to event, compiled: exact steps, the first event, resets."""
+"""Integration from event to event, compiled: exact steps, the first event, resets."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from trimmer.motion.tables import Log, Tables, Work
 from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
-"""Why the march stopped."""
+"""Reasons why the integration stopped."""
 NO_EVENT, TOO_LARGE, TOO_MANY_STEPS = -1, -2, -3
-"""Instead of a event_function: why a segment ended without event."""
+"""In place of the number of an event function: why a segment ended without event."""
 LONGEST_CASCADE = 40
-"""Events at one instant, after which the march gives up."""
+"""Events at one instant, after which the integration stops."""
 AN_INSTANT = 2.0**-51
 """Share of the time by which two events at the same instant may differ, by rounding."""
 LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed; the square of it is still a number."""
 MOST_STEPS = 50_000_000
-"""Steps of one march unless told otherwise: about a minute."""
+"""Steps of one integration if no number is given: about a minute."""
 LARGEST_COUNT = 2**62
-"""More than can ever be counted; the compiled code needs 64 bits."""
+"""Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 
 
 def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int], tuple[int, int, float]]:
@@ -143,8 +143,10 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     """Write how many derivatives of each event function are known to vanish at the start of a segment.
 
     What the last transition of a component makes zero is so until time goes on, as far as it does not jump
-    with the outputs of others that have their transitions at the same instant. Returns the component of the
-    last transition, -1 for none.
+    with the outputs of others that have their transitions at the same instant.
+
+    Returns:
+        Number of the component of the last transition, -1 for none.
     """
     unknown, recent = -1, -1
     mode, event, known = log.mode[segment], segment, work.known_zeros
@@ -175,12 +177,20 @@ _compiled_march = _entry(sources())
 def march(
     tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int = MOST_STEPS
 ) -> tuple[int, int, float]:
-    """Follow the motion from the segment ``first`` of the log until a time, s.
+    """Integrate the motion from the segment ``first`` of the log until a time, s.
+
+    Args:
+        tables: The modes.
+        log: Segments; those up to ``first`` are read, the others written.
+        first: Number of the segment to begin with.
+        end: Time at which to stop, s.
+        most_segments: Largest number of segments in the log.
+        most_steps: Largest number of steps.
 
     Returns:
-        Reason to stop, number of the last segment, and time reached, s. The march can go on from there,
+        Reason to stop, number of the last segment, and time reached, s. The integration can go on from there,
         once the mode is tabulated or the log has more room.
     """
-    # Of one type each, since the march is compiled for every combination of types.
+    # Of one type each, since the function is compiled for every combination of types.
     most = (min(int(most_segments), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
     return _compiled_march(tables, log, int(first), float(end), *most)

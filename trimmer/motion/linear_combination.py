@@ -1,4 +1,7 @@
-"""Small dense kernels, compiled, written so that the compiler can use vector instructions."""
+"""Sums of rows and values of polynomials, compiled, in loops that the compiler can vectorize.
+
+Results are written into an array of the caller, the last argument.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ def copy(values: Reals, count: int, result: Reals) -> None:
 
 @compiled
 def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
-    """Write the first ``count`` entries of the sum of rows with weights, four rows at a time."""
+    """Write the first ``count`` entries of weights (m,) times rows (m, n), four rows at a time."""
     last = weights.size - 1
     for i in range(count):
         result[i] = weights[last] * rows[last, i]
@@ -34,7 +37,7 @@ def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
 
 @compiled
 def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the sum of polynomials of degree DEGREE with weights; their length is known to the compiler."""
+    """Write weights (m,) times rows (m, DEGREE + 1), polynomials whose length the compiler knows."""
     for i in range(DEGREE + 1):
         result[i] = 0.0
     for j in range(weights.size):
@@ -44,7 +47,7 @@ def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
 
 @compiled
 def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> None:
-    """Evaluate the state at a fraction of a step from its first ``count`` Taylor terms (Horner)."""
+    """Evaluate the state (n,) at a fraction of a step from its first ``count`` Taylor terms, side by side."""
     size = result.size
     for i in range(size):
         result[i] = terms[(count - 1) * size + i]
@@ -66,7 +69,7 @@ def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> No
 
 @compiled
 def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the sum of polynomials of degree DEGREE with the moduli of weights."""
+    """Write the moduli of weights (m,) times rows (m, DEGREE + 1)."""
     for i in range(DEGREE + 1):
         result[i] = 0.0
     for j in range(weights.size):
@@ -76,7 +79,7 @@ def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
 
 @compiled
 def within(values: Reals, bound: float) -> bool:
-    """Tell whether all moduli are at most a bound; NaN is not."""
+    """Return whether all moduli are at most a bound; NaN is not."""
     outside = False
     for i in range(values.size):
         outside |= not abs(values[i]) <= bound
@@ -85,7 +88,7 @@ def within(values: Reals, bound: float) -> bool:
 
 @compiled
 def all_positive(values: Reals) -> bool:
-    """Tell whether all values are greater than zero."""
+    """Return whether all values are greater than zero; NaN is not."""
     found = False
     for i in range(values.size):
         found |= not values[i] > 0.0
@@ -94,7 +97,7 @@ def all_positive(values: Reals) -> bool:
 
 @compiled
 def any_below(values: Reals, count: int, bound: float) -> bool:
-    """Tell whether one of the first values is less than a bound."""
+    """Return whether one of the first ``count`` values is less than a bound."""
     found = False
     for i in range(count):
         found |= values[i] < bound

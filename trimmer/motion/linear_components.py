@@ -1,4 +1,4 @@
-"""Components without modes: a pin without play, and viscous friction."""
+"""Components that do not switch: a pin without backlash, and viscous friction."""
 
 from __future__ import annotations
 
@@ -11,39 +11,39 @@ from trimmer.motion.switched_component import Component, Explicit, OutputLaw, Ra
 @final
 @dataclass(frozen=True)
 class RigidComponent(Component):
-    """The output is the input: a pin without play."""
+    """A pin without backlash: the output is the input."""
 
     @property
     def name(self) -> str:
-        """What it is called in events."""
+        """Name of the component: rigid pin; it has no events."""
         return "rigid pin"
 
     def output_law(self, mode: int) -> OutputLaw:
-        """Return the identity."""
+        """Return the law output = input."""
         return Explicit(1.0, (), 0.0)
 
 
 @final
 @dataclass(frozen=True)
 class ViscousComponent(Component):
-    """Output coefficient * rate of the input.
+    """Viscous friction: the output is a coefficient times the rate of the input.
 
     Attributes:
-        coefficient: Output per rate of the input.
+        coefficient: Output per rate of the input, N s/m for a force of a displacement.
     """
 
     coefficient: float
 
     @property
     def name(self) -> str:
-        """What it is called in events."""
+        """Name of the component: viscous friction; it has no events."""
         return "viscous friction"
 
     @property
     def output_jumps(self) -> bool:
-        """It does with the input's rate."""
+        """True: the output jumps with the rate of the input."""
         return True
 
     def output_law(self, mode: int) -> OutputLaw:
-        """Return the proportionality."""
+        """Return the law output = coefficient * rate of the input."""
         return RateProportional(self.coefficient)

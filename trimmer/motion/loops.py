@@ -49,21 +49,21 @@ class Drive:
 
     @property
     def frequency(self) -> float:
-        """Frequency, Hz."""
+        """Frequency of the drive, Hz."""
         return self.omega / (2.0 * math.pi)
 
     @property
     def period(self) -> float:
-        """Period, s."""
+        """Period of the drive, s."""
         return 2.0 * math.pi / self.omega
 
 
 class Loop(ABC):
-    """A linear system and switched elements, put together."""
+    """A linear system with switched elements, whose motion ``simulate`` follows."""
 
     @abstractmethod
     def interconnection(self) -> Interconnection:
-        """Return the equations; the first components are those of the nonlinear element."""
+        """Return the equations of the loop; the first components are those of the nonlinear element."""
 
     @property
     @abstractmethod
@@ -77,7 +77,7 @@ class Loop(ABC):
 
     @cached_property
     def modes(self) -> ModeTables:
-        """The modes with their tables, kept for the next simulation."""
+        """The modes of the loop with their tables, which are kept for the next simulation."""
         return ModeTables(self.interconnection())
 
 
@@ -95,7 +95,12 @@ class ClosedLoop(Loop):
     element: Element
 
     def interconnection(self) -> Interconnection:
-        """Return the equations."""
+        """Return the equations with the input -y of the element.
+
+        Raises:
+            UnsupportedMotionError: if the element or the system cannot be simulated.
+            IllPosedLoopError: if the motion is not determined.
+        """
         return element_around(self.model, self.element, None)
 
     @property
@@ -105,7 +110,7 @@ class ClosedLoop(Loop):
 
     @cached_property
     def model(self) -> control.StateSpace:
-        """The system in state space."""
+        """The system as a state-space model: as it was given, or a realization of its transfer function."""
         return realized(self.system)
 
 
@@ -125,7 +130,12 @@ class OpenLoop(Loop):
     drive: Drive
 
     def interconnection(self) -> Interconnection:
-        """Return the equations."""
+        """Return the equations with the drive as the input of the element.
+
+        Raises:
+            UnsupportedMotionError: if the element or the system cannot be simulated.
+            IllPosedLoopError: if the motion is not determined.
+        """
         return element_around(self.model, self.element, self.drive)
 
     @property
@@ -135,7 +145,7 @@ class OpenLoop(Loop):
 
     @cached_property
     def model(self) -> control.StateSpace:
-        """The system in state space."""
+        """The system as a state-space model: as it was given, or a realization of its transfer function."""
         return realized(self.system)
 
 
@@ -145,9 +155,13 @@ def element_around(
     """Put an element before a linear system: driven, or in negative feedback if there is no drive.
 
     Args:
-        model: The linear system.
+        model: The linear system, one input and one output.
         element: The element; None for a rigid connection.
         drive: The element's input; None for feedback.
+
+    Raises:
+        UnsupportedMotionError: if the element has no motion in time.
+        IllPosedLoopError: if the motion is not determined.
     """
     parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
     count = len(parts)

@@ -22,7 +22,13 @@ DEPENDENT = 1e-10
 
 @dataclass(frozen=True)
 class ComponentEventFunction:
-    """An event function, the component that it belongs to, and its number among those of that component."""
+    """An event function with its owner.
+
+    Attributes:
+        component: Number of the component that it belongs to.
+        number: Its number among the event functions of that component.
+        event_function: The event function.
+    """
 
     component: int
     number: int
@@ -31,13 +37,13 @@ class ComponentEventFunction:
 
 @dataclass(frozen=True)
 class SwitchedMode:
-    """A mode with everything as rows and matrices over the extended state.
+    """A mode, with rows and matrices over the extended state Z of n entries.
 
     Attributes:
         component_modes: The mode of each component.
-        matrix: M.
-        signals: Of each component.
-        event functions: Of all components.
+        matrix: M of the flow Z' = M Z, n x n, 1/s.
+        signals: The rows of each component.
+        event_functions: The event functions of all components, one component after the other.
     """
 
     component_modes: tuple[int, ...]
@@ -63,7 +69,11 @@ class _Open:
 
 
 def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> SwitchedMode:
-    """Build a mode.
+    """Return the mode of an interconnection in which each component is in a given mode.
+
+    Args:
+        system: The interconnection.
+        component_modes: Number of the mode of each component.
 
     Raises:
         IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
@@ -177,10 +187,18 @@ def _implicit_outputs(
 
 
 def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
-    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs that do.
+    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
     motion is determined, and how they share the force is not.
+
+    Args:
+        left: Factors of the m outputs in the conditions, m x m.
+        right: Right sides as rows over the extended state, m x n.
+        names: The components, for the error message.
+
+    Returns:
+        The outputs as rows over the extended state, m x n.
 
     Raises:
         IllPosedLoopError: if the conditions contradict each other.
@@ -215,6 +233,6 @@ def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int,
 
 
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
-    """Tell whether the output of a component works against the rate of its own switching function."""
+    """Return whether the output of a component works against the rate of its own switching function."""
     row = system.components[k].switching_function(signals)[: system.order]
     return effect(row, system.B[:, k]) < 0.0

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 EVENTS_OF_COMPONENT = 3
 """No component has more event functions in a mode."""
 MOST_MODES = 4 * 3**6
-"""A backlash and six frictions."""
+"""Largest number of modes of a loop: those of a backlash and six frictions."""
 FORCING = 3
-"""Sine, cosine and one end the extended state."""
+"""Entries that end the extended state and that no other forces: sine and cosine of the drive, and one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +42,9 @@ class ModeTables:
 
     Attributes:
         system: The interconnection.
+
+    Raises:
+        UnsupportedMotionError: if there are more than ``MOST_MODES`` modes.
     """
 
     system: Interconnection
@@ -55,7 +58,7 @@ class ModeTables:
 
     @cached_property
     def layout(self) -> Layout:
-        """Layout of the extended state."""
+        """Positions of plant, components and drive in the extended state."""
         return Layout.of(self.system)
 
     @cached_property
@@ -64,22 +67,26 @@ class ModeTables:
         return tuple(len(component.mode_names) for component in self.system.components)
 
     def number(self, component_modes: tuple[int, ...]) -> int:
-        """Return the number of a mode."""
+        """Return the number of the mode in which each component is in a given mode."""
         return int(np.ravel_multi_index(component_modes, self.shape))
 
     def component_modes(self, number: int) -> tuple[int, ...]:
-        """Return the mode of each component."""
+        """Return the mode of each component in the mode of a given number."""
         return tuple(int(mode) for mode in np.unravel_index(number, self.shape))
 
     def mode(self, number: int) -> SwitchedMode:
-        """Return a mode, assembled when first asked for."""
+        """Return the mode of a given number, assembled on first use.
+
+        Raises:
+            IllPosedLoopError: see ``assemble``.
+        """
         if number not in self._modes:
             self._modes[number] = assemble(self.system, self.component_modes(number))
         return self._modes[number]
 
     @cached_property
     def tables(self) -> Tables:
-        """Empty tables for all modes."""
+        """Tables of all modes, which ``tabulate`` fills mode by mode."""
         modes, size = int(np.prod(self.shape)), self.layout.size
         event_functions = EVENTS_OF_COMPONENT * len(self.system.components)
         return Tables(
@@ -103,7 +110,11 @@ class ModeTables:
         )
 
     def tabulate(self, number: int) -> None:
-        """Fill the tables of a mode."""
+        """Fill the tables of the mode of a given number.
+
+        Raises:
+            IllPosedLoopError: see ``assemble``.
+        """
         mode, tables, size = self.mode(number), self.tables, self.layout.size
         series = step_series(mode.matrix, FORCING)
         tables.step[number] = series.step

@@ -27,8 +27,8 @@ class Outcome(Enum):
     """How a simulation ended.
 
     CHATTERING has one of two reasons. Either the events truly accumulate (Zeno), as under a relay and
-    friction that bring a body to rest by ever shorter swings, or double precision cannot tell them apart, as
-    where a gap is smaller than about 1e-13 of the motion. For no play at all leave the element out.
+    friction that bring a body to rest by ever shorter swings, or double precision cannot separate them, as
+    where a gap is smaller than about 1e-13 of the motion. For no backlash at all leave the element out.
     """
 
     COMPLETED = "reached the end"
@@ -43,10 +43,10 @@ class Event:
     """A change of mode.
 
     Attributes:
-        time: s.
-        kind: What happened.
-        component: Which element, by name.
-        mode: Mode of that element afterwards.
+        time: Time since the start of the motion, s.
+        kind: Kind of the event.
+        component: Label of the component that changes its mode.
+        mode: Name of its mode afterwards.
     """
 
     time: float
@@ -60,10 +60,10 @@ class Motion:
     """A simulated motion, exact between and at its events.
 
     Attributes:
-        loop: What moved.
+        loop: The loop that moved.
         duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
         outcome: How the simulation ended.
-        log: The segments between events, as the compiled march wrote them.
+        log: The segments between events, as the compiled integration wrote them.
     """
 
     loop: Loop
@@ -90,7 +90,7 @@ class Motion:
 
     @property
     def event_times(self) -> Reals:
-        """Times of the events, s."""
+        """Times of ``events``, s, shape (number of events,)."""
         return np.array([event.time for event in self.events])
 
     @property
@@ -99,13 +99,21 @@ class Motion:
         return int(self.log.touches.sum())
 
     def state(self, times: ArrayLike) -> Reals:
-        """Return the states of the linear system, of shape (n,) + shape of the times (s)."""
+        """Return the states of the linear system, of shape (n,) + shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         layout = self.loop.modes.layout
         rows = np.eye(layout.order, layout.size)
         return self.values(times, lambda mode: rows)
 
     def output(self, times: ArrayLike) -> Reals:
-        """Return the output y of the linear system at times (s)."""
+        """Return the output y of the linear system, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         model = self.loop.model
         row = np.zeros((1, self.loop.modes.layout.size))
         row[0, : self.loop.modes.layout.order] = model.C[0]
@@ -115,13 +123,23 @@ class Motion:
         return values
 
     def element_input(self, times: ArrayLike) -> Reals:
-        """Return the input of the nonlinear element at times (s)."""
+        """Return the input of the nonlinear element, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         values: Reals
         (values,) = self.values(times, lambda mode: mode.signals[0].input[None])
         return values
 
     def element_output(self, times: ArrayLike) -> Reals:
-        """Return the output of the nonlinear element, which drives the linear system, at times (s)."""
+        """Return the output of the nonlinear element, which drives the linear system.
+
+        It is in its unit and in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
         values: Reals
         (values,) = self.values(times, self._element_output)
         return values
@@ -131,6 +149,9 @@ class Motion:
 
         For friction this is its force, also while it sticks, where the force is what holding needs. Shape
         (components,) + shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
         """
         return self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
 
@@ -140,8 +161,8 @@ class Motion:
         At an event they are those just after it.
 
         Args:
-            times: Instants of any shape and order, from 0 to ``duration``.
-            rows_of: Gives the rows of a mode, an array (p, n).
+            times: Instants, s, of any shape and order, from 0 to ``duration``.
+            rows_of: Function from a mode to its rows, an array (p, n).
 
         Returns:
             Array of shape (p,) + shape of the times.
@@ -195,7 +216,7 @@ class Motion:
 
 
 def _is_reversal(first: Event, second: Event) -> bool:
-    """Tell whether sliding reversed without rest: it stuck and slipped at one instant."""
+    """Return whether sliding reversed without rest: friction stuck and slipped at one instant."""
     return (
         first.kind is EventKind.STICK
         and second.kind is EventKind.SLIP

@@ -34,7 +34,7 @@ class RelayComponent(Component):
     velocity) by the output that does so, as long as its size does not exceed the level (Filippov 1988).
 
     Attributes:
-        level: Size of the output, > 0.
+        level: Size of the output, > 0, in the unit of the output (N for friction).
         of_rate: Whether s is the rate of the input, as for friction whose input is a displacement.
     """
 
@@ -43,36 +43,36 @@ class RelayComponent(Component):
 
     @property
     def name(self) -> str:
-        """What it is called in events."""
+        """Name of the component in events: friction or relay."""
         return "friction" if self.of_rate else "relay"
 
     @property
     def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes."""
+        """Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``."""
         return ("plus", "minus", "held")
 
     @property
     def output_jumps(self) -> bool:
-        """True."""
+        """True: the output changes its sign at once."""
         return True
 
     @property
     def continuous_rates(self) -> int:
-        """The switching function must not jump."""
+        """One if the rate of the input switches, else none: the switching function must not jump."""
         return 1 if self.of_rate else 0
 
     def mirrored(self, mode: int) -> int:
-        """Return the mode on the other side."""
+        """Return the mode of the mirrored motion: the signs change places, the held output stays."""
         return (MINUS, PLUS, HELD)[mode]
 
     def output_law(self, mode: int) -> OutputLaw:
-        """Return the level with its sign, or a constraint."""
+        """Return the level with its sign, or the constraint that holds s at zero."""
         if mode == HELD:
             return Constrained()
         return Explicit(0.0, (), self.level if mode == PLUS else -self.level)
 
     def switching_function(self, signals: Signals) -> Reals:
-        """Return s."""
+        """Return s: the input, or its rate for friction."""
         return signals.input_rate if self.of_rate else signals.input
 
     def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
@@ -97,6 +97,6 @@ class RelayComponent(Component):
         )
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Start with the sign of s; held where s is zero."""
+        """Start with the sign of s, held where s is zero; there are no states and no output to choose."""
         mode = HELD if switching_value == 0 else PLUS if switching_value > 0 else MINUS
         return mode, np.zeros(0)

@@ -1,4 +1,4 @@
-"""Values along a motion on its exact flow, compiled."""
+"""Values of signals along a motion, from its exact flow, compiled."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Simulate a loop exactly, from event to event."""
+"""The entry of exact simulation: a loop is followed from event to event."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ OUTCOMES = {
     STEP_LIMIT: Outcome.STEP_LIMIT,
 }
 FIRST_ROWS = 1024
-"""Segmentes of motion that the log has room for at first; it doubles when it is full."""
+"""Segments of motion that the log has room for at first; it doubles when it is full."""
 
 
 def simulate(
@@ -55,14 +55,15 @@ def simulate(
 
     Friction that sticks for ever, or that is too large for anything to move, and a drive below half the gap
     give a motion that reaches its end without further events. A contact that only grazes is an impact and a
-    separation, or counts in ``touches`` where it is less than rounding. Without play or friction, leave them
-    out: a gap or a force of zero is an error.
+    separation, or counts in ``touches`` where it is less than rounding. Without backlash or friction, leave
+    them out: a gap or a force of zero is an error.
 
     Args:
         loop: What moves.
         duration: Length of the motion, > 0, s.
-        initial_state: States of ``loop.model`` at t = 0, of shape (n,); zeros if not given. Only for a system
-            that was given in state space, since a transfer function has no states of its own.
+        initial_state: States of ``loop.model`` at t = 0, of shape (n,), in their units; zeros if not given.
+            Only for a system that was given in state space, since a transfer function has no states of its
+            own.
         impulse: Strength of an impulse at the input of the linear system at t = 0, in the unit of that input
             times s; it adds B * impulse to the states.
         element_output: Position of a load behind a backlash at t = 0, m, at rest; where the pin would lie

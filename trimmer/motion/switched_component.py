@@ -1,4 +1,4 @@
-"""What a switched element is in the time domain: modes, output laws, event functions and transitions.
+"""The interface of a switched element in time: modes, output laws, event functions and transitions.
 
 All signals of a mode are rows: linear functionals of the extended state (states of the plant, states of the
 components, sine and cosine of the drive, and one). An event function is positive while its mode lasts.
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class EventKind(Enum):
-    """What happens at an event."""
+    """Kind of an event; the value is its name in text and JSON."""
 
     IMPACT = "impact"
     """The pin meets a side of the gap."""
@@ -36,7 +36,13 @@ class EventKind(Enum):
 
 @dataclass(frozen=True)
 class Explicit:
-    """The output is input_gain * input + own states weighted by state_gains + constant."""
+    """The output is input_gain * input + sum of state_gains * own states + constant.
+
+    Attributes:
+        input_gain: Output per input.
+        state_gains: Output per own state, one number for each, or none at all.
+        constant: In the unit of the output.
+    """
 
     input_gain: float
     state_gains: tuple[float, ...]
@@ -45,7 +51,11 @@ class Explicit:
 
 @dataclass(frozen=True)
 class RateProportional:
-    """The output is a coefficient times the rate of the input."""
+    """The output is a coefficient times the rate of the input.
+
+    Attributes:
+        coefficient: Output per rate of the input, N s/m for a force of a displacement.
+    """
 
     coefficient: float
 
@@ -60,7 +70,16 @@ OutputLaw = Explicit | RateProportional | Constrained
 
 @dataclass(frozen=True)
 class Signals:
-    """Rows of one component in one mode: input, its first two derivatives, output, own states, and one."""
+    """Rows of one component in one mode, each of shape (n,) over the extended state.
+
+    Attributes:
+        input: The input, m for a displacement.
+        input_rate: Its first derivative, m/s.
+        input_curvature: Its second derivative, m/s².
+        output: The output.
+        states: The own states of the component.
+        one: The constant one.
+    """
 
     input: Reals
     input_rate: Reals
@@ -75,7 +94,7 @@ class Transition:
     """Where an event function leads.
 
     Attributes:
-        kind: What happens.
+        kind: Kind of the event.
         target: Mode of the component afterwards.
         resets: New values of the component's states, rows of the mode that is left; empty if they stay.
         zeros: For each event function of the target mode: how many of its first derivatives, counting the
@@ -93,9 +112,9 @@ class EventFunction:
     """A row that is positive while the mode lasts.
 
     Attributes:
-        row: The functional.
-        reached: What follows when it falls to zero.
-        jumped: What follows when it is negative at once, because the output of another component jumped, or
+        row: The functional, shape (n,), in any unit: only its sign counts.
+        reached: Transition when it falls to zero.
+        jumped: Transition when it is negative at once, because the output of another component jumped, or
             because the mode that was entered cannot hold.
         continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
             another component does.
@@ -110,13 +129,13 @@ class EventFunction:
 class Component(ABC):
     """One switched element of the interconnection; immutable.
 
-    What has a default holds for a component without states and modes.
+    The defaults are those of a component without own states that does not switch.
     """
 
     @property
     @abstractmethod
     def name(self) -> str:
-        """What it is called in events."""
+        """Name of the component in events."""
 
     @property
     def mode_names(self) -> tuple[str, ...]:
@@ -125,7 +144,7 @@ class Component(ABC):
 
     @property
     def state_count(self) -> int:
-        """Number of own states."""
+        """Number of own states, which the extended state holds."""
         return 0
 
     @property
@@ -139,20 +158,23 @@ class Component(ABC):
         return 0
 
     def mirrored(self, mode: int) -> int:
-        """Return the mode that takes the place of one when input, states and output change their signs."""
+        """Return the mode in place of ``mode`` when input, states and output change their signs.
+
+        Orbits that are their own mirror image after half a period are found with it.
+        """
         return mode
 
     @property
     def even_states(self) -> int:
-        """Number of own states, the last ones, that keep their signs then."""
+        """Number of own states, the last ones, that keep their signs in the mirrored motion."""
         return 0
 
     @abstractmethod
     def output_law(self, mode: int) -> OutputLaw:
-        """Return how the output follows in a mode."""
+        """Return the law that determines the output in a mode."""
 
     def state_rates(self, mode: int) -> Reals:
-        """Return the matrix that gives the rates of the own states from themselves."""
+        """Return the matrix A, ``state_count`` square, in z' = A z of the own states z."""
         return np.zeros((self.state_count, self.state_count))
 
     def switching_function(self, signals: Signals) -> Reals:
@@ -160,9 +182,21 @@ class Component(ABC):
         return signals.input
 
     def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
-        """Return the event functions of a mode; ``attracting``: whether a constrained output can hold."""
+        """Return the event functions of a mode.
+
+        Args:
+            mode: Number of the mode.
+            signals: The rows of the component in it.
+            attracting: Whether a constrained output could hold the switching function at zero.
+        """
         return ()
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Return the mode and own states to start from, with the output that is wished for."""
+        """Return the mode and the own states, shape (state_count,), to start from.
+
+        Args:
+            input_value: Input at t = 0.
+            switching_value: Switching function, or its first derivative that is not zero.
+            output: Requested output, which the input may rule out.
+        """
         return 0, np.zeros(self.state_count)

@@ -1,4 +1,4 @@
-"""What the compiled march reads and writes."""
+"""The arrays that the compiled integration reads and writes: tables of modes, log, work space."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ class Tables(NamedTuple):
     """All that the integration needs of the modes; the first axis is the mode, the second the event function.
 
     Attributes:
-        known: Whether the mode has been tabulated.
-        step: h, s.
+        known: Whether the mode has been tabulated: (modes,).
+        step: Length h of a step, s: (modes,).
         whole: exp(M h), transposed: (modes, n, n).
         series: (M h)^k / k!, transposed and side by side: (modes, n, (K + 1) n).
         terms: How many terms of the series do for fractions up to 4^-level of a step: (modes, LEVELS).
@@ -20,9 +20,9 @@ class Tables(NamedTuple):
         taylor: Their coefficients of s^k: (modes, event functions, n, K + 1).
         sizes: Sums of the moduli of what these are made of, in the same shape.
         event_rows: Event functions as functionals: (modes, event functions, n).
-        event_count: Event functions in use.
-        component: Component that owns the event function.
-        number: Number of the event function among those of its owner.
+        event_count: Number of event functions in use: (modes,).
+        component: Component that owns the event function: (modes, event functions).
+        number: Number of the event function among those of its owner: (modes, event functions).
         target: Mode after reaching zero, and after being negative at once: (modes, event functions, 2).
         zeros: Known zeros of the owner's event functions in these target modes: (modes, functions, 2, 3).
         continuous: How many of these no jump of another component's output takes away: (modes, functions).
@@ -50,12 +50,12 @@ class Tables(NamedTuple):
 
 
 class Log(NamedTuple):
-    """One row per segment of motion between events.
+    """One row per segment of motion between events; all arrays have as many rows.
 
     Attributes:
         start: Time of its start, s.
-        mode: Its mode.
-        state: Extended state at its start.
+        mode: Number of its mode.
+        state: Extended state at its start: (rows, n).
         event_function: That of the mode before that began it, -1 for the start of the motion.
         jumped: Whether that event function was negative at once.
         touches: How many times an event function came to zero during it without crossing, to rounding.
@@ -70,7 +70,7 @@ class Log(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Arrays that the march uses again and again.
+    """Work space of the integration, allocated once.
 
     Attributes:
         state: Extended state at the start of a step.

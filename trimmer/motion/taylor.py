@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 
 DEGREE = 24
-"""Degree of the polynomials; with the step below, what follows is less than rounding."""
+"""Degree of the polynomials; for the steps of ``step_series`` the remainder is less than rounding."""
 REMAINDER = 2.0**-56
 """Bound of the next term of the series of exp(M h), in balanced coordinates."""
 MOST_ZEROS = 3
 """No event function is known to vanish with more than its first three derivatives, the zeroth included."""
 LEVELS = 6
-"""Fractions 4^-level of a step for which it is known how many terms do."""
+"""Number of fractions 4^-level of a step for which ``sufficient_terms`` counts terms."""
 LONGEST_STEP = 1e6
 """About the longest step, s, for motions that hardly change."""
 
@@ -31,8 +31,8 @@ class StepSeries:
     """exp(M s h) for 0 <= s <= 1.
 
     Attributes:
-        step: h, s.
-        terms: (M h)^k / k! for k = 0 to DEGREE, each n x n.
+        step: Length h of the step, s.
+        terms: (M h)^k / k! for k = 0 to DEGREE, shape (DEGREE + 1, n, n).
     """
 
     step: float
@@ -40,7 +40,7 @@ class StepSeries:
 
     @property
     def whole(self) -> Reals:
-        """exp(M h)."""
+        """exp(M h), the flow over a whole step, n x n."""
         whole: Reals = self.terms[::-1].sum(axis=0)
         return whole
 
@@ -76,7 +76,10 @@ def _growth(matrix: Reals) -> float:
 
 
 def sufficient_terms(series: StepSeries) -> Integers:
-    """Return how many terms give every entry of the flow to rounding, up to fractions 4^-level of a step."""
+    """Return how many terms give every entry of the flow to rounding, for fractions up to 4^-level of a step.
+
+    Shape (LEVELS,).
+    """
     powers = 4.0 ** -np.outer(np.arange(LEVELS), np.arange(DEGREE + 1))
     sizes = powers[..., None] * abs(series.terms.reshape(DEGREE + 1, -1))
     totals = sizes.cumsum(axis=1)
@@ -100,7 +103,7 @@ def along(row: Reals, series: StepSeries) -> Reals:
 
 @cache
 def bernstein_from_taylor() -> Reals:
-    """Return what turns coefficients of s^k into Bernstein coefficients on [0, 1].
+    """Return the matrices that turn coefficients of s^k into Bernstein coefficients on [0, 1].
 
     Array (MOST_ZEROS + 1, DEGREE + 1, DEGREE + 1), with one matrix for each degree from DEGREE downwards,
     which has one row for each k.

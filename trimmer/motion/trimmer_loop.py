@@ -1,4 +1,4 @@
-"""The trimmer in motion: play at the pin, and friction between any two of its bodies."""
+"""The trimmer in motion: backlash at the pin, and friction between any two of its bodies."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ class TrimmerLoop(Loop):
     """The linear trimmer with an element between pin and bridge, and with friction between bodies.
 
     Attributes:
-        parameters: The trimmer.
-        element: Play between pin and driving bridge; None for a pin without play.
+        parameters: The trimmer, SI units.
+        element: Backlash between pin and driving bridge; None for a pin without backlash.
         drive: Motion of the pin relative to the motor; None for the closed loop of harmonic balance, where
             the pin follows -y.
-        output: y.
+        output: The output y, m.
         channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
             too.
         frictions: Forces between bodies.
@@ -63,11 +63,16 @@ class TrimmerLoop(Loop):
 
     @cached_property
     def model(self) -> control.StateSpace:
-        """The linear trimmer from the bridge's motion to y."""
+        """The linear trimmer from the displacement of the bridge (m) to y (m)."""
         return pin_model(self.parameters, self.output, self.channels)
 
     def interconnection(self) -> Interconnection:
-        """Return the equations."""
+        """Return the equations; after the components of the element come those of the frictions.
+
+        Raises:
+            UnsupportedMotionError: if the element or a friction has no motion in time.
+            IllPosedLoopError: if the motion is not determined.
+        """
         base = element_around(self.model, self.element, self.drive)
         if not self.frictions:
             return base

@@ -1,4 +1,4 @@
-"""From harmonic balance with several harmonics to a state from which the exact orbit can be found."""
+"""Starts of the search for an orbit from harmonic balance with several harmonics."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ ORDERS = (1, 3, 5, 7, 9, 11, 13, 15)
 HARMONICS = 63
 """Highest harmonic of the element's output that moves the linear system."""
 SLOWING = 3
-"""States of a load that slows down: position, velocity, and the share that is left of the latter."""
+"""Number of states of a load that slows down: position, velocity, and the share of it that remains."""
 
 
 def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterator[tuple[Start, float]]:
-    """Give modes and extended states on the motion of many balanced harmonics, and its omega, rad/s.
+    """Yield modes and extended states on the motion of many balanced harmonics, and its omega, rad/s.
 
     They serve where contact is so brief that the first harmonic alone misses it. Each is in the middle of a
     flight, a contact, or a half period of a relay, where no event is near; the longest comes first. There is
@@ -40,8 +40,8 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
 
     Args:
         loop: The closed loop.
-        amplitude: Of the element's input, as the first harmonic alone gives it.
-        omega: rad/s.
+        amplitude: Amplitude of the element's input, in its unit, as the first harmonic alone gives it.
+        omega: Angular frequency, rad/s.
     """
     balanced = _highest(loop, amplitude, omega)
     if balanced is None:
@@ -112,7 +112,7 @@ def _after_switch(given: OddPolynomial, derivative: int) -> float | None:
 
 
 def _on(component: Component, given: OddPolynomial, omega: float, phase: float) -> tuple[int, Reals]:
-    """Return the mode of a component at a phase, and its own states."""
+    """Return the mode of a component at a phase, rad, and its own states."""
     match component:
         case BacklashComponent():
             flight = flight_of(component, given, omega)
@@ -126,7 +126,7 @@ def _on(component: Component, given: OddPolynomial, omega: float, phase: float) 
 
 
 def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -> tuple[int, Reals]:
-    """Return the mode of a load, its position, its velocity, and the share that is left of the first one."""
+    """Return the mode of a load, its position, its velocity and the share of the velocity that remains."""
     turns, since = divmod(phase - flight.leave, math.pi)
     mirrored = turns % 2 == 1
     if flight.leave + since >= flight.meet:

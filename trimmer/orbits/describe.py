@@ -1,4 +1,4 @@
-"""From a state that returns to the description of its orbit."""
+"""The description of an orbit from a state that returns: amplitude, period, multipliers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,14 @@ if TYPE_CHECKING:
 
 
 def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | None) -> PeriodicOrbit:
-    """Describe the orbit of a state that returns."""
+    """Return the orbit of a state that returns.
+
+    Args:
+        loop: The loop.
+        problem: The return that was solved.
+        shot: Its solution.
+        prediction: The limit cycle from which it was found, if any.
+    """
     modes = loop.modes
     chain = arcs(modes, shot.log, shot.span)
     lowest, highest = extremes(modes, chain)
@@ -40,7 +47,7 @@ def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | N
 
 
 def _multipliers(problem: Return, shot: Shot) -> Complexes:
-    """Return the eigenvalues of the derivative of the return.
+    """Return the eigenvalues of the derivative of the return map, by falling modulus.
 
     A load that is in contact once in a period has no freedom of its own, so as many are zero as components
     have states; they are left out.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 SETTLING = (8, 64, 512)
-"""Periods after which Newton's method is tried, one after the other, unless told otherwise."""
+"""Periods after which Newton's method is tried, one after the other, if no number is given."""
 
 
 def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
@@ -38,7 +38,8 @@ def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
 
     Raises:
         ValueError: if the loop has no drive, or ``settling`` is negative.
-        OrbitNotFoundError: if Newton's method finds no motion with the period of the drive.
+        OrbitNotFoundError: if Newton's method finds no motion with the period of the drive, or if events
+            accumulate.
     """
     drive = loop.modes.system.drive
     if drive is None:
@@ -69,14 +70,14 @@ def _later(loop: Loop, mode: int, state: Reals, duration: float) -> tuple[int, R
         raise OrbitNotFoundError("events accumulate; simulate() tells where")
     last = arcs(loop.modes, log, duration)[-1]
     later = flow(loop.modes, last.mode, last.duration) @ last.state
-    # The drive begins its period anew, without the rounding of the march.
+    # The drive begins its period anew, without the rounding of the integration.
     sine = loop.modes.layout.sine
     later[sine:] = state[sine:]
     return last.mode, later
 
 
 def _sizes(loop: Loop, mode: int, state: Reals) -> Reals:
-    """Return the size that each entry of the state reaches within a period."""
+    """Return the largest modulus of each entry of the state within a period, 1 in place of 0."""
     drive = loop.modes.system.drive
     assert drive is not None
     log = follow(loop.modes, mode, state, drive.period)

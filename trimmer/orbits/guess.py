@@ -1,4 +1,4 @@
-"""From a prediction of harmonic balance to a state from which the exact orbit can be found."""
+"""The start of the search for an orbit from a prediction of harmonic balance, on its first harmonic."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ TOUCHING = 1e-9
 
 @dataclass(frozen=True)
 class Start:
-    """Where to start the search for an orbit.
+    """Start of the search for an orbit.
 
     Attributes:
-        mode: Mode of the loop.
-        state: Extended state.
-        sizes: Size of each entry of the state along the orbit.
+        mode: Number of the mode of the loop.
+        state: Extended state, shape (n,).
+        sizes: Largest modulus of each entry of the state along the orbit, estimated, shape (n,).
     """
 
     mode: int
@@ -47,8 +47,8 @@ def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
 
     Args:
         loop: The closed loop.
-        amplitude: Of the element's input.
-        omega: rad/s.
+        amplitude: Amplitude of the element's input, in its unit.
+        omega: Angular frequency, rad/s.
     """
     model, element, modes = loop.model, loop.element, loop.modes
     leaves = _leaves(element)
@@ -94,7 +94,7 @@ def _quiet_phase(leaves: list[Element], amplitude: float, omega: float) -> float
 
 
 def _mode(component: Component, leaf: Element, phase: float, amplitude: float, omega: float) -> int:
-    """Return the mode of a component on a sinusoid at a phase."""
+    """Return the mode of a component with a sinusoidal input at a phase, rad."""
     match component:
         case BacklashComponent():
             play = amplitude * np.sin(phase) - float(leaf.waveform(phase, amplitude, omega))

@@ -18,17 +18,17 @@ if TYPE_CHECKING:
 
 
 HARMONICS = 15
-"""Harmonics that an orbit lists."""
+"""Number of harmonics that an orbit has."""
 POINTS = 33
-"""Points of a step among which the slope is seen to change sign; the fastest mode turns by about 2 rad."""
+"""Points of a step between which the slope changes its sign at most once; the fastest mode turns by 2 rad."""
 GRID = np.linspace(0.0, 1.0, POINTS)[:, None] ** np.arange(DEGREE + 1)
-"""Powers of these points."""
+"""Powers of these points: (POINTS, DEGREE + 1)."""
 NEWTON_STEPS = 4
-"""From such a bracket to an extreme that is exact to rounding."""
+"""Steps of Newton's method from such a bracket to an extreme that is exact to rounding."""
 
 
 def extremes(modes: ModeTables, chain: Sequence[Arc]) -> tuple[float, float]:
-    """Return the smallest and the largest input of the first component along a chain."""
+    """Return the smallest and the largest input of the first component along a chain of arcs, in its unit."""
     values = [
         value for arc in chain for value in _candidates(modes, arc, modes.mode(arc.mode).signals[0].input)
     ]
@@ -63,7 +63,7 @@ def _extremes_of(coefficients: Reals, end: float) -> list[float]:
 
 
 def harmonics(modes: ModeTables, chain: Sequence[Arc]) -> Complexes:
-    """Return the complex amplitudes c_n, n = 1 to HARMONICS, of the first component's input e.
+    """Return the complex amplitudes c_n of the first component's input e, in its unit, shape (HARMONICS,).
 
     e = Im Σ c_n exp(j n omega t) + constant. The integral of exp(-j n omega t) Z over an arc is known:
     (M - j n omega)^-1 applied to the difference at its ends.

@@ -1,4 +1,4 @@
-"""Harmonic balance with several harmonics: from the describing function to the exact orbit."""
+"""Harmonic balance with several harmonics, which leads from the describing function to the exact orbit."""
 
 from __future__ import annotations
 
@@ -32,9 +32,10 @@ class BalancedHarmonics:
 
     Attributes:
         order: Highest harmonic.
-        amplitude: Half of peak to peak of the element's input.
-        omega: rad/s.
-        harmonics: Complex amplitudes c_1, c_3 ... of the element's input Im Σ c_n exp(j n omega t); c_1 > 0.
+        amplitude: Half of peak to peak of the element's input, in its unit.
+        omega: Angular frequency, rad/s.
+        harmonics: Complex amplitudes c_1, c_3 ... of the element's input Im Σ c_n exp(j n omega t), in its
+            unit, shape ((order + 1) / 2,); c_1 > 0.
         residual: Largest imbalance of a harmonic relative to the first one.
     """
 
@@ -46,7 +47,7 @@ class BalancedHarmonics:
 
     @property
     def frequency(self) -> float:
-        """Hz."""
+        """Frequency of the first harmonic, Hz."""
         return self.omega / (2.0 * math.pi)
 
 
@@ -80,7 +81,16 @@ def multi_harmonic_balance(
 def solutions(
     system: control.LTI, element: Element, guess: tuple[float, float], orders: Sequence[int]
 ) -> Iterator[BalancedHarmonics]:
-    """Solve for one order after the other, from a guess of amplitude and omega (rad/s).
+    """Solve for one order after the other, each from the solution before.
+
+    Args:
+        system: G, one input and one output.
+        element: The nonlinear element.
+        guess: Amplitude of the element's input, in its unit, and omega, rad/s.
+        orders: Odd numbers that rise.
+
+    Yields:
+        One solution per order.
 
     Raises:
         OrbitNotFoundError: if there is no solution near the one before.

@@ -1,4 +1,4 @@
-"""An exact periodic motion of a switched loop."""
+"""An exact periodic motion of a switched loop: period, amplitude, harmonics, stability."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ class PeriodicOrbit:
     """A periodic solution of a closed or driven loop, exact to rounding.
 
     Attributes:
-        period: s.
+        period: Period, s.
         amplitude: Half of peak to peak of the nonlinear element's input, m.
         multipliers: Floquet multipliers, as many as the linear system has states, by falling modulus. Without
             drive one of them is 1: it belongs to a shift along the orbit.
         driven: Whether a drive sets the period.
-        residual: Miss of the return after one period, relative to the sizes of the states.
+        residual: Largest miss of the state after one return, each entry relative to its size.
         motion: The motion over one period; its events are the switching times.
         prediction: The limit cycle of harmonic balance it was found from, if any.
     """
@@ -46,17 +46,17 @@ class PeriodicOrbit:
 
     @property
     def frequency(self) -> float:
-        """1 / period, Hz."""
+        """Frequency, 1 / period, Hz."""
         return 1.0 / self.period
 
     @property
     def omega(self) -> float:
-        """2 π / period, rad/s."""
+        """Angular frequency, 2 π / period, rad/s."""
         return 2.0 * np.pi / self.period
 
     @cached_property
     def harmonics(self) -> Complexes:
-        """Complex amplitudes of the element's input e at 1, 2, 3 ... times the frequency, of shape (15,).
+        """Complex amplitudes of the element's input e at 1, 2, 3 ... times the frequency, m, shape (15,).
 
         e = Im Σ harmonics[n-1] exp(j n omega t), with t counted from the start of ``motion``.
         """
@@ -64,7 +64,7 @@ class PeriodicOrbit:
 
     @property
     def nontrivial_multipliers(self) -> Complexes:
-        """The multipliers without the one of a shift along the orbit."""
+        """The multipliers without the one that belongs to a shift along the orbit."""
         if self.driven:
             return self.multipliers
         return np.delete(self.multipliers, int(np.argmin(abs(self.multipliers - 1.0))))
@@ -84,14 +84,14 @@ class PeriodicOrbit:
 
     @property
     def amplitude_error(self) -> float:
-        """Error of the predicted amplitude relative to the exact one; NaN without prediction."""
+        """Error of the predicted amplitude relative to the exact one, a number; NaN without prediction."""
         if self.prediction is None:
             return float("nan")
         return self.prediction.amplitude / self.amplitude - 1.0
 
     @property
     def frequency_error(self) -> float:
-        """Error of the predicted frequency relative to the exact one; NaN without prediction."""
+        """Error of the predicted frequency relative to the exact one, a number; NaN without prediction."""
         if self.prediction is None:
             return float("nan")
         return self.prediction.frequency / self.frequency - 1.0

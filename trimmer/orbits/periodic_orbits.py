@@ -1,4 +1,4 @@
-"""Exact limit cycles of a closed loop."""
+"""The search for exact limit cycles of a closed loop, from predictions of harmonic balance."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def periodic_orbits(
     Args:
         system: G, strictly proper, one input and one output, continuous in time.
         element: The nonlinear element.
-        guesses: Limit cycles, or pairs of amplitude and omega (rad/s); those of ``limit_cycles`` if none are
-            given.
+        guesses: Limit cycles, or pairs of amplitude (in the unit of the element's input) and omega (rad/s);
+            those of ``limit_cycles`` if none are given.
 
     Returns:
         The orbits found, by falling amplitude, each once.

@@ -1,4 +1,4 @@
-"""The motion from a state over a time, and its derivative by that state (saltation matrices)."""
+"""The state after a time as a function of the state before, and its derivative (saltation matrices)."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ MOST_EVENTS = 10_000
 
 @dataclass(frozen=True)
 class Arc:
-    """A segment of motion of positive length with what ends it.
+    """A segment of motion of positive length with the event that ends it.
 
     Attributes:
-        duration: s.
-        mode: Its mode.
-        state: Extended state at its start.
-        event_function: The one that ends it; -1 if time does.
-        reset: The state after all that happens at its end from the state before, n x n.
-        following: Mode afterwards.
+        duration: Length in time, s.
+        mode: Number of its mode.
+        state: Extended state at its start, shape (n,).
+        event_function: Number of the event function that ends it; -1 if the time is over.
+        reset: Matrix that gives the state after all events at its end from the state before, n x n.
+        following: Number of the mode afterwards.
     """
 
     duration: float
@@ -43,7 +43,11 @@ class Arc:
 
 
 def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log | None:
-    """March from a state for a time, s; return what happened, or None if events accumulate."""
+    """Integrate from an extended state, shape (n,), for a time, s.
+
+    Returns:
+        The segments of the motion; None if events accumulate, a limit is reached or the motion diverges.
+    """
     log = _log(FIRST_ROWS, mode, state)
     segment = 0
     while True:
@@ -59,9 +63,9 @@ def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log |
 
 
 def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
-    """Return the segments of positive length; what happens at one instant is taken together.
+    """Return the segments of positive length; events at one instant are combined into one.
 
-    The last segment ends at ``end``, s, by time.
+    The last segment ends at the time ``end``, s, without an event.
     """
     stops = np.append(log.start[1:], end)
     lasting = [each for each in range(len(stops)) if stops[each] > log.start[each]]
@@ -84,7 +88,7 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
 
 
 def flow(modes: ModeTables, mode: int, duration: float) -> Reals:
-    """Return exp(M duration) of a mode."""
+    """Return exp(M duration) of a mode, n x n; the duration in s."""
     tables, size = modes.tables, modes.layout.size
     steps, fraction = divmod(duration / tables.step[mode], 1.0)
     terms = tables.series[mode].reshape(size, DEGREE + 1, size)
@@ -95,7 +99,7 @@ def flow(modes: ModeTables, mode: int, duration: float) -> Reals:
 
 
 def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
-    """Return how the state at the end of a chain of arcs depends on that at its start, and that state.
+    """Return the derivative, n x n, of the state at the end of a chain by that at its start, and the former.
 
     An event that comes later by dt lets the old flow act for dt longer and the new one shorter, which is the
     saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the event function g

@@ -27,17 +27,17 @@ SETTLED = 1e-14
 
 @dataclass(frozen=True)
 class Shot:
-    """A motion from a state over a span.
+    """A motion from an extended state of n entries over a span of time.
 
     Attributes:
-        mode: Mode at the start.
-        state: Extended state at the start.
+        mode: Number of the mode at the start.
+        state: Extended state at the start, shape (n,).
         span: Its duration, s.
-        log: What happened.
-        end: Extended state at the end, with its signs changed if the return is mirrored.
-        slope: Derivative of ``end`` by ``state`` at fixed span.
-        rate: Derivative of ``end`` by the span.
-        miss: Largest difference of end and state relative to the sizes of the entries.
+        log: Its segments.
+        end: Extended state at the end, with its signs changed if the return is mirrored, shape (n,).
+        slope: Derivative of ``end`` by ``state`` at fixed span, n x n.
+        rate: Derivative of ``end`` by the span, 1/s times the units of the states, shape (n,).
+        miss: Largest difference of end and state relative to the sizes of the entries, a number.
     """
 
     mode: int
@@ -52,13 +52,13 @@ class Shot:
 
 @dataclass(frozen=True)
 class Return:
-    """What is asked for.
+    """The problem of a state that returns: its symmetry, its unknowns and their scale.
 
     Attributes:
         modes: Modes of the loop.
         mirrored: Whether the state returns with its signs changed, after half a period.
         driven: Whether the span is given by a drive; otherwise it is unknown, as in a loop without drive.
-        sizes: Size of each entry of the state, for comparing them.
+        sizes: Scale of each entry of the state, for comparing them, shape (n,).
     """
 
     modes: ModeTables
@@ -68,11 +68,15 @@ class Return:
 
     @property
     def count(self) -> int:
-        """Entries of the state that are unknown: the first ones; drive and one are not."""
+        """Number of entries of the state that are unknown: all but the drive and the one, which come last."""
         return self.modes.layout.sine
 
     def shoot(self, mode: int, state: Reals, span: float) -> Shot | None:
-        """Follow the motion; None if events accumulate or it does not end in the mode it has to."""
+        """Follow the motion from a state, shape (n,), over a span, s.
+
+        Returns:
+            The motion; None if events accumulate, it diverges, or it does not end in the mode of a return.
+        """
         log = follow(self.modes, mode, state, span)
         if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self._final(mode):
             return None
@@ -85,7 +89,11 @@ class Return:
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
     def step(self, shot: Shot) -> tuple[Reals, float]:
-        """Return Newton's correction of state and span."""
+        """Return Newton's correction of the state, shape (n,), and of the span, s.
+
+        Raises:
+            LinAlgError: if the derivative is singular.
+        """
         free = slice(self.count)
         scale = self.sizes[free]
         matrix = (shot.slope[free, free] - np.eye(self.count)) * scale / scale[:, None]
@@ -104,7 +112,7 @@ class Return:
 
     @cached_property
     def _signs(self) -> Reals:
-        """Return what mirroring does to each entry of the extended state."""
+        """Return the factor, 1 or -1, of each entry of the extended state in the mirrored motion."""
         layout = self.modes.layout
         signs = np.full(layout.size, -1.0)
         for first, component in zip(layout.first_states, self.modes.system.components, strict=True):
@@ -121,7 +129,11 @@ class Return:
 
 
 def solve(problem: Return, mode: int, state: Reals, span: float) -> Shot | None:
-    """Find the return near a guess, or None if Newton's method does not get there."""
+    """Solve a return by Newton's method from a guess of mode, state (shape (n,)) and span (s).
+
+    Returns:
+        The solution; None if Newton's method does not converge.
+    """
     shot = problem.shoot(mode, state, span)
     for _ in range(MOST_ITERATIONS):
         if shot is None or shot.miss <= SETTLED:

@@ -30,12 +30,12 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """The flight of a load; then it is in contact with the lower side for the rest of half a period.
+    """The flight of a load from the upper to the lower side of the gap, where it stays up to half a period.
 
     Attributes:
         leave: Phase at which the load leaves the upper side, rad.
         meet: Phase at which it meets the lower side, rad.
-        position: Of the load, at phases in between.
+        position: Function from phases in between, rad, to the position of the load, m.
     """
 
     leave: float
@@ -44,14 +44,19 @@ class Flight:
 
 
 def steady_response(element: Element, given: OddPolynomial, omega: float) -> Complexes | None:
-    """Return the odd harmonics of the output, as many as the input has; None if there is no steady output.
+    """Return the complex amplitudes of the output at the harmonics of the input, in the unit of the output.
+
+    They have the shape of the input's coefficients; None if there is no steady output.
 
     The output of a backlash is the one with two contacts in a period.
 
     Args:
         element: Any element with a description in time.
-        given: The input.
-        omega: rad/s.
+        given: The input, in its unit.
+        omega: Angular frequency, rad/s.
+
+    Raises:
+        UnsupportedMotionError: if the element has no motion in time.
     """
     total = np.zeros(len(given.coefficients), dtype=complex)
     for component, factor in components_of(element):
@@ -67,8 +72,8 @@ def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) 
 
     Args:
         component: The backlash.
-        given: Its input.
-        omega: rad/s.
+        given: Its input, m.
+        omega: Angular frequency, rad/s.
     """
     gamma, half_gap = omega * component.time_constant, 0.5 * component.gap
 

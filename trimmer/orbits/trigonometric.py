@@ -1,4 +1,4 @@
-"""Odd trigonometric polynomials, e(θ) = Im Σ c_n exp(j n θ) over n = 1, 3, 5 ..."""
+"""Trigonometric polynomials of odd harmonics, e(θ) = Im Σ c_n exp(j n θ) over n = 1, 3, 5 ..."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 POINTS = 721
-"""Points of half a period among which the sign of a function is seen to change."""
+"""Points of an interval of phases between which a function changes its sign at most once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,24 +23,24 @@ class OddPolynomial:
     """A trigonometric polynomial of odd harmonics.
 
     Attributes:
-        coefficients: c_1, c_3, c_5 ...
+        coefficients: c_1, c_3, c_5 ..., in the unit of the signal, shape (n,).
     """
 
     coefficients: Complexes
 
     @property
     def numbers(self) -> Integers:
-        """1, 3, 5 ..."""
+        """Numbers of the harmonics, 1, 3, 5 ..., in the shape of the coefficients."""
         return 2 * np.arange(len(self.coefficients)) + 1
 
     def __call__(self, phase: Reals | float, derivative: int = 0) -> Reals:
-        """Evaluate it, or a derivative by the phase, at phases in rad."""
+        """Evaluate the polynomial, or a derivative by the phase, at phases, rad, in their shape."""
         factors = self.coefficients * (1j * self.numbers) ** derivative
         values: Reals = (np.exp(1j * np.multiply.outer(phase, self.numbers)) @ factors).imag
         return values
 
     def largest(self) -> float:
-        """Return the largest value over a period."""
+        """Return the largest value over a period, which is half of peak to peak, in its unit."""
         phases = np.linspace(0.0, 2.0 * np.pi, 2 * POINTS)
         best = float(phases[int(np.argmax(self(phases)))])
         width = float(phases[1])

@@ -15,7 +15,7 @@ from trimmer.signals.text_file import SignalFileError
 MISSING = frozenset(
     {"", "-", "--", "?", "n/a", "#n/a", "na", "nan", "+nan", "-nan", "nan(ind)", "-nan(ind)", "null", "none"}
 )
-"""What stands for a missing value, whatever its capitals."""
+"""Cells that mean a missing value, whatever their capitals."""
 
 _INFINITE = frozenset({"inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "∞", "-∞"})
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?", flags=re.ASCII)
@@ -25,22 +25,22 @@ _SHOWN_LENGTH = 40
 
 
 def is_missing(cell: str) -> bool:
-    """Say whether a cell stands for a missing value."""
+    """Return whether a cell means a missing value: it is empty or one of ``MISSING``."""
     return cell.strip().casefold() in MISSING
 
 
 def is_numeric(cell: str) -> bool:
-    """Say whether a cell is a number, or digits that were meant as one or several."""
+    """Return whether a cell is a number, or digits that were meant as one or several."""
     return _NUMERIC.fullmatch(cell.strip()) is not None
 
 
 def is_text(cell: str) -> bool:
-    """Say whether a cell is neither numeric nor stands for a number."""
+    """Return whether a cell is neither a number nor a missing or infinite value, as in a heading."""
     return not (is_numeric(cell) or is_missing(cell) or cell.strip().casefold() in _INFINITE)
 
 
 def shown(cell: str) -> str:
-    """Give a cell as text for a message, shortened if it is long."""
+    """Return a cell as text for a message, in quotation marks, shortened if it is long."""
     text = repr(cell)
     return text if len(text) <= _SHOWN_LENGTH else f"{text[: _SHOWN_LENGTH - 3]}..."
 
@@ -49,8 +49,8 @@ def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign 
     """Read a column of numbers.
 
     Args:
-        cells: Cells of the column.
-        lines: Number of the line of each.
+        cells: Cells of the column, as text.
+        lines: Number of the line of each, from 1.
         decimal: Decimal sign; None to find it out.
         place: File, for messages.
 

@@ -1,4 +1,4 @@
-"""Which columns of a CSV file are meant."""
+"""The choice of the columns of a CSV file that hold signal and time stamps."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from trimmer.signals.signal import split_heading
 from trimmer.signals.text_file import SignalFileError
 
 ColumnChoice = int | str | None
-"""A column by its number, which counts from 1, or its name; None if there is no need to say."""
+"""A column by its number, which counts from 1, or its name; None if it follows from the others."""
 
 TIME_NAMES = frozenset({"t", "time", "timestamp", "time stamp"})
 """Names of a column of time stamps, whatever their capitals."""
@@ -20,7 +20,12 @@ _ADVICE = "choose one by name or number (--column)"
 
 @dataclass(frozen=True)
 class Columns:
-    """Places of the columns, counted from 0; ``time`` is None if there are no time stamps."""
+    """The chosen columns.
+
+    Attributes:
+        signal: Column of the signal, counted from 0.
+        time: Column of the time stamps, counted from 0; None if there are none.
+    """
 
     signal: int
     time: int | None
@@ -32,6 +37,11 @@ def chosen_columns(table: CsvTable, column: ColumnChoice, time_column: ColumnCho
     Not chosen, the time stamps are the column that has one of ``TIME_NAMES``, if any, and the signal is the
     column beside it.
 
+    Args:
+        table: The file.
+        column: Column of the signal.
+        time_column: Column of the time stamps.
+
     Raises:
         SignalFileError: if a column does not exist, or several have its name or could be meant.
     """
@@ -41,7 +51,7 @@ def chosen_columns(table: CsvTable, column: ColumnChoice, time_column: ColumnCho
         signal = _only_signal(table, time)
     if signal == time:
         raise SignalFileError(
-            f"{table.path}: the signal and the time stamps cannot both be {_told(table, signal)}"
+            f"{table.path}: the signal and the time stamps cannot both be {_described(table, signal)}"
         )
     return Columns(signal, time)
 
@@ -84,7 +94,7 @@ def _time_place(table: CsvTable) -> int | None:
         if split_heading(heading)[0].casefold() in TIME_NAMES
     ]
     if len(places) > 1:
-        listed = " and ".join(_told(table, place) for place in places)
+        listed = " and ".join(_described(table, place) for place in places)
         raise SignalFileError(f"{table.path}: {listed} may both be time stamps; choose one (--time)")
     return places[0] if places else None
 
@@ -113,10 +123,10 @@ def _similar(table: CsvTable, name: str) -> str:
 
 def _listed(table: CsvTable) -> str:
     if table.width == 1:
-        return f"the only one is {_told(table, 0)}"
-    told = ", ".join(_told(table, place) for place in range(table.width))
-    return f"there are {table.width} columns: {told}"
+        return f"the only one is {_described(table, 0)}"
+    described = ", ".join(_described(table, place) for place in range(table.width))
+    return f"there are {table.width} columns: {described}"
 
 
-def _told(table: CsvTable, place: int) -> str:
+def _described(table: CsvTable, place: int) -> str:
     return f"{place + 1} {table.headings[place]!r}" if table.headings else f"column {place + 1}"

@@ -1,4 +1,4 @@
-"""How the columns and decimals of a CSV file are written."""
+"""Layout of a CSV file: delimiter and decimal sign, given or found out."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import islice
 
 
 class Delimiter(Enum):
-    """What stands between two columns."""
+    """Sign between two columns."""
 
     COMMA = ","
     SEMICOLON = ";"
@@ -18,30 +18,30 @@ class Delimiter(Enum):
 
     @property
     def word(self) -> str:
-        """Name of the sign, as in ``comma``."""
+        """Name of the sign in English, such as ``comma``."""
         return self.name.lower()
 
 
 class DecimalSign(Enum):
-    """What stands before the decimals of a number."""
+    """Sign before the decimals of a number."""
 
     POINT = "."
     COMMA = ","
 
     @property
     def word(self) -> str:
-        """Name of the sign, as in ``comma``."""
+        """Name of the sign in English, such as ``comma``."""
         return self.name.lower()
 
 
 @dataclass(frozen=True)
 class CsvLayout:
-    """What is known about a CSV file; None stands for what is to be found out from its content.
+    """What is known about the layout of a CSV file; None where its content decides.
 
     Attributes:
-        delimiter: What stands between two columns. Found out: the first of tab, semicolon and comma that
-            occurs in a line that begins with a number. Where decimals have a comma, a comma is no delimiter.
-        decimal: What stands before decimals. Found out from the numbers of each column.
+        delimiter: Sign between two columns. Found out: the first of tab, semicolon and comma that occurs in a
+            line that begins with a number. Where decimals have a comma, a comma is no delimiter.
+        decimal: Sign before decimals. Found out from the numbers of each column.
     """
 
     delimiter: Delimiter | None = None
@@ -56,12 +56,17 @@ _BEGINS_WITH_NUMBER = re.compile(r'\s*"?[+-]?[.,]?[0-9]')
 
 
 def is_comment(line: str) -> bool:
-    """Say whether a line is a comment."""
+    """Return whether a line is a comment: it begins with ``COMMENT``, spaces apart."""
     return COMMENT in line and line.lstrip().startswith(COMMENT)
 
 
 def delimiter_of(lines: Sequence[str], layout: CsvLayout) -> Delimiter | None:
-    """Find what stands between columns; None if there is one column only."""
+    """Find the sign between columns; None if there is one column only.
+
+    Args:
+        lines: Lines of the file without comments.
+        layout: What is known already.
+    """
     if layout.delimiter is not None:
         return layout.delimiter
     sample = _sample(lines)
@@ -74,7 +79,7 @@ def delimiter_of(lines: Sequence[str], layout: CsvLayout) -> Delimiter | None:
 
 
 def ends_with_delimiter(lines: Sequence[str], delimiter: Delimiter | None) -> bool:
-    """Say whether the delimiter ends each line of numbers, instead of standing between columns only.
+    """Return whether the delimiter ends each line of numbers, instead of standing between columns only.
 
     A last column that is empty throughout looks alike, unless the heading has a name for it.
     """

@@ -22,9 +22,16 @@ from trimmer.signals.units import in_brackets, is_unit
 
 @dataclass(frozen=True)
 class NumberedLines:
-    """Lines of a file, and their numbers, which count from 1.
+    """Lines of a file, which are split into cells when a column is read.
 
-    They are taken apart when a column is asked for: a file of a million lines held as cells takes far longer.
+    A file of a million lines held as cells takes far longer.
+
+    Attributes:
+        path: The file.
+        numbers: Number of each line, from 1.
+        texts: The lines.
+        delimiter: Sign between cells; None if a line is one cell.
+        closing: Whether the delimiter ends each line too, which makes no further cell.
     """
 
     path: Path
@@ -34,7 +41,7 @@ class NumberedLines:
     closing: bool
 
     def __getitem__(self, places: slice) -> NumberedLines:
-        """Take some of the lines."""
+        """Return the lines of a slice."""
         return NumberedLines(
             self.path, self.numbers[places], self.texts[places], self.delimiter, self.closing
         )
@@ -43,7 +50,7 @@ class NumberedLines:
         return len(self.texts)
 
     def cells(self, place: int) -> list[str]:
-        """Take a line apart; ``place`` counts from 0.
+        """Split a line into cells; ``place`` counts from 0.
 
         Raises:
             SignalFileError: if its quotation marks are not in pairs.
@@ -70,7 +77,7 @@ class NumberedLines:
 
 @dataclass(frozen=True)
 class CsvTable:
-    """A CSV file.
+    """A CSV file as headings and lines of cells.
 
     Attributes:
         path: The file.
@@ -91,10 +98,11 @@ class CsvTable:
         return self.data.numbers
 
     def column(self, index: int) -> list[str]:
-        """Give the cells of a column; ``index`` counts from 0. An empty line is a row of empty cells.
+        """Return the cells of a column; ``index`` counts from 0. An empty line is a row of empty cells.
 
         Raises:
-            SignalFileError: if a line has another number of cells than the first.
+            SignalFileError: if a line has another number of cells than the first, or its quotation marks are
+                not in pairs.
         """
         column = []
         for place in range(len(self.data)):
@@ -122,8 +130,13 @@ def read_table(path: Path, layout: CsvLayout) -> CsvTable:
     Elsewhere an empty line is a row of missing values. The heading is the last line before the first
     that holds a number; or the last two, if the last holds units alone. Other lines may come before it.
 
+    Args:
+        path: The file.
+        layout: Delimiter and decimal sign, as far as they are known.
+
     Raises:
-        SignalFileError: if there is no line of numbers, or the heading has another number of cells than it.
+        SignalFileError: if the file cannot be read, there is no line of numbers, or the heading has another
+            number of cells than it.
     """
     lines = _numbered(path, layout)
     begin = next((place for place in range(len(lines)) if any(map(is_numeric, lines.cells(place)))), None)
@@ -150,7 +163,7 @@ def _numbered(path: Path, layout: CsvLayout) -> NumberedLines:
 
 
 def _is_all_missing(cells: Sequence[str]) -> bool:
-    """Say whether a line before the first number is data: signs for missing values, not blank."""
+    """Return whether a line before the first number is data: signs for missing values, not blank."""
     return any(cell.strip() for cell in cells) and not any(map(is_text, cells))
 
 

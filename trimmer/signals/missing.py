@@ -1,4 +1,4 @@
-"""What is done about missing values."""
+"""Treatment of missing values: refused, or interpolated."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LARGEST_SHARE = 0.1
 
 
 class MissingValues(Enum):
-    """What is done about missing values.
+    """Treatment of missing values.
 
     ``REFUSE``: they are an error. ``INTERPOLATE``: those at the beginning and the end are cut off, those
     between others are interpolated along a straight line.
@@ -28,7 +28,13 @@ class MissingValues(Enum):
 
 @dataclass(frozen=True)
 class Filled:
-    """Samples without gaps: those from place ``begin`` on, of which ``interpolated`` are not measured."""
+    """Samples without missing values.
+
+    Attributes:
+        values: Samples, shape (m,), finite, in the unit of the column.
+        begin: Place of the first of them in the column, from 0.
+        interpolated: Number of samples that are not measured but interpolated.
+    """
 
     values: Reals
     begin: int
@@ -36,16 +42,16 @@ class Filled:
 
 
 def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
-    """Deal with the missing values (NaN) of a column.
+    """Cut off or interpolate the missing values (NaN) of a column.
 
     Args:
-        values: Values, shape (n,).
-        lines: Number of the line of each.
-        missing: What to do.
+        values: Values, shape (n,), in the unit of the column.
+        lines: Number of the line of each, from 1.
+        missing: How missing values are treated.
         place: File, for messages.
 
     Raises:
-        SignalFileError: if there are missing values and they are refused, or too many are missing.
+        SignalFileError: if values are missing and that is refused, or if too many or all are missing.
     """
     present = np.flatnonzero(~np.isnan(values))
     absent = np.flatnonzero(np.isnan(values))
@@ -53,10 +59,10 @@ def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str
         raise SignalFileError(f"{place}: every value of the column is missing")
     if absent.size == 0:
         return Filled(values, 0, 0)
-    told = f"{place}, line {lines[int(absent[0])]}: {_count(absent.size)}"
+    problem = f"{place}, line {lines[int(absent[0])]}: {_count(absent.size)}"
     if missing is MissingValues.REFUSE:
         raise SignalFileError(
-            f"{told}; remove lines at the beginning or end, or have values between others interpolated "
+            f"{problem}; remove lines at the beginning or end, or have values between others interpolated "
             "(--missing interpolate)"
         )
     begin, end = int(present[0]), int(present[-1]) + 1
@@ -64,7 +70,7 @@ def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str
     interpolated = inside.size - present.size
     if interpolated > LARGEST_SHARE * inside.size:
         raise SignalFileError(
-            f"{told}, more than {100 * LARGEST_SHARE:g} % of the samples, too many to interpolate"
+            f"{problem}, more than {100 * LARGEST_SHARE:g} % of the samples, too many to interpolate"
         )
     return Filled(np.interp(inside, present, values[present]), begin, interpolated)
 

@@ -1,4 +1,4 @@
-"""Reading a measured signal from a CSV file."""
+"""Reading of a measured signal from a CSV file: columns, sample rate, missing values, unit."""
 
 from __future__ import annotations
 
@@ -43,7 +43,10 @@ def read_signal(
         time_column: Column of the time stamps. Not needed if it is named ``t``, ``time`` or ``timestamp``.
         sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used.
         layout: Delimiter and decimal sign, where they are not to be found out.
-        missing: What to do about empty cells and those that say ``nan``, ``n/a`` or the like.
+        missing: Treatment of empty cells and of those that say ``nan``, ``n/a`` or the like.
+
+    Returns:
+        The signal, in the unit of its heading.
 
     Raises:
         SignalFileError: if the file cannot be read as such, with the line and what to do; for missing and

@@ -21,7 +21,7 @@ LARGEST_VALUE = 1e300
 
 
 class SignalError(TrimmerError, ValueError):
-    """A signal that cannot be used, with the reason and what to do."""
+    """A signal, or an argument of its analysis, cannot be used; the message says why and what to do."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +75,7 @@ class Signal:
 
 
 def split_heading(heading: str) -> tuple[str, str]:
-    """Take the heading of a column apart: name, and unit in brackets at its end, empty if there is none.
+    """Split the heading of a column into name and unit, which is in brackets at its end or else empty.
 
     Each run of spaces and line ends becomes one space; what cannot be printed becomes U+FFFD.
     """
@@ -88,7 +88,7 @@ def split_heading(heading: str) -> tuple[str, str]:
 
 
 def checked_samples(values: Reals) -> Reals:
-    """Copy samples into an array that cannot be written to.
+    """Copy samples into an array, shape (n,), that cannot be written to.
 
     Raises:
         SignalError: if they are not a sequence of finite real numbers, there is none, or one is too large.
@@ -114,7 +114,7 @@ def checked_samples(values: Reals) -> Reals:
 
 
 def checked_rate(sample_rate: float) -> float:
-    """Check a sample rate, Hz.
+    """Return a sample rate, Hz, as a float.
 
     Raises:
         SignalError: if it is not a positive and finite number.

@@ -1,4 +1,4 @@
-"""Text files from measuring devices: which encoding they have, and what is no text at all."""
+"""Text files of measuring devices: their encoding, and the refusal of files that are no text."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class SignalFileError(SignalError):
 
 
 def read_lines(path: Path) -> list[str]:
-    """Read the lines of a text file, without their ends.
+    """Return the lines of a text file, without their ends.
 
     UTF-8 with or without byte order mark; what is not UTF-8 is taken as Latin-1, in which every byte is a
     character, so only letters outside ASCII can come out wrong, never a number.

@@ -26,7 +26,7 @@ def rate_of(times: Reals, lines: Sequence[int], place: str) -> float:
 
     Args:
         times: Time stamps, s, shape (n,).
-        lines: Number of the line of each.
+        lines: Number of the line of each, from 1.
         place: File, for messages.
 
     Returns:
@@ -76,7 +76,12 @@ def _rate_with_fewest_digits(times: Reals, rate: float) -> float:
 
 
 def agreed_rate(given: float, stamped: float, place: str) -> float:
-    """Give the sample rate that was given, if it is that of the time stamps.
+    """Return the sample rate that was given, if it agrees with that of the time stamps.
+
+    Args:
+        given: Sample rate that was given, Hz.
+        stamped: Sample rate of the time stamps, Hz.
+        place: File, for messages.
 
     Raises:
         SignalFileError: if the two differ by more than ``RATE_TOLERANCE``.

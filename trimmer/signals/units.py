@@ -1,4 +1,4 @@
-"""Units in the headings of files."""
+"""Units in the headings of CSV files: which ones are known, and how they are written."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ _BRACKETED = re.compile(r"\[[^][]*\]|\([^()]*\)")
 
 
 def is_unit(cell: str) -> bool:
-    """Say whether a cell of a heading holds a unit alone, in brackets or a common one; or nothing."""
+    """Return whether a cell of a heading holds a unit alone, in brackets or a common one; or nothing."""
     return cell.strip() in SECONDS or cell.strip() in _OTHERS or _is_bracketed(cell)
 
 
 def in_brackets(cell: str) -> str:
-    """Give a unit in brackets, as it has them or with new ones; nothing stays nothing."""
+    """Return a unit in brackets, with those that it has or new ones; an empty cell stays empty."""
     unit = cell.strip()
     return unit if not unit or _is_bracketed(unit) else f"[{unit}]"
 

@@ -1,4 +1,4 @@
-"""A vibration as sound: WAV files."""
+"""Writing of a vibration as sound: mono WAV files at a rate that sound devices play."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ class BitDepth(Enum):
 
 @dataclass(frozen=True)
 class WavFile:
-    """What was written to a WAV file.
+    """Description of a WAV file that was written, with its normalisation.
 
     Attributes:
         sample_rate: Sample rate of the file, Hz.
         samples: Number of samples.
         bit_depth: Bits of a sample.
-        mean: Mean that was taken off the signal, in its unit.
+        mean: Mean that was subtracted from the signal, in its unit.
         full_scale: Deviation from the mean that a full-scale sample stands for, in the signal's unit; 0 for a
             constant signal, which is silence.
         pitch_error: How much faster the file plays than the signal was, relative: 0 unless the ratio of the
@@ -83,7 +83,7 @@ def write_wav(
 ) -> WavFile:
     """Write a vibration as a mono PCM WAV file, whole or not at all.
 
-    The mean is taken off, since a loudspeaker cannot play it. A sample rate that is not one of
+    The mean is subtracted, since a loudspeaker cannot play it. A sample rate that is not one of
     ``SUITED_RATES`` is changed to the next of them, or to ``HIGHEST_TARGET`` if it is above that, by
     ``scipy.signal.resample_poly``, whose low-pass filter keeps what lies above half the new rate from being
     heard as something else. Then the largest sample is brought to ``peak`` of full scale: none is clipped.
@@ -96,7 +96,7 @@ def write_wav(
         peak: Largest sample as a share of full scale, 0 < peak <= 1.
 
     Returns:
-        What was written, with the normalisation.
+        Description of the file, with the normalisation.
 
     Raises:
         SignalError: if samples, sample rate or peak cannot be used, if the file would be larger than 4 GiB,
@@ -131,7 +131,7 @@ def write_wav(
 
 
 def _without_mean(values: Reals) -> tuple[float, float, Reals]:
-    """Give scale, mean, and the vibration in units of scale, so that no sum is too large for a number."""
+    """Return scale, mean, and the vibration over the scale, so that no sum is too large for a number."""
     scale = float(np.abs(values).max()) or 1.0
     relative = values / scale
     mean = float(relative.mean())

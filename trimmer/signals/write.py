@@ -1,4 +1,4 @@
-"""Writing signals as a CSV file that reads back equal."""
+"""Writing of signals as a CSV file that reads back equal."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal) -> None:
 
     Raises:
         SignalError: if the signals are not at the same times, share a name or have that of the time, or
-            their times are too large to tell neighbouring samples apart.
+            their times are too large to distinguish neighbouring samples.
         FileWriteError: if the file cannot be written.
     """
     signals = (signal, *others)

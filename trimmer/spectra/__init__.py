@@ -1,4 +1,4 @@
-"""Spectra of sampled signals, and what peaks they have.
+"""Spectra of sampled signals, their peaks, and what these may be.
 
 In the order of use: ``window`` and ``spectrum`` give the amplitude spectrum, ``peaks`` its peaks
 between bins, with ``noise`` for what is none; ``harmonics`` fits the harmonics of a known drive to the

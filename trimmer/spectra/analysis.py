@@ -1,4 +1,4 @@
-"""Everything that one signal's spectrum tells, gathered in one frozen object."""
+"""The analysis of one signal: spectrum, harmonics and classified peaks, collected in one record."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
 USUAL_LIMIT = 20
-"""Peaks that are kept if no number is given."""
+"""Number of peaks that are kept if none is given."""
 
 
 @dataclass(frozen=True, eq=False)
 class SpectrumAnalysis:
-    """Everything that one signal's spectrum tells.
+    """Results of the analysis of a signal.
 
     Attributes:
         signal: The signal.
-        spectrum: Its spectrum.
+        spectrum: Its amplitude spectrum, in its unit.
         harmonics: Harmonics of its drive; None without one.
-        peaks: Peaks by falling amplitude.
+        peaks: Peaks by falling amplitude, each with what it may be.
         notes: What is left out, and why; one sentence each.
     """
 

@@ -1,4 +1,4 @@
-"""What the peaks of a spectrum may be."""
+"""Classification of the peaks of a spectrum by frequency: harmonic, natural mode or limit cycle."""
 
 from __future__ import annotations
 
@@ -20,31 +20,36 @@ OPEN_LOOP = (
 """Why a driven trimmer is not said to have a limit cycle."""
 
 TOLERANCE_BINS = 1.0
-"""How far from its frequency a peak may be, in bins: what a record can tell apart."""
+"""How far from its frequency a peak may be, in bins: the resolution of a record."""
 
 MODEL_TOLERANCE = 0.01
 """How far a frequency that a model predicts may be off, relative."""
 
 ODD_ORDERS = (1, 3, 5)
-"""Harmonics of a limit cycle that are looked for: an element that is alike both ways makes odd ones."""
+"""Harmonics of a limit cycle that are looked for: an odd element has odd ones only."""
 
 
 @final
 @dataclass(frozen=True)
 class Harmonic:
-    """A harmonic of the drive: its order n, 1 for the drive itself, and its frequency, Hz."""
+    """A harmonic of the drive.
+
+    Attributes:
+        order: Number n of the harmonic, 1 for the drive itself.
+        frequency: Frequency, Hz.
+    """
 
     order: int
     frequency: float
 
     @property
     def odd(self) -> bool:
-        """Whether the order is odd; an element that is alike both ways makes no even ones."""
+        """Whether the order is odd; an odd element has no even harmonics."""
         return self.order % 2 == 1
 
     @property
     def label(self) -> str:
-        """What it is, in words."""
+        """Text for tables: ``drive``, or number and parity of the harmonic."""
         if self.order == 1:
             return "drive"
         return f"harmonic {self.order} ({'odd' if self.odd else 'even'})"
@@ -53,21 +58,32 @@ class Harmonic:
 @final
 @dataclass(frozen=True)
 class NaturalMode:
-    """A natural mode of the linear model: its number, which counts from 1, and its frequency, Hz."""
+    """A natural mode of the linear model.
+
+    Attributes:
+        number: Its number, from 1.
+        frequency: Frequency, Hz.
+    """
 
     number: int
     frequency: float
 
     @property
     def label(self) -> str:
-        """What it is, in words."""
+        """Text for tables: the number of the mode."""
         return f"natural mode {self.number}"
 
 
 @final
 @dataclass(frozen=True)
 class LimitCycleLine:
-    """A line of a limit cycle: its number, from 1, the order of the harmonic, and its frequency, Hz."""
+    """A line of a limit cycle.
+
+    Attributes:
+        number: Number of the limit cycle, from 1.
+        order: Number of the harmonic, 1 for the fundamental.
+        frequency: Frequency of the line, Hz.
+    """
 
     number: int
     order: int
@@ -75,7 +91,7 @@ class LimitCycleLine:
 
     @property
     def label(self) -> str:
-        """What it is, in words."""
+        """Text for tables: the number of the limit cycle and of the harmonic."""
         harmonic = "" if self.order == 1 else f", harmonic {self.order}"
         return f"limit cycle {self.number}{harmonic}"
 
@@ -89,7 +105,7 @@ class Match:
     """A candidate for a peak.
 
     Attributes:
-        origin: What the peak may be.
+        origin: The line that the peak may be.
         distance: Frequency of the peak less that of the origin, in bins.
         tolerance: Largest distance, in bins, at which the peak may be that.
     """
@@ -125,12 +141,12 @@ class ClassifiedPeak:
 
     @property
     def second(self) -> Match | None:
-        """Another candidate that fits: then frequency alone does not tell which one it is."""
+        """Another candidate that fits, so that frequency alone does not decide between them; None if none."""
         return self.candidates[1] if len(self.candidates) > 1 and self.candidates[1].fits else None
 
     @property
     def ambiguous(self) -> bool:
-        """Whether several candidates fit."""
+        """Whether several candidates fit, so that frequency alone does not decide."""
         return self.second is not None
 
 
@@ -175,12 +191,12 @@ def classify(
     closed_loop: bool = False,
     tolerance: Tolerance = USUAL_TOLERANCE,
 ) -> tuple[ClassifiedPeak, ...]:
-    """Say of each peak whether it may be a harmonic of the drive, a natural mode or a limit cycle.
+    """Find for each peak whether it may be a harmonic of the drive, a natural mode or a limit cycle.
 
-    A frequency tells what a peak may be, not what it is: where several candidates fit, all are given.
+    A frequency shows what a peak may be, not what it is: where several candidates fit, all are given.
 
     Args:
-        peaks: Peaks.
+        peaks: Peaks, frequencies in Hz.
         bin_width: Bin width of their spectrum, Hz.
         drive_frequency: Frequency of the drive, Hz; None without one.
         natural_frequencies: Frequencies of the natural modes, Hz; those that are not positive, of overdamped

@@ -54,7 +54,7 @@ class HarmonicFit:
         return np.asarray(np.abs(self.coefficients))
 
     def at(self, times: ArrayLike) -> Reals:
-        """Evaluate the fit at times after the first sample (s), in their shape."""
+        """Evaluate the fit at times after the first sample (s), in their shape and in the signal's unit."""
         cycles = self.frequency * np.asarray(times, dtype=np.float64)
         vibration = self.coefficients @ _powers(cycles.ravel(), self.coefficients.size)[1:]
         return np.asarray(self.mean + vibration.real.reshape(cycles.shape))
@@ -75,7 +75,7 @@ def fit_harmonics(
     white noise; where there are other lines, the Hann window keeps them out better.
 
     Args:
-        signal: Samples, shape (n,).
+        signal: Samples, shape (n,), in any unit.
         sample_rate: Samples per second, Hz.
         drive_frequency: Frequency of the drive, Hz; an error of it counts n times at harmonic n.
         count: Number of harmonics. If not given ``MOST_HARMONICS``, or as many as the rate allows.

@@ -1,4 +1,4 @@
-"""How large a bin must be to be more than noise."""
+"""Threshold of a spectrum above which a bin is more than noise."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ def noise_threshold(amplitude: Reals, false_alarm: float) -> Reals:
     itself, which makes false alarms somewhat more frequent: 1.5 % where 1 % is asked for, in 1000 bins.
 
     Args:
-        amplitude: Amplitude of each bin, shape (m,).
+        amplitude: Amplitude of each bin, shape (m,), in any unit.
         false_alarm: Probability that any of the m bins exceeds the threshold by noise, 0 < p < 1.
 
     Returns:
-        Threshold for each bin, shape (m,).
+        Threshold for each bin, shape (m,), in the unit of the amplitude.
     """
     median = median_filter(amplitude, min(NEIGHBOURHOOD, amplitude.size), mode="reflect")
     return np.asarray(median * math.sqrt(math.log(amplitude.size / false_alarm) / math.log(2.0)))

@@ -59,7 +59,7 @@ def peaks(
 
     A sine between two bins shows with the window's transform around it, which is known in closed form: place
     and complex amplitude are fitted to the largest bin and its neighbours by least squares. What other
-    peaks, and each peak's mirror image at negative frequency, add to those bins is taken off, in turns until
+    peaks, and each peak's mirror image at negative frequency, add to those bins is subtracted, in turns until
     nothing changes (the RELAX method of Li and Stoica, 1996). A local maximum of which that leaves no more
     than noise is leakage and no peak.
 
@@ -79,7 +79,7 @@ def peaks(
 
     Returns:
         Peaks by falling amplitude. None is looked for in the lowest bins, within the window's main lobe of
-        0 Hz, where the mean was taken off.
+        0 Hz, where the mean was subtracted.
 
     Raises:
         SignalError: if limit, smallest or false_alarm is out of its range.
@@ -183,7 +183,7 @@ def _fitted(spectrum: Spectrum, lines: _Lines, left: Complexes) -> _Lines:
     shape, ahead, behind = _shape(spectrum, bins, np.add.outer([0.0, _STEP, -_STEP], lines.places))
     slope = (ahead - behind) / (2.0 * _STEP)
     amplitudes = _product(shape, left) / _product(shape, shape)
-    # The amplitude is free, so only the part of the slope that it cannot make up for tells the place.
+    # The amplitude is free, so only the part of the slope that it cannot make up for determines the place.
     slope = slope - shape * (_product(shape, slope) / _product(shape, shape))[:, None]
     slope = slope * amplitudes[:, None]
     rest = left - amplitudes[:, None] * shape

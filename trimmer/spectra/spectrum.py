@@ -30,7 +30,7 @@ class Spectrum:
         window: The window that the signal was multiplied with; its sum is divided out.
         sample_rate: Sample rate of the signal, Hz.
         samples: Number of samples of the signal.
-        mean: Mean of the signal, in its unit, which was taken off before windowing.
+        mean: Mean of the signal, in its unit, which was subtracted before windowing.
     """
 
     lines: Complexes
@@ -46,12 +46,12 @@ class Spectrum:
 
     @cached_property
     def frequency(self) -> Reals:
-        """Frequency of each bin, Hz, from 0 to half the sample rate."""
+        """Frequency of each bin, Hz, from 0 to half the sample rate, in the shape of ``lines``."""
         return np.asarray(np.arange(self.lines.size) * self.bin_width)
 
     @cached_property
     def amplitude(self) -> Reals:
-        """Amplitude at each bin, in the signal's unit."""
+        """Amplitude at each bin, in the signal's unit, in the shape of ``lines``."""
         return np.asarray(np.abs(self.lines))
 
 
@@ -59,7 +59,7 @@ def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window = W
     """Compute the amplitude spectrum of a signal without its mean.
 
     Args:
-        signal: Samples, shape (n,), n >= ``FEWEST_SAMPLES``.
+        signal: Samples, shape (n,), n >= ``FEWEST_SAMPLES``, in any unit.
         sample_rate: Samples per second, Hz.
         window: Window function.
 

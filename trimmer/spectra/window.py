@@ -17,8 +17,8 @@ class Window(Enum):
     """A cosine-sum window; the value is its coefficients, for ``scipy.signal.windows.general_cosine``.
 
     ``RECTANGULAR`` is no window: right for a whole number of periods, with slow leakage (-13 dB) otherwise.
-    ``HANN`` parts peaks 4 bins apart, with leakage of -31 dB that falls by 18 dB per octave.
-    ``BLACKMAN_HARRIS`` parts peaks 8 bins apart, with leakage of -92 dB.
+    ``HANN`` separates peaks 4 bins apart, with leakage of -31 dB that falls by 18 dB per octave.
+    ``BLACKMAN_HARRIS`` separates peaks 8 bins apart, with leakage of -92 dB.
     ``FLAT_TOP`` shows amplitudes to 0.01 dB in the bins themselves, with peaks 10 bins wide.
     """
 
@@ -29,7 +29,7 @@ class Window(Enum):
 
     @property
     def word(self) -> str:
-        """Name, as in ``blackman-harris``."""
+        """Name of the window in options and tables, such as ``blackman-harris``."""
         return self.name.lower().replace("_", "-")
 
     @property
@@ -38,7 +38,7 @@ class Window(Enum):
         return len(self.value)
 
     def samples(self, count: int) -> Reals:
-        """Evaluate the window at ``count`` samples, as one period of a periodic window."""
+        """Evaluate the window at ``count`` samples, shape (count,), as one period of a periodic window."""
         from scipy.signal.windows import general_cosine
 
         return np.asarray(general_cosine(count, self.value, sym=False))
@@ -52,6 +52,9 @@ class Window(Enum):
         Args:
             bins: Distances x from the sine, in bins, any shape.
             count: Number of samples N.
+
+        Returns:
+            Values without unit, in the shape of ``bins``; 1 at 0.
         """
         orders = np.arange(1 - len(self.value), len(self.value))
         sizes = np.take(self.value, np.abs(orders)) * np.where(orders == 0, 1.0, 0.5)

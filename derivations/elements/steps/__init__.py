@@ -1,1 +1,1 @@
-"""The steps from each nonlinear element's waveform to its describing function, one module for each theme."""
+"""The steps from each nonlinear element's waveform to its describing function, one module per subject."""

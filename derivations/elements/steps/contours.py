@@ -17,7 +17,7 @@ from derivations.unevaluated import product, total
 
 
 def step() -> ProvenStep:
-    """Return the step."""
+    """Return the step that encloses the contours of viscous-controlled backlash by those of its limits."""
     return ProvenStep(
         "df-contours",
         "Viscous contours lie between those of friction and inertia",

@@ -29,7 +29,7 @@ ONE = sympy.Integer(1)
 
 
 def step() -> ProvenStep:
-    """Return the step.
+    """Return the step on the equivalent nonlinearity (thesis, equations 2.57 to 2.60 and 5.14).
 
     Raises:
         DimensionError: if friction could be added to backlash as it stands, or not even over a stiffness.

@@ -36,7 +36,7 @@ GIVEN = (DECAYED, *MEANINGS)
 
 
 def motion() -> ProvenStep:
-    """Return the step on the motion of the load."""
+    """Return the step on the motion of the load: contact, separation, flight (thesis, 2.44 to 2.46)."""
     return ProvenStep(
         "df-load",
         "A load with inertia and friction behind a backlash",
@@ -98,7 +98,7 @@ def _positive_velocity() -> sympy.Expr:
 
 
 def describing_function() -> ProvenStep:
-    """Return the step on the describing function."""
+    """Return the step on the describing function for every odd harmonic (thesis, equation 2.47)."""
     load = general_motion()
     first_half = (Segment(load.flight.start, load.flight.end, flight()), load.contact)
     return ProvenStep(

@@ -34,7 +34,7 @@ ODD = (turned(3 * sympy.pi / 2), -turned(sympy.pi / 2))
 
 
 def friction_backlash() -> ProvenStep:
-    """Return the step on friction-controlled backlash."""
+    """Return the step on friction-controlled backlash, M/D → 0 (thesis, equations 2.36 to 2.41)."""
     motion = friction_motion()
     given = (*_given(motion), ODD)
     fundamental = friction_fundamental()
@@ -56,7 +56,7 @@ def friction_backlash() -> ProvenStep:
 
 
 def inertia_backlash() -> ProvenStep:
-    """Return the step on inertia-controlled backlash."""
+    """Return the step on inertia-controlled backlash, M/D → ∞ (thesis, equations 2.42 and 2.43)."""
     motion = inertia_motion()
     given = _given(motion)
     return ProvenStep(

@@ -25,7 +25,7 @@ _DELAY = sympy.Symbol("tau", positive=True)
 
 
 def step() -> ProvenStep:
-    """Return the step."""
+    """Return the step on the limits γ → 0 and γ → ∞ of the closed forms."""
     return ProvenStep(
         "df-limits",
         "The limits are friction- and inertia-controlled backlash",

@@ -11,7 +11,7 @@ from derivations.narrative import Formula
 
 
 def step() -> ProvenStep:
-    """Return the step."""
+    """Return the step on the method that the other steps use (thesis, equations 2.29 and 2.35)."""
     angle = HARMONIC * THETA
     return ProvenStep(
         "df-method",

@@ -1,4 +1,4 @@
-"""How N_1 of backlash changes with g/A and with γ."""
+"""Derivatives of N_1 of backlash by g/A and by ln γ, and the Jacobian determinant of both."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ BY_LOG_GAMMA = r"\frac{\partial N_1}{\partial \ln\gamma}"
 
 
 def step() -> ProvenStep:
-    """Return the step."""
+    """Return the step on the derivatives, on which the bounds of the numeric element rest."""
     return ProvenStep(
         "df-slopes",
         "How backlash changes with amplitude and load",

@@ -5,13 +5,11 @@ from __future__ import annotations
 import sympy
 
 from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u, u_dot, velocities
-from report.chapters.chapter_2.claims import trimmer_printed
-from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
-from report.claim import Confirmation, Impact
-from report.comparisons.expression import SameExpression
+from report.chapters.chapter_2.claims import section_2_2_2, trimmer_printed
+from report.claim import Impact
 from report.comparisons.printed import total
 from report.evidence import Evidence
-from report.parts import expression, made_here
+from report.parts import expression, made_here, same
 from report.record import Record, claim, text
 
 SOURCE = "derivations/equations_of_motion.py"
@@ -45,7 +43,7 @@ def slope_of_lagrangian(known: Evidence) -> Record:
         total(k1 * q1, -k2 * q2, k2 * q1, k2 * u),
         derived,
         left=r"\frac{\partial L}{\partial q_1}",
-        second=Confirmation("the spring forces on the motor at rest", SameExpression(spring_force, derived)),
+        second=same("the spring forces on the motor at rest", spring_force, derived),
         slip=made_here("the slope of U is written for the slope of L = T - U", -derived),
     )
     yield text(r"""
@@ -68,7 +66,7 @@ def slope_of_dissipation(known: Evidence) -> Record:
         total(c1 * V1, -c2 * V2, c2 * V1, c2 * u_dot),
         derived,
         left=r"\frac{\partial R}{\partial \dot{q}_1}",
-        second=Confirmation("the damper forces on the motor", SameExpression(damper_force, derived)),
+        second=same("the damper forces on the motor", damper_force, derived),
     )
     yield text("The slope of the dissipation function is right, with all its signs.")
 
@@ -76,7 +74,7 @@ def slope_of_dissipation(known: Evidence) -> Record:
 @claim("eq-D.5", source=SOURCE)
 def equation_of_motion(known: Evidence) -> Record:
     derived = known.derivation.accelerations[0]
-    by_newton = Confirmation("Newton's second law", SameExpression(known.derivation.newton[0], derived))
+    by_newton = same("Newton's second law", known.derivation.newton[0], derived)
     yield expression("", trimmer_printed.accelerations()[0], derived, left=accelerations[0], second=by_newton)
     yield text("""
         The result is right and the same as in equation 2.9. It does not follow from equation D.3 as printed,
@@ -84,8 +82,5 @@ def equation_of_motion(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-D.6", source="derivations/laplace.py")
-def laplace_domain(known: Evidence) -> Record:
-    printed_before = transformed_state_space(known, "eq-D.6")
-    yield from printed_before.parts
-    yield text(printed_before.explanation)
+again = section_2_2_2.state_space_in_laplace_domain.items
+laplace_domain = claim("eq-D.6", source="derivations/laplace.py")(again)

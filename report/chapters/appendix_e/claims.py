@@ -7,14 +7,13 @@ from report.chapters.chapter_3.claims.driven_steady_motion import (
     confirm_period,
     has_the_drives_period,
 )
+from report.chapters.chapter_5.claims.driven_open_loop import open_loop_harmonic
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.drive_amplitudes import GAP
-from report.numbers.independent.play_harmonics import HARMONICS, play_harmonic, play_ripple
+from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_OMEGA
+from report.thesis import DRIVE_OMEGA, LARGE_GAP
 
 PREDICTED = {3e-4: "0.0025", 4e-4: "0.0033", 5e-4: "0.0041", 6e-4: "0.0050"}
 """Amplitudes of table 5.2 for the gaps of figure E.1, m."""
@@ -38,26 +37,16 @@ def gaps(known: Evidence) -> Record:
         "frequencies",
         "all four have the same frequency",
         max(frequencies) / min(frequencies) - 1 < ALIKE,
-        filled(
-            """
-            [[ found | f2 ]] Hz in each; the prediction without rounded coefficients is [[ predicted | f2 ]]
-            Hz
-            """,
-            found=frequencies[0],
-            predicted=cycle.frequency,
-        ),
+        "[[ found | f2 ]] Hz in each; the prediction without rounded coefficients is [[ predicted | f2 ]] Hz",
+        numbers={"found": frequencies[0], "predicted": cycle.frequency},
         method="exact simulation",
         second=close(by_durations, known.orbits.friction_by_durations[1], frequencies[0], 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         The exact amplitude is [[ exact | f4 ]] gaps, the predicted one [[ predicted | f4 ]]; to the digits of
         table 5.2 they are the same. That all four are alike is no further evidence: gap and displacements
         times one factor give the same motion. The reference of the text to the table is broken (??).
-        """,
-        exact=runs[0].amplitude / runs[0].gap,
-        predicted=cycle.amplitude,
-    )
+    """).given(exact=runs[0].amplitude / runs[0].gap, predicted=cycle.amplitude)
 
 
 def unaltered(ripples: list[float]) -> bool:
@@ -70,25 +59,27 @@ def amplitudes(known: Evidence) -> Record:
     system, runs = known.numbers.displacement_only, known.motion.drive_amplitudes
     still, smallest, thesis, *_, largest = runs
     ripples = [run.ripple for run in runs]
-    by_lines = f"{HARMONICS.size} lines of the element's waveform times the response, at 0.15 mm"
-    ripple = play_ripple(system, GAP, smallest.amplitude, DRIVE_OMEGA)
+    by_lines = f"{RIPPLE.size} lines of the element's waveform times the response, at 0.15 mm"
+    ripple = ripple_behind_backlash(system, LARGE_GAP, smallest.amplitude, DRIVE_OMEGA)
     yield assertion(
         "oscillation on top of the drive's, all five amplitudes",
         UNALTERED,
         unaltered(ripples),
-        filled(
-            """
-            at [[ still | f1 ]] µm the pin stays within its play of [[ gap | f0 ]] µm and nothing moves; above
-            it half of peak to peak without the first harmonic is [[ shown ]]
-            """,
-            still=1e6 * still.amplitude,
-            gap=1e6 * GAP,
-            shown=", ".join(f"{1e6 * run.ripple:.1f} µm at {1e3 * run.amplitude:g} mm" for run in runs[1:]),
-        ),
+        """
+        at [[ still | f1 ]] µm the pin stays within its play of [[ gap | f0 ]] µm and nothing moves; above it
+        half of peak to peak without the first harmonic is [[ shown ]]
+        """,
+        numbers={
+            "still": 1e6 * still.amplitude,
+            "gap": 1e6 * LARGE_GAP,
+            "shown": ", ".join(
+                f"{1e6 * run.ripple:.1f} µm at {1e3 * run.amplitude:g} mm" for run in runs[1:]
+            ),
+        },
         method="exact simulation from rest",
         second=close(by_lines, ripple, smallest.ripple, 0.001),
     )
-    seventh = abs(play_harmonic(system, GAP, thesis.amplitude, DRIVE_OMEGA, SEVENTH))
+    seventh = open_loop_harmonic(known, SEVENTH)
     by_response = "the seventh harmonic from describing function and frequency response"
     yield assertion(
         r"the same, from $1.5\times10^{-3}$ m on",
@@ -109,8 +100,7 @@ def amplitudes(known: Evidence) -> Record:
         method=METHOD,
         second=confirm_period(known),
     )
-    yield text(
-        """
+    yield text("""
         A drive far larger than the gap leaves behind the play a square wave of half a gap that does not
         depend on its amplitude, so the ripple tends to [[ ripple | f1 ]] µm. That explains the observation
         without a limit cycle, of which the open loop has none. At 0.15 mm it is [[ smaller | f0 ]] % smaller,
@@ -118,7 +108,4 @@ def amplitudes(known: Evidence) -> Record:
 
         The answer of chapter 7, that the drive's amplitude has no effect on a limit cycle, rests on
         harmonics.
-        """,
-        ripple=1e6 * largest.ripple,
-        smaller=100 * (1 - smallest.ripple / largest.ripple),
-    )
+    """).given(ripple=1e6 * largest.ripple, smaller=100 * (1 - smallest.ripple / largest.ripple))

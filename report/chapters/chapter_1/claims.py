@@ -6,12 +6,9 @@ import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities
 from report.chapters.chapter_2.claims.section_2_2_1 import by_newton, matrix_of
-from report.claim import Confirmation
-from report.comparisons.expression import SameExpression, SameMatrix
 from report.evidence import Evidence
-from report.parts import assertion, equal
+from report.parts import assertion, equal, same
 from report.record import Record, claim, text
-from report.text import filled
 
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
 
@@ -23,35 +20,30 @@ def components(known: Evidence) -> Record:
     to_surroundings = stiffness * sympy.ones(len(coordinates), 1)
     free = matrix_of(known.derivation.kinetic_energy, velocities).rank()
     beyond_pin = sympy.expand(potential - stiffnesses[0] * motor**2 / 2)
-    slopes = SameMatrix(matrix_of(potential, coordinates).expand(), stiffness)
-    at_the_pin = SameExpression(on_the_cutter.diff(motor), on_the_cutter.diff(u))
     yield assertion(
         "guard to guard housing, guard housing to plastic housing",
         "the guard is carried by the guard housing, and this by the plastic housing",
         stiffness[3, 2] != 0 and to_surroundings[2] != 0 and to_surroundings[3] == 0,
-        filled(
-            """
-            the guard is tied by $[[ guard | latex ]]$ to its housing and by nothing to the surroundings, the
-            housing by $[[ housing | latex ]]$
-            """,
-            guard=-stiffness[3, 2],
-            housing=to_surroundings[2],
-        ),
+        """
+        the guard is tied by $[[ guard | latex ]]$ to its housing and by nothing to the surroundings, the
+        housing by $[[ housing | latex ]]$
+        """,
+        numbers={"guard": -stiffness[3, 2], "housing": to_surroundings[2]},
         method="forces on each body for a unit of each displacement",
-        second=Confirmation("the second derivatives of the potential energy", slopes),
+        second=same(
+            "the second derivatives of the potential energy",
+            matrix_of(potential, coordinates).expand(),
+            stiffness,
+        ),
     )
     yield assertion(
         "cutter and driving bridge",
         "cutter and driving bridge are one rigid body",
         free == len(MOVING_PARTS) - 1,
-        filled(
-            """
-            of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a
-            displacement
-            """,
-            parts=", ".join(MOVING_PARTS),
-            free=free,
-        ),
+        """
+        of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a displacement
+        """,
+        numbers={"parts": ", ".join(MOVING_PARTS), "free": free},
         method="rank of the mass matrix",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), free),
     )
@@ -61,7 +53,7 @@ def components(known: Evidence) -> Record:
         sympy.expand(beyond_pin.diff(motor) - beyond_pin.diff(u)) == 0,
         "beyond its own mount, the motor's displacement enters as $q_1 + u$ alone",
         method="derivatives of the potential energy",
-        second=Confirmation("the forces on the cutter", at_the_pin),
+        second=same("the forces on the cutter", on_the_cutter.diff(motor), on_the_cutter.diff(u)),
     )
     yield text("""
         The connections that the text names are those of the equations. The bridge's stiffness $k_2$ lies

@@ -12,15 +12,25 @@ import numpy as np
 from report.drawing.marks import beside
 from report.drawing.style import BLACK, FAINT, LINES, panels
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
-from report.numbers.printed_peaks import FRAMES_OF_TABLES, TABLE_2
+from report.numbers.driven_motion import (
+    FORCES,
+    DrivenRun,
+    transient_spectrum,
+)
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
-from report.numbers.transient_spectrum import transient_spectrum
 from report.record import figure
-from report.thesis import MEASURED_DRIVE_FREQUENCY
+from report.thesis import (
+    EXPERIMENT_GAP,
+    FRAMES_OF_TABLES,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    SAMPLE_RATE,
+    TABLE_2,
+)
+from trimmer import Spectrum, Window, amplitude_spectrum
 from trimmer.arrays import Reals
-from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
-from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,8 +43,6 @@ SHOWN_TIME, FROM_REST = 0.05, 0.03
 """Time that is shown of the settled motions, and of those from rest, s."""
 WHOLE_PERIODS: Final = 6003
 """Samples in 33 periods of the drive, to 1e-6: nothing leaks from one harmonic to another."""
-OPEN_LOOP_PEAK: Final = 365.999
-"""Peak of figure 3.8 that the thesis reads as a limit cycle, Hz."""
 SET_APART: Final = 16.0
 """Distance between the symbols of two frictions at one harmonic, Hz."""
 IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.7, "columnspacing": 1.0}
@@ -62,7 +70,7 @@ def motions_without_play(known: Evidence) -> Figure:
     sine of 1.5 mm, the guard moves by 20 micrometres to either side.""",
 )
 def motions_with_play(known: Evidence) -> Figure:
-    return _motions(known.motion.driven.run(GAP, SHOWN_FORCE))
+    return _motions(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
 
 
 def _motions(run: DrivenRun) -> Figure:
@@ -102,7 +110,7 @@ def spectrum_without_play(known: Evidence) -> Figure:
     only; with play the third, fifth and seventh are higher.""",
 )
 def spectrum_with_play(known: Evidence) -> Figure:
-    gaps = {"play of 0.2 mm": GAP, "without play": 0.0}
+    gaps = {"play of 0.2 mm": EXPERIMENT_GAP, "without play": 0.0}
     return _spectra({name: _settled(known.motion.driven.run(gap, SHOWN_FORCE)) for name, gap in gaps.items()})
 
 
@@ -132,7 +140,7 @@ def _spectra(spectra: dict[str, Spectrum]) -> Figure:
     stand near the second, third, fourth and fifth harmonic.""",
 )
 def enlarged_spectrum(known: Evidence) -> Figure:
-    spectrum = _settled(known.motion.driven.run(GAP, SHOWN_FORCE))
+    spectrum = _settled(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
     frequency, amplitude = spectrum.frequency, 1e6 * spectrum.amplitude
     height = float(amplitude[frequency > 200].max())
     figure, axes = panels(3.2)
@@ -159,7 +167,7 @@ def enlarged_spectrum(known: Evidence) -> Figure:
     micrometres.""",
 )
 def open_loop_with_small_gap(known: Evidence) -> Figure:
-    runs = [known.motion.driven.run(GAP, force) for force in FORCES]
+    runs = [known.motion.driven.run(EXPERIMENT_GAP, force) for force in FORCES]
     orders = np.arange(3, 10, 2)
     figure, (over_time, harmonics) = panels(3.2, 1, 2)
     for index, (run, line, marker) in enumerate(zip(runs, LINES, "os^", strict=False)):
@@ -244,9 +252,10 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     for mode in known.numbers.modes[:3]:
         dying.axvline(mode.frequency, **FAINT)
         beside(dying, f"{mode.frequency:.0f} Hz", (mode.frequency, 1.25 * height), (-3, 0), ha="right")
-    dying.plot([OPEN_LOOP_PEAK], [1.06 * height], "v", color=BLACK, markersize=6)
-    place = (OPEN_LOOP_PEAK + 12, 1.06 * height)
-    dying.annotate("365.999 Hz\nin the thesis", place, va="top", fontsize=9)
+    peak = float(OPEN_LOOP_PEAK)
+    dying.plot([peak], [1.06 * height], "v", color=BLACK, markersize=6)
+    place = (peak + 12, 1.06 * height)
+    dying.annotate(f"{OPEN_LOOP_PEAK} Hz\nin the thesis", place, va="top", fontsize=9)
     dying.set(xlabel="frequency [Hz]", ylabel="modulus [µm s]", title="(b) what dies out")
     dying.set(xlim=(80, 700), ylim=(0, 1.35 * height))
     return figure
@@ -264,7 +273,7 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
 def closed_loop_spectra(known: Evidence) -> Figure:
     second, third = (mode.frequency for mode in known.numbers.modes[1:3])
     figure, grid = panels(4.8, 2, 2, sharex=True, sharey="col")
-    for row, gap in zip(grid, (GAP, LARGEST_GAP), strict=True):
+    for row, gap in zip(grid, (EXPERIMENT_GAP, LARGEST_GAP), strict=True):
         for axes, start in zip(row, (INSIDE, OUTSIDE), strict=True):
             for force, line in zip(FORCES_OF_FIGURE, LINES, strict=False):
                 run = known.motion.released.released(gap, force, start)
@@ -283,7 +292,7 @@ def closed_loop_spectra(known: Evidence) -> Figure:
     for axes in (inside, outside):
         beside(axes, f"{second:.1f} Hz", (second, 0.9 * axes.get_ylim()[1]), (-4, 0), ha="right")
     inside.annotate(f"{third:.0f} Hz", (third, 0.0145), ha="center")
-    cycle = known.motion.released.released(GAP, FORCES_OF_FIGURE[0], OUTSIDE)
+    cycle = known.motion.released.released(EXPERIMENT_GAP, FORCES_OF_FIGURE[0], OUTSIDE)
     outside.annotate(f"limit cycle,\n{cycle.frequency:.0f} Hz", (cycle.frequency, 4.5), ha="center")
     figure.legend(*grid[1, 1].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure

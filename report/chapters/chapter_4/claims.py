@@ -22,65 +22,43 @@ from report.claim import Impact
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
+from report.numbers import listed_blocks as blocks
 from report.numbers.independent import load_in_play
-from report.numbers.independent.listed_blocks import DRIVE_GAP, PRINTED_OFFSET, friction_block, inertia_block
 from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_OFFSET,
+    TIMED_GAP,
+    TURN,
+)
 from trimmer import FrictionBacklash, InertiaBacklash
-from trimmer.arrays import Reals
 
 SOURCE, BLOCKS = (
     "derivations/elements/backlash.py",
     "report/chapters/appendix_a/claims/listings_a_7_and_a_8_over_time.py",
 )
 b = sympy.Symbol("b", positive=True)
-SAMPLES = 2003
-"""Samples of a period in the figures, none of which is an instant at which Listing A.8 applies no line."""
 MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
 ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
 """A gap, m."""
-GAPS = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)
-"""Gaps of our figure 4.3, m; those of the thesis are not given."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
 RATIO = 1 / 99
 """Printed M/D, s."""
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 
 
-def phases(samples: int = SAMPLES) -> Reals:
-    """Return the phases of two periods of the pin, rad."""
-    return TURN * np.arange(2 * samples) / samples
-
-
-def own_block(samples: int = SAMPLES) -> Reals:
-    """Return the output of Listing A.7 for the sine of figure 4.1 from rest, m."""
-    return load_in_play.stepped(friction_block, DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
-
-
-def built_in_block(samples: int = SAMPLES) -> Reals:
-    """Return the output of python-control's backlash for the same sine from rest, m."""
-    return load_in_play.stepped_by_library(DRIVE_AMPLITUDE * np.sin(phases(samples)), DRIVE_GAP)
-
-
-def listing_a8() -> Reals:
-    """Return the output of Listing A.8 for its own drive, m."""
-    return inertia_block(DRIVE_AMPLITUDE * np.sin(phases()), phases() / DRIVE_OMEGA)
-
-
-def exact_inertia(gap: float) -> Reals:
-    """Return the derived waveform of a load without friction, m; the pin itself without gap."""
-    if gap == 0:
-        return DRIVE_AMPLITUDE * np.sin(phases())
-    return InertiaBacklash(gap).waveform(phases(), DRIVE_AMPLITUDE)
-
-
 @claim("fig-4.1", source=BLOCKS)
 def two_blocks(_: Evidence) -> Record:
-    distance = float(np.abs(own_block() - built_in_block()).max())
-    own, settled = own_block()[SAMPLES:], FrictionBacklash(DRIVE_GAP).waveform(phases(), DRIVE_AMPLITUDE)
+    distance = float(np.abs(blocks.own_block() - blocks.built_in_block()).max())
+    own, settled = (
+        blocks.own_block()[blocks.SAMPLES :],
+        FrictionBacklash(TIMED_GAP).waveform(blocks.phases(), DRIVE_AMPLITUDE),
+    )
     waveform = "the derived waveform in the second period"
     yield assertion(
         "built-in and own block, $b$ = 0.0004 m",
@@ -88,7 +66,7 @@ def two_blocks(_: Evidence) -> Record:
         distance <= ROUNDING,
         f"over two periods from rest they differ by {distance:.1g} m at most",
         method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
-        second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[SAMPLES:])), 1e-5),
+        second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[blocks.SAMPLES :])), 1e-5),
     )
     yield text("""
         The blocks agree from the start on, not only when settled; Simulink's own block is taken to be what
@@ -99,9 +77,9 @@ def two_blocks(_: Evidence) -> Record:
 
 @claim("fig-4.2", source=BLOCKS)
 def block_with_inertia(_: Evidence) -> Record:
-    distance = float(np.abs(listing_a8() - exact_inertia(DRIVE_GAP)).max())
+    distance = float(np.abs(blocks.listing_a8() - blocks.exact_inertia(TIMED_GAP)).max())
     share = 100 * distance / DRIVE_AMPLITUDE
-    lacking = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2 - float(PRINTED_OFFSET)
+    lacking = math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2 - float(LISTED_OFFSET)
     constant = r"what the constant of line 12 lacks of $\pi A + b/2$"
     yield assertion(
         "output of Listing A.8 for its own drive",
@@ -120,7 +98,7 @@ def block_with_inertia(_: Evidence) -> Record:
 
 @claim("fig-4.3", source=SOURCE)
 def gaps(_: Evidence) -> Record:
-    phase, element = phases()[:SAMPLES], InertiaBacklash(VANISHING)
+    phase, element = blocks.phases()[: blocks.SAMPLES], InertiaBacklash(VANISHING)
     output = element.waveform(phase, DRIVE_AMPLITUDE)
     distance = float(np.abs(output - DRIVE_AMPLITUDE * np.sin(phase)).max())
     vanishes = r"the flight lasts for $\phi$ with $b/A = \phi - \sin\phi$, so it vanishes with the gap"
@@ -147,8 +125,10 @@ def gaps(_: Evidence) -> Record:
 @claim("txt-4.2.1-block-equivalence", source=SOURCE)
 def equivalent_blocks(_: Evidence) -> Record:
     yield from friction_parts("Listing A.7, ")
-    output, library = own_block(MORE_SAMPLES), built_in_block(MORE_SAMPLES)
-    waveform = FrictionBacklash(DRIVE_GAP).waveform(phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE)
+    output, library = blocks.own_block(MORE_SAMPLES), blocks.built_in_block(MORE_SAMPLES)
+    waveform = FrictionBacklash(TIMED_GAP).waveform(
+        blocks.phases(MORE_SAMPLES)[MORE_SAMPLES:], DRIVE_AMPLITUDE
+    )
     distance = float(np.abs(output[MORE_SAMPLES:] - waveform).max())
     between_samples = DRIVE_AMPLITUDE * (1 - math.cos(math.pi / MORE_SAMPLES))
     off, samples = f"it is off by {1e9 * distance:.2f} nm at most", f"{MORE_SAMPLES} samples a period"
@@ -183,7 +163,7 @@ def zero_gap(_: Evidence) -> Record:
         flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
-        second=so(root, load_in_play.phase_of_flight(1e-9) < 0.002),
+        second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
@@ -193,14 +173,11 @@ def zero_gap(_: Evidence) -> Record:
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    yield text(
-        """
+    yield text("""
         Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
         output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
         for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
-        """,
-        left=1e3 * float(np.abs(inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()),
-    )
+    """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
 
 
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
@@ -247,16 +224,13 @@ def gamma(_: Evidence) -> Record:
         method="dimension check of equation 2.45",
         second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
     )
-    yield text(
-        r"""
+    yield text(r"""
         With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
         is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
 
         The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
         hundred times larger.
-        """,
-        right=right,
-    )
+    """).given(right=right)
 
 
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
@@ -279,13 +253,9 @@ def angle_of_separation(_: Evidence) -> Record:
         method="angle over angular frequency",
         second=close("the share of a turn, of the period of 10 ms", share, as_time),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
         [[ degrees | f2 ]] degrees, and it is an angle, not a time.
 
         None on later numbers: the section computes no waveform from it.
-        """,
-        angle=right,
-        degrees=math.degrees(right),
-    )
+    """).given(angle=right, degrees=math.degrees(right))

@@ -8,10 +8,9 @@ import numpy as np
 
 from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
-from report.numbers import blocks_under_a_sine as blocks
-from report.numbers.independent.listed_blocks import DRIVE_GAP
+from report.numbers import listed_blocks as blocks
 from report.record import figure
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,7 +54,7 @@ def two_friction_blocks(_: Evidence) -> Figure:
     deviation is zero but for one flight in each period, where it is minus 12.4 micrometres.""",
 )
 def inertia_block_over_time(_: Evidence) -> Figure:
-    output, exact = blocks.listing_a8(), blocks.exact_inertia(DRIVE_GAP)
+    output, exact = blocks.listing_a8(), blocks.exact_inertia(TIMED_GAP)
     figure, (waves, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
     waves.plot(TIMES, INPUT, label="input", **LINES[1])
     waves.plot(TIMES, 1e3 * output, label="output of Listing A.8", **LINES[0])

@@ -12,13 +12,15 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
-from trimmer import TrimmerParameters, filtering_ratio, linear_model
-from trimmer.arrays import Complexes
+from trimmer import InputChannels, TrimmerParameters, filtering_ratio, linear_model, pin_model, time_response
+from trimmer.arrays import Complexes, Reals
 
 ROUNDING = 1e-10
 """Singular value below which a matrix with entries of order one has no full rank."""
 SEARCHED = np.linspace(10, 2000, 8000) * TURN
 """Angular frequencies, rad/s."""
+SETTLING_TIME, SAMPLES_PER_PERIOD = 0.6, 400
+"""Length of a simulation that a sine is fitted to, s, and samples of a period of the drive."""
 
 
 def deviation_from_pin(parameters: TrimmerParameters) -> float:
@@ -80,8 +82,39 @@ def peaks_on_grid(numerator: Sequence[Fraction], denominator: Sequence[Fraction]
     return int(np.sum((inner > magnitude[:-2]) & (inner > magnitude[2:]) & (inner > above)))
 
 
-def gain_of_state_space(parameters: TrimmerParameters, omega: float) -> float:
-    """Return |C (jω - A)⁻¹ B| from the pin's displacement at ω (rad/s), without a transfer function."""
+def settled_gain(parameters: TrimmerParameters) -> complex:
+    """Fit a sine to the last of many simulated periods at the drive; return output over input (m/m)."""
+    system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
+    times = np.arange(0, SETTLING_TIME, 1 / (DRIVE_FREQUENCY * SAMPLES_PER_PERIOD))
+    output = time_response(system, times, np.sin(DRIVE_OMEGA * times)).outputs[-SAMPLES_PER_PERIOD:]
+    turning = np.exp(-1j * DRIVE_OMEGA * times[-SAMPLES_PER_PERIOD:])
+    return complex(2j * np.mean(output * turning))
+
+
+def matrix_formula(parameters: TrimmerParameters, point: complex) -> complex:
+    """Return C (s I − A)⁻¹ B at s = ``point`` (1/s), from the pin's displacement alone (m/m)."""
     model = linear_model(parameters)[0, 0]
-    resolvent = np.linalg.solve(1j * omega * np.eye(model.nstates) - model.A, model.B)
-    return float(abs((model.C @ resolvent)[0, 0]))
+    return complex((model.C @ np.linalg.solve(point * np.eye(len(model.A)) - model.A, model.B))[0, 0])
+
+
+def antiresonances(system: control.TransferFunction) -> Reals:
+    """Return the imaginary parts of the zeros, rising, rad/s."""
+    zeros = np.roots(system.num[0][0])
+    return np.sort(zeros.imag[zeros.imag > 0])
+
+
+def antiresonances_without_damping(parameters: TrimmerParameters, weights: Reals) -> Reals:
+    """Return where an output of the undamped system stays zero, rad/s; ``weights`` are those of q1 to q4.
+
+    There (K - ω² M) q = F p with w·q = 0: a bordered matrix without inverse.
+    """
+    model = linear_model(parameters)
+    flow, force = np.asarray(model.A)[4:, :4], np.asarray(model.B)[4:, :1]
+    omegas = np.linspace(100.0, 9000.0, 20_000)
+    bordered = np.zeros((omegas.size, 5, 5))
+    bordered[:, :4, :4] = -flow - omegas[:, None, None] ** 2 * np.eye(4)
+    bordered[:, :4, 4:], bordered[:, 4, :4] = force, weights
+    values = np.linalg.det(bordered)
+    places = np.flatnonzero(np.diff(np.sign(values)))
+    share = values[places] / (values[places] - values[places + 1])
+    return omegas[places] + share * (omegas[places + 1] - omegas[places])

@@ -1,14 +1,24 @@
-"""Loci of G and of describing functions on grids: crossings and solutions counted, angles by differences."""
+"""Loci of G and of describing functions on grids: crossings, solutions, angles and distances; poles."""
 
 from __future__ import annotations
 
+import math
+import warnings
+
 import control
 import numpy as np
+from matplotlib.path import Path
 
-from trimmer import response_at
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
+from report.thesis import PLOT_OFFSET
+from trimmer import (
+    Element,
+    FrictionBacklash,
+    InertiaBacklash,
+    LimitCycle,
+    ViscousBacklash,
+    response_at,
+)
+from trimmer.arrays import Complexes
 
 GRID = np.geomspace(1, 1e6, 20_000)
 FINE_GRID = np.geomspace(100, 1e5, 40_001)
@@ -16,6 +26,14 @@ PHASE_GRID = np.geomspace(1.0, 1e5, 20_001)
 """Angular frequencies, rad/s."""
 STEP = 1e-6
 """Relative step of a difference."""
+LIBRARY_GAP = 1e-4
+LIBRARY_GRID = np.linspace(LIBRARY_GAP / 2 + PLOT_OFFSET, 0.0025, 50)
+"""Amplitudes on which python-control interpolates, over the range of Listing A.9, m."""
+LIBRARY_OMEGA = np.geomspace(1e3, 1e4, 300)
+LEADING_OMEGA = np.linspace(1.0, 2e4, 20_001)
+"""Angular frequencies at which a lead is looked for, rad/s: far beyond the last natural mode."""
+AMPLITUDES = np.geomspace(0.5001, 1e7, 4_000)
+"""Amplitudes over the gap, from the edge of the dead band to where the gap no longer matters."""
 
 
 def crossings(system: control.TransferFunction) -> int:
@@ -53,3 +71,56 @@ def angle(system: control.TransferFunction, element: Element, cycle: LimitCycle)
     directions = [complex(np.diff(curve)[0]) for curve in (gains, inverse)]
     turned = abs(np.angle(directions[1] / directions[0]))
     return float(min(turned, np.pi - turned))
+
+
+def intersections_by_library(system: control.TransferFunction) -> list[tuple[float, float]]:
+    """Return amplitude (m) and ω (rad/s) of what python-control finds, in order of frequency."""
+    element = control.friction_backlash_nonlinearity(LIBRARY_GAP)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it says that it could not refine one of them
+        found = control.describing_function_response(system, element, LIBRARY_GRID, LIBRARY_OMEGA)
+    return sorted(found.intersections, key=lambda point: point[1])
+
+
+def distance_from_curve(system: control.TransferFunction, element: Element, omega: float) -> float:
+    """Return how far G is from the curve -1/N at an angular frequency (rad/s)."""
+    ratios = np.linspace(1e-4, 0.9999, 4000) * float(element.domain(1.0))
+    curve = -1 / element.describing_function(1 / ratios)
+    return float(np.abs(curve - complex(response_at(system, omega))).min())
+
+
+def lies_between_the_limits(gamma: float) -> bool:
+    """Return whether the contour of N for one γ stays in the region between friction's and inertia's."""
+    ratios = np.linspace(1e-4, 1, 3000)
+    friction = FrictionBacklash(1.0).describing_function(1 / (ratios * 1.9999))
+    inertia = InertiaBacklash(1.0).describing_function(1 / (ratios * (math.pi - 1e-6)))
+    outline = np.concatenate([friction, inertia[::-1]])
+    element = ViscousBacklash(1.0, gamma)
+    on_contour = np.linspace(0.02, 0.999, 200) * float(element.domain(1.0))
+    contour = element.describing_function(1 / on_contour, 1.0)
+    region = Path(np.column_stack([outline.real, outline.imag]))
+    return bool(region.contains_points(np.column_stack([contour.real, contour.imag]), radius=1e-5).all())
+
+
+def gains_where_phases_match(system: control.StateSpace | control.TransferFunction) -> tuple[float, float]:
+    """Return the least and the largest |N G| over all frequencies where G leads by what backlash lags."""
+    library = control.friction_backlash_nonlinearity(1.0)
+    lag = np.array([-np.angle(library.describing_function(float(each))) for each in AMPLITUDES])
+    response = np.asarray(response_at(system, LEADING_OMEGA))
+    response = response[np.angle(response) > 0]
+    matching = np.interp(np.angle(response), lag[::-1], AMPLITUDES[::-1])
+    gains = [
+        abs(value * library.describing_function(float(amplitude)))
+        for value, amplitude in zip(response, matching, strict=True)
+    ]
+    return float(min(gains)), float(max(gains))
+
+
+def decays(plant: control.TransferFunction) -> bool:
+    """Return whether all poles of a plant lie in the left half plane."""
+    return bool((plant.poles().real < 0).all())
+
+
+def feedback_poles(plant: control.TransferFunction) -> Complexes:
+    """Return the poles of a plant in negative unit feedback, 1/s."""
+    return np.asarray(control.feedback(plant, 1).poles())

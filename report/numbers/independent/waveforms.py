@@ -9,10 +9,8 @@ import mpmath
 import numpy as np
 import sympy
 
-from derivations.elements.backlash import CONTACT, inertia_contact_ratio
 from derivations.elements.waveform import THETA, Segment, Waveform
-from trimmer import response_at
-from trimmer.elements.element import Element
+from trimmer import Element, response_at
 
 DIGITS = 30
 PHASES = 2**15
@@ -30,8 +28,14 @@ def integral(segment: Segment, weight: sympy.Expr, values: Values) -> complex:
 
 
 def coefficient(waveform: Waveform, weight: sympy.Expr, values: Values) -> complex:
-    """Return (1/π) times the integral over the period."""
+    """Return 1/π times the integral of a waveform times a weight over the period, by quadrature."""
     return sum(integral(segment, weight, values) for segment in waveform.segments) / float(sympy.pi)
+
+
+def quadrature_gain(waveform: Waveform, amplitude: sympy.Expr, values: Values) -> complex:
+    """Return the describing function of a waveform by quadrature, for numeric values of the symbols."""
+    sine, cosine = (coefficient(waveform, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
+    return (sine + 1j * cosine) / float(amplitude.subs(values))
 
 
 def sampled_gain(element: Element, amplitude: float, omega: float) -> complex:
@@ -39,11 +43,6 @@ def sampled_gain(element: Element, amplitude: float, omega: float) -> complex:
     phases = 2 * np.pi * np.arange(PHASES) / PHASES
     output = element.waveform(phases, amplitude, omega)
     return complex(2j * np.mean(output * np.exp(-1j * phases)) / amplitude)
-
-
-def inertia_contact_angle(ratio: float) -> float:
-    """Return the phase at which inertia-controlled backlash ends its flight, rad, for gap over amplitude."""
-    return float(sympy.nsolve(inertia_contact_ratio() - ratio, CONTACT, 1.9))
 
 
 def at_the_jump(system: control.TransferFunction, frequency: float, feedback: float) -> float:

@@ -28,7 +28,7 @@ def test_friction_opposes_the_relative_motion_and_takes_its_power(pair, speeds):
     assert at(power(mechanism, forces), speeds) == -FORCE * abs(sliding)
 
 
-def test_bodies_that_do_not_rub_feel_nothing():
+def test_bodies_without_friction_feel_no_force():
     mechanism = trimmer()
     forces = friction_forces(mechanism, mechanism.bodies[1], mechanism.bodies[3])
     assert forces[0] == forces[2] == 0

@@ -1,4 +1,4 @@
-"""The describing functions as they are told: every equation is proven, and every proof can fail."""
+"""The describing functions step by step: every equation is proven, and every proof can fail."""
 
 import re
 from dataclasses import replace
@@ -35,16 +35,16 @@ def steps():
 
 
 @pytest.fixture(scope="module")
-def told(steps):
-    return tuple(step.tell() for step in steps)
+def shown(steps):
+    return tuple(step.proven() for step in steps)
 
 
-def test_each_step_proves_something_by_algebra(steps, told):
-    for step, story in zip(steps, told, strict=True):
-        assert f"Proven equations: {len(step.equalities)}." in story.text
+def test_each_step_proves_something_by_algebra(steps, shown):
+    for step, proven in zip(steps, shown, strict=True):
+        assert f"Proven equations: {len(step.equalities)}." in proven.text
         assert step.equalities
-        assert "random" not in story.text
-        assert len(story.formulas) == len(step.lines)
+        assert "random" not in proven.text
+        assert len(proven.formulas) == len(step.lines)
 
 
 @pytest.mark.parametrize(
@@ -63,22 +63,22 @@ def test_no_corrupted_equation_is_proven(steps, corrupt):
                 broken.prove()
 
 
-def test_a_wrong_equation_stops_the_story(steps):
+def test_a_wrong_equation_is_an_error(steps):
     step = steps[-1]
     broken = replace(step, lines=(*step.lines, replace(step.equalities[0], closed=sympy.Integer(0))))
     with pytest.raises(UnprovenError, match="is not proven"):
-        broken.tell()
+        broken.proven()
 
 
-def test_every_equation_of_the_thesis_on_describing_functions_is_told(told):
-    numbers = {formula.thesis for step in told for formula in step.formulas}
+def test_every_equation_of_the_thesis_on_describing_functions_is_shown(shown):
+    numbers = {formula.thesis for step in shown for formula in step.formulas}
     assert numbers >= {f"2.{number}" for number in (29, 35, 36, 38, 40, 41, 42, 43, 44, 45, 46, 47, 48)}
     assert numbers >= {"2.50", "2.51", "2.52", "2.57", "2.58", "2.60", "5.14"}
 
 
-def test_identifiers_differ_and_braces_match(told):
-    assert len({step.id for step in told}) == len(told)
-    for formula in (formula for step in told for formula in step.formulas):
+def test_identifiers_differ_and_braces_match(shown):
+    assert len({step.id for step in shown}) == len(shown)
+    for formula in (formula for step in shown for formula in step.formulas):
         assert formula.latex.count("{") == formula.latex.count("}")
         assert "Piecewise" not in formula.latex
 
@@ -127,7 +127,7 @@ def test_relay_and_friction_are_those_of_quadrature(name, harmonic):
         assert abs(mpmath.mpmathify(closed) - expected) < mpmath.mpf(10) ** (4 - DIGITS)
 
 
-def test_units_of_the_equivalent_nonlinearity_are_those_that_are_told():
+def test_units_of_the_equivalent_nonlinearity_are_those_that_are_stated():
     units = units_check(GAP / A)
     units.require_sum()
     assert str(units.friction) == "kg s^-2"

@@ -58,6 +58,6 @@ def test_an_early_end_is_reported():
         list(run([partial(os._exit, 1)]))
 
 
-def test_the_time_of_a_job_is_told():
+def test_the_time_of_a_job_is_returned():
     (done,) = run([partial(time.sleep, 0.05)])
     assert done.seconds >= 0.05

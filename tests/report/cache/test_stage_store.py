@@ -48,8 +48,8 @@ def test_a_state_space_model_reads_back_equal(tmp_path: Path) -> None:
 
 def test_terms_read_back_in_their_order(tmp_path: Path) -> None:
     a, b = sympy.symbols("a b")
-    told = sympy.Add(sympy.Mul(b, a, evaluate=False), -a, evaluate=False)
-    StageStore(tmp_path).keep("stage", "a", [told])
+    expression = sympy.Add(sympy.Mul(b, a, evaluate=False), -a, evaluate=False)
+    StageStore(tmp_path).keep("stage", "a", [expression])
     (read,) = StageStore(tmp_path).load("stage", "a")
-    assert sympy.latex(read, order="none") == sympy.latex(told, order="none")
-    assert [term.args for term in read.args] == [term.args for term in told.args]
+    assert sympy.latex(read, order="none") == sympy.latex(expression, order="none")
+    assert [term.args for term in read.args] == [term.args for term in expression.args]

@@ -7,7 +7,7 @@ import pytest
 from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
 from report.claim import ContradictionError, Verdict, judge
-from report.numbers.driven_motion import GAP
+from report.thesis import EXPERIMENT_GAP
 
 
 def verdicts(claim, inventory):
@@ -66,7 +66,9 @@ def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, 
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.REPRODUCED]
 
 
-@pytest.mark.parametrize("confirm", [confirm_friction, lambda evidence: confirm_play(evidence, GAP)])
+@pytest.mark.parametrize(
+    "confirm", [confirm_friction, lambda evidence: confirm_play(evidence, EXPERIMENT_GAP)]
+)
 def test_a_wrong_harmonic_of_a_run_would_be_noticed(confirm, evidence):
     assert confirm(evidence).comparison.compare().agrees
     driven = evidence.motion.driven

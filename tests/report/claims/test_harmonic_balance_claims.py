@@ -4,10 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from report.chapters.chapter_5.claims import figures_5_5_to_5_18_loci, section_5_2_5, section_5_2_assumptions
+from report.chapters.chapter_5.claims import figures_5_5_to_5_18_loci, section_5_2_assumptions
 from report.claim import ContradictionError, Verdict, judge
-from report.numbers.equivalent_nonlinearity import listing_element
+from report.numbers.equivalent_nonlinearity import FORCE, listing_element
 from report.numbers.friction_in_place import Balances
+from report.numbers.independent.limit_cycles import equivalent_as_listed
+from report.numbers.listed_functions import equivalent_listing
+from report.thesis import DRIVE_OMEGA, SMALL_GAP
 
 
 def verdicts(claim, inventory):
@@ -51,10 +54,8 @@ def test_a_harmonic_that_comes_back_would_be_noticed(evidence, inventory, record
 def test_the_second_way_to_the_listings_prediction_does_not_use_the_elements(evidence):
     """Newton's method on the listing's formulas agrees with the solver on the library's elements."""
     (cycle,) = evidence.cycles.equivalent.rounded
-    amplitude, omega = section_5_2_5.listing_by_newton(
-        cycle, section_5_2_5.FORCE, section_5_2_5.GAP, section_5_2_5.OMEGA
-    )
+    amplitude, omega = equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
     assert amplitude == pytest.approx(cycle.amplitude, rel=1e-10)
     assert omega == pytest.approx(cycle.omega, rel=1e-12)
-    gain = complex(listing_element(section_5_2_5.FORCE).describing_function(amplitude))
-    assert section_5_2_5.listing_function(amplitude, section_5_2_5.OMEGA) == pytest.approx(gain, rel=1e-9)
+    gain = complex(listing_element(FORCE).describing_function(amplitude))
+    assert equivalent_listing(amplitude, FORCE, SMALL_GAP, DRIVE_OMEGA) == pytest.approx(gain, rel=1e-9)

@@ -8,12 +8,12 @@ import pytest
 from report.claim import Claim, ContradictionError, Part, judge
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import power, power_of
-from report.comparisons.second_ways import by_division_back, by_grid, by_matching_real_parts, second_way
+from report.comparisons.second_ways import by_division_back, by_grid, by_matching_real_parts
 from report.numbers.friction_in_place import force_response
-from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
-from report.numbers.linear_numbers import DRIVE_FREQUENCY
-from report.numbers.reference_loop import GAP
+from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
+from report.parts import so
+from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import Body, real_axis_crossings, response_at
 
 CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
@@ -22,7 +22,7 @@ CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):
     finding = Assertion(statement="it is so", derived=True, evidence="", method="one way")
     sound, unsound = (
-        Claim("eq-2.1", (Part("", finding, second_way("another", holds)),), "", "") for holds in (True, False)
+        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "", "") for holds in (True, False)
     )
     (part,) = judge(sound, inventory["eq-2.1"]).parts
     assert part.method == "one way; confirmed by another"
@@ -60,8 +60,8 @@ def test_crossings_and_solutions_are_counted_on_a_grid(evidence):
 
 def test_steps_without_reference_stay_on_the_limit_cycle(evidence):
     orbit = evidence.motion.closed.orbits.friction.stable
-    (line,) = lines_in_steps(orbit, GAP, [steps(0.0, DRIVE_FREQUENCY)], [orbit.frequency])
-    assert line == pytest.approx(GAP * abs(orbit.harmonics[0]), rel=0.002)
+    (line,) = lines_in_steps(orbit, LARGE_GAP, [steps(0.0, DRIVE_FREQUENCY)], [orbit.frequency])
+    assert line == pytest.approx(LARGE_GAP * abs(orbit.harmonics[0]), rel=0.002)
 
 
 def test_steps_of_friction_agree_with_the_exact_motion(evidence):

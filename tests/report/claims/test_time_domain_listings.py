@@ -8,14 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from report.numbers.independent.listed_blocks import (
-    DRIVE_GAP,
+from report.numbers.listed_blocks import (
     PERIOD,
     contact_time,
     friction_block,
     inertia_block,
 )
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
@@ -46,26 +45,26 @@ def test_the_load_stays_between_the_walls_and_moves_no_more_than_it_must(positio
 
 def test_on_a_sine_it_has_the_derived_waveform():
     phase = np.linspace(0, 4 * math.pi, 8001)
-    loads = np.array(run(DRIVE_AMPLITUDE * np.sin(phase), DRIVE_GAP))[4001:]
-    expected = FrictionBacklash(DRIVE_GAP).waveform(phase[4001:], DRIVE_AMPLITUDE)
-    np.testing.assert_allclose(loads, expected, atol=1e-9 * DRIVE_GAP)
+    loads = np.array(run(DRIVE_AMPLITUDE * np.sin(phase), TIMED_GAP))[4001:]
+    expected = FrictionBacklash(TIMED_GAP).waveform(phase[4001:], DRIVE_AMPLITUDE)
+    np.testing.assert_allclose(loads, expected, atol=1e-9 * TIMED_GAP)
 
 
 def test_for_its_own_input_the_inertia_block_has_the_derived_waveform_but_for_the_rounded_constant():
     time = np.linspace(0, PERIOD, 2000, endpoint=False) + PERIOD / 7777
     pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * time)
-    difference = inertia_block(pin, time) - InertiaBacklash(DRIVE_GAP).waveform(
+    difference = inertia_block(pin, time) - InertiaBacklash(TIMED_GAP).waveform(
         DRIVE_OMEGA * time, DRIVE_AMPLITUDE
     )
     rounded = (time > PERIOD / 2) & (time < PERIOD / 2 + contact_time())
-    offset = 0.0049 - (math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2)
+    offset = 0.0049 - (math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2)
     np.testing.assert_allclose(difference[rounded], offset, atol=1e-12)
     np.testing.assert_allclose(difference[~rounded], 0, atol=1e-12)
 
 
 def test_the_contact_time_is_that_of_keplers_equation():
     angle = DRIVE_OMEGA * contact_time()
-    assert angle - math.sin(angle) == pytest.approx(DRIVE_GAP / DRIVE_AMPLITUDE, rel=1e-12)
+    assert angle - math.sin(angle) == pytest.approx(TIMED_GAP / DRIVE_AMPLITUDE, rel=1e-12)
 
 
 def test_the_inertia_block_repeats_with_the_period():

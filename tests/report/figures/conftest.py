@@ -4,9 +4,10 @@ from functools import cache
 
 import pytest
 
-from report.record import FigureRecord, modules, records
+from report.collect import collect
+from report.inventory import read_inventory
 
-FIGURES = {figure.id: figure for module in modules() for figure in records(module, FigureRecord)}
+FIGURES = {figure.id: figure for figure in collect(read_inventory()).figures}
 
 
 @pytest.fixture(scope="session")

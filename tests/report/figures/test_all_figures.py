@@ -2,10 +2,11 @@
 
 import pytest
 
+from report.collect import collect
 from report.drawing.style import WIDTH
-from report.record import FigureRecord, modules, records
+from report.inventory import read_inventory
 
-FIGURES = [figure for module in modules() for figure in records(module, FigureRecord)]
+FIGURES = collect(read_inventory()).figures
 NOT_DRAWN = ["fig-5.6", "fig-5.17", "fig-5.18"]
 SMALLEST_TEXT = 7.5
 

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from report.chapters.chapter_3 import figures
-from report.numbers.driven_motion import LARGEST_GAP
-from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
+from report.thesis import DRIVE_AMPLITUDE, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
 from tests.report.figures.lines import line
 
 

@@ -7,14 +7,18 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+from report.numbers.drive_amplitudes import (
+    AMPLITUDES,
+    ReferenceLoop,
+    other_line,
+)
+from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.impulse_response import events_by_integration
-from report.numbers.independent.listed_blocks import inertia_block
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from report.numbers.orbit_by_durations import orbit_by_durations
+from report.numbers.listed_blocks import inertia_block
 from report.numbers.record import Record, largest_peaks, line_amplitudes
-from report.numbers.reference_loop import AMPLITUDES, GAP, ReferenceLoop, other_line
 from report.numbers.relay_loop import STEP, output_at_jump
 from report.numbers.released_bodies import RECORD
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.linear.model import InputChannels, pin_model
@@ -43,7 +47,7 @@ def matrices(system):
 @pytest.mark.parametrize("which", ["stable", "unstable"])
 def test_orbits_agree_with_the_solution_for_two_durations(closed, name, which):
     orbit = getattr(getattr(closed.orbits, name), which)
-    amplitude, frequency = orbit_by_durations(orbit, heavy=name == "inertia")
+    amplitude, frequency = orbit_by_durations(orbit, inertia=name == "inertia")
     assert frequency == pytest.approx(orbit.frequency, rel=1e-11)
     if name != "inertia":
         assert amplitude == pytest.approx(orbit.amplitude, rel=1e-11)
@@ -77,23 +81,23 @@ def test_loop_with_a_reference_by_integration(system):
     """SciPy follows the same loop from event to event."""
     A, B, C = matrices(system)
     duration = 0.006
-    motion = simulate(ReferenceLoop(system, FrictionBacklash(GAP), DRIVE), duration)
+    motion = simulate(ReferenceLoop(system, FrictionBacklash(LARGE_GAP), DRIVE), duration)
 
     def pin(t, x):
         return DRIVE.amplitude * math.sin(DRIVE.omega * t) - C @ x
 
     def rate(t, x, side, bridge):
-        return A @ x + B * (pin(t, x) - side * GAP / 2 if side else bridge)
+        return A @ x + B * (pin(t, x) - side * LARGE_GAP / 2 if side else bridge)
 
     def leaving(t, x, side, bridge):
         velocity = DRIVE.amplitude * DRIVE.omega * math.cos(DRIVE.omega * t) - C @ rate(t, x, side, bridge)
         return side * velocity
 
     def upper(t, x, side, bridge):
-        return GAP / 2 - (pin(t, x) - bridge)
+        return LARGE_GAP / 2 - (pin(t, x) - bridge)
 
     def lower(t, x, side, bridge):
-        return GAP / 2 + (pin(t, x) - bridge)
+        return LARGE_GAP / 2 + (pin(t, x) - bridge)
 
     for event in (leaving, upper, lower):
         event.terminal, event.direction = True, -1
@@ -112,7 +116,7 @@ def test_loop_with_a_reference_by_integration(system):
         )
         time, state = run.t[-1], run.y[:, -1]
         if run.status == 1 and side:
-            bridge, side = pin(time, state) - side * GAP / 2, 0
+            bridge, side = pin(time, state) - side * LARGE_GAP / 2, 0
         elif run.status == 1:
             side = 1 if run.t_events[0].size else -1
     assert len(motion.events) > 8
@@ -122,7 +126,7 @@ def test_loop_with_a_reference_by_integration(system):
 def test_reference_puts_out_the_limit_cycle_when_it_is_strong(closed):
     reference, orbit = closed.reference, closed.orbits.friction.stable
     weak, *_ = reference.from_limit_cycle
-    assert weak.line == pytest.approx(GAP * abs(orbit.harmonics[0]), rel=1e-4)
+    assert weak.line == pytest.approx(LARGE_GAP * abs(orbit.harmonics[0]), rel=1e-4)
     assert weak.frequency == pytest.approx(orbit.frequency, rel=1e-6)
     assert [run.amplitude for run in reference.from_limit_cycle] == list(AMPLITUDES)
     assert [run.line > 0 for run in reference.from_limit_cycle] == [True, True, True, False, False]

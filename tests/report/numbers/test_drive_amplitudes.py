@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from report.numbers.drive_amplitudes import AMPLITUDES, GAP
-from report.numbers.linear_numbers import DRIVE_FREQUENCY
+from report.numbers.drive_amplitudes import AMPLITUDES
+from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -18,7 +18,7 @@ def runs(evidence):
 
 def test_a_pin_within_its_play_moves_nothing(runs):
     assert [run.amplitude for run in runs] == list(AMPLITUDES)
-    assert runs[0].amplitude < GAP / 2
+    assert runs[0].amplitude < LARGE_GAP / 2
     assert not runs[0].output.any()
     assert runs[0].ripple == 0
 
@@ -27,7 +27,7 @@ def test_a_pin_within_its_play_moves_nothing(runs):
 def test_harmonics_are_describing_function_times_response(order, runs, evidence):
     gain = complex(response_at(evidence.numbers.displacement_only, 2 * math.pi * DRIVE_FREQUENCY * order))
     for run in runs[1:]:
-        element = complex(FrictionBacklash(GAP).describing_function(run.amplitude, harmonic=order))
+        element = complex(FrictionBacklash(LARGE_GAP).describing_function(run.amplitude, harmonic=order))
         assert run.harmonics[order] == pytest.approx(abs(element * gain) * run.amplitude, rel=2e-3)
 
 
@@ -36,6 +36,6 @@ def test_far_above_the_gap_the_ripple_is_that_of_a_square_wave_of_half_a_gap(run
     response = response_at(evidence.numbers.displacement_only, 2 * math.pi * DRIVE_FREQUENCY * orders)
     phases = np.linspace(0, 2 * math.pi, 4001)
     # x - gap/2 sign(cos θ) behind the play: harmonics of the square wave, through the response.
-    lines = -2 * GAP / (math.pi * orders) * np.where(orders % 4 == 1, 1.0, -1.0) * response
+    lines = -2 * LARGE_GAP / (math.pi * orders) * np.where(orders % 4 == 1, 1.0, -1.0) * response
     square = (lines * np.exp(1j * np.outer(phases, orders))).sum(axis=1).real
     assert runs[-1].ripple == pytest.approx(np.ptp(square) / 2, rel=2e-3)

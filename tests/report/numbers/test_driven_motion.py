@@ -8,13 +8,10 @@ from scipy.integrate import solve_ivp
 
 from report.numbers.driven_motion import (
     FORCES,
-    GAP,
-    LARGER_GAP,
-    LARGEST_GAP,
     difference_energy,
+    transient_peaks,
 )
-from report.numbers.linear_numbers import DRIVE_AMPLITUDE, MEASURED_DRIVE_FREQUENCY
-from report.numbers.transient_spectrum import transient_peaks
+from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
 from trimmer import linear_model, response_at
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -27,7 +24,7 @@ def driven(evidence):
     return evidence.motion.driven
 
 
-@pytest.mark.parametrize("gap", [GAP, LARGER_GAP])
+@pytest.mark.parametrize("gap", [EXPERIMENT_GAP, LARGER_GAP])
 @pytest.mark.parametrize("order", [1, 3, 5, 7, 9])
 def test_without_friction_harmonics_are_describing_function_times_response(gap, order, driven, evidence):
     element = FrictionBacklash(gap).describing_function(DRIVE_AMPLITUDE, harmonic=order)

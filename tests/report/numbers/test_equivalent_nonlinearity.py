@@ -8,12 +8,11 @@ import pytest
 from report.numbers.equivalent_nonlinearity import (
     FORCE,
     FORCES,
-    GAP,
-    OMEGA,
     listing_element,
     printed_function,
     right_element,
 )
+from report.thesis import DRIVE_OMEGA, SMALL_GAP
 from trimmer import response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -43,15 +42,15 @@ def line_by_line(A, D, w, Fc):
 
 
 def test_the_listing_element_is_the_listing():
-    amplitudes = GAP * np.geomspace(0.51, 1e4, 60)
+    amplitudes = SMALL_GAP * np.geomspace(0.51, 1e4, 60)
     ours = listing_element(FORCE).describing_function(amplitudes)
-    np.testing.assert_allclose(ours, line_by_line(amplitudes, GAP, OMEGA, FORCE), rtol=1e-9)
+    np.testing.assert_allclose(ours, line_by_line(amplitudes, SMALL_GAP, DRIVE_OMEGA, FORCE), rtol=1e-9)
 
 
 def test_the_right_element_damps_where_the_listing_feeds():
     """Friction takes energy where the imaginary part of what it adds is positive: a force ahead of x."""
-    amplitude, k2 = 3 * GAP, 30e3
-    backlash = FrictionBacklash(GAP).describing_function(amplitude)
+    amplitude, k2 = 3 * SMALL_GAP, 30e3
+    backlash = FrictionBacklash(SMALL_GAP).describing_function(amplitude)
     right = (right_element(FORCE, k2).describing_function(amplitude) - backlash) * k2
     assert right == pytest.approx(4j * FORCE / (math.pi * amplitude))
     wrong = listing_element(FORCE).describing_function(amplitude) - backlash
@@ -63,20 +62,20 @@ def test_the_right_element_damps_where_the_listing_feeds():
 def test_only_force_over_frequency_and_gap_counts(factor):
     """One family of contours, as the claim on figure 5.21 says."""
     amplitudes = np.geomspace(0.6, 50, 20)
-    reference = listing_element(FORCE).describing_function(GAP * amplitudes)
+    reference = listing_element(FORCE).describing_function(SMALL_GAP * amplitudes)
     for changed, gap in (
-        (listing_element(factor * FORCE, GAP, factor * OMEGA), GAP),
-        (listing_element(factor * FORCE, factor * GAP), factor * GAP),
-        (listing_element(FORCE, GAP / factor, factor * OMEGA), GAP / factor),
+        (listing_element(factor * FORCE, SMALL_GAP, factor * DRIVE_OMEGA), SMALL_GAP),
+        (listing_element(factor * FORCE, factor * SMALL_GAP), factor * SMALL_GAP),
+        (listing_element(FORCE, SMALL_GAP / factor, factor * DRIVE_OMEGA), SMALL_GAP / factor),
     ):
         np.testing.assert_allclose(changed.describing_function(gap * amplitudes), reference, rtol=1e-9)
 
 
 def test_the_printed_equation_needs_pi_and_the_amplitude_in_its_real_part():
     """With A/π in its real part, one A fewer under friction and b half of the gap it is the listing."""
-    amplitude = 2.3 * GAP
-    printed = printed_function(amplitude, FORCE, GAP / 2)
-    friction = -4 * FORCE / (OMEGA * math.pi * amplitude)
+    amplitude = 2.3 * SMALL_GAP
+    printed = printed_function(amplitude, FORCE, SMALL_GAP / 2)
+    friction = -4 * FORCE / (DRIVE_OMEGA * math.pi * amplitude)
     real = printed.real * amplitude / math.pi
     imaginary = printed.imag - friction / amplitude + friction
     assert complex(real, imaginary) == pytest.approx(listing_element(FORCE).describing_function(amplitude))
@@ -88,13 +87,16 @@ def test_every_prediction_closes_its_loop(numbers, system, evidence):
 
     rounded = evidence.cycles.listing
     for cycle in numbers.rounded:
-        assert distance(line_by_line(cycle.amplitude, GAP, OMEGA, FORCE), cycle.omega, rounded) < 1e-9
+        assert (
+            distance(line_by_line(cycle.amplitude, SMALL_GAP, DRIVE_OMEGA, FORCE), cycle.omega, rounded)
+            < 1e-9
+        )
     for cycle in numbers.listing:
-        assert distance(line_by_line(cycle.amplitude, GAP, OMEGA, FORCE), cycle.omega) < 1e-9
+        assert distance(line_by_line(cycle.amplitude, SMALL_GAP, DRIVE_OMEGA, FORCE), cycle.omega) < 1e-9
     for cycle, force in zip(numbers.by_force, FORCES, strict=True):
-        assert distance(line_by_line(cycle.amplitude, GAP, OMEGA, force), cycle.omega) < 1e-9
+        assert distance(line_by_line(cycle.amplitude, SMALL_GAP, DRIVE_OMEGA, force), cycle.omega) < 1e-9
     own = numbers.own_frequency
-    assert distance(line_by_line(own.amplitude, GAP, own.omega, FORCE), own.omega) < 1e-9
+    assert distance(line_by_line(own.amplitude, SMALL_GAP, own.omega, FORCE), own.omega) < 1e-9
     printed = numbers.as_printed
     assert distance(printed_function(printed.amplitude, FORCE), printed.omega) < 1e-9
 
@@ -111,7 +113,7 @@ def test_without_force_it_is_backlash(system, evidence):
     for cycle, pair in zip(
         almost, (evidence.cycles.friction.unstable, evidence.cycles.friction.stable), strict=True
     ):
-        assert cycle.amplitude / GAP == pytest.approx(pair.amplitude, rel=1e-6)
+        assert cycle.amplitude / SMALL_GAP == pytest.approx(pair.amplitude, rel=1e-6)
 
 
 def test_the_frequency_tends_to_where_the_real_part_of_the_inverse_is_minus_one(numbers, system):
@@ -125,7 +127,7 @@ def test_friction_that_takes_energy_leaves_no_limit_cycle(numbers):
     assert numbers.sign_turned == ()
     assert numbers.over_stiffness == ()
     assert numbers.over_stiffness_both_channels == ()
-    assert numbers.in_place.limit_cycles(FORCE / GAP) == 0
+    assert numbers.in_place.limit_cycles(FORCE / SMALL_GAP) == 0
     assert 0.03 < numbers.force_of_merger < 0.035
 
 
@@ -133,5 +135,5 @@ def test_over_the_stiffness_and_in_its_place_friction_ends_the_limit_cycle_at_ne
     numbers, system
 ):
     k2, merger = 30e3, numbers.in_place.merger.force_per_gap
-    assert len(limit_cycles(system, right_element(0.95 * merger * GAP, k2))) == 2
-    assert limit_cycles(system, right_element(1.02 * merger * GAP, k2)) == []
+    assert len(limit_cycles(system, right_element(0.95 * merger * SMALL_GAP, k2))) == 2
+    assert limit_cycles(system, right_element(1.02 * merger * SMALL_GAP, k2)) == []

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from report.numbers.driven_motion import GAP, LARGEST_GAP
 from report.numbers.released_motion import (
     FORCES_OF_FIGURE,
     INSIDE,
@@ -13,6 +12,7 @@ from report.numbers.released_motion import (
     SCALE,
     released_peak,
 )
+from report.thesis import EXPERIMENT_GAP, LARGEST_GAP
 from trimmer import InputChannels, pin_model
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.orbits.periodic_orbits import periodic_orbits
@@ -50,11 +50,11 @@ def test_friction_weakens_the_limit_cycle_until_it_ends(released, evidence):
     assert (np.diff(amplitudes) < 0).all()
     assert [run.goes_on for run in released.by_force] == [True] * 6 + [False]
     # Harmonic balance puts the end between the last two forces.
-    merger = evidence.cycles.equivalent.in_place_both_channels.merger.force_per_gap * GAP
+    merger = evidence.cycles.equivalent.in_place_both_channels.merger.force_per_gap * EXPERIMENT_GAP
     assert released.by_force[-2].force < merger < released.by_force[-1].force
 
 
-@pytest.mark.parametrize("gap", [GAP, LARGEST_GAP])
+@pytest.mark.parametrize("gap", [EXPERIMENT_GAP, LARGEST_GAP])
 def test_inside_of_the_play_the_second_mode_dies_out(gap, released, evidence):
     run = released.released(gap, FORCES_OF_FIGURE[0], INSIDE)
     mode = evidence.numbers.modes[1]

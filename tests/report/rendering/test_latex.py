@@ -56,7 +56,7 @@ def test_estimated_widths_are_close_to_those_typst_measures() -> None:
     assert [width(formula) for formula in FORMULAS] == pytest.approx(measured, rel=0.15)
 
 
-def test_relations_and_signs_are_told_from_the_rest() -> None:
+def test_relations_and_signs_are_distinguished_from_the_rest() -> None:
     roles = [atom.role for atom in atoms(r"a_{1} = - b \leq \frac{1 + c}{2}")]
     ordinary = Role.ORDINARY
     assert roles == [ordinary, Role.RELATION, Role.SIGN, ordinary, Role.RELATION, ordinary]

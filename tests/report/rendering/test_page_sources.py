@@ -11,7 +11,7 @@ from tests.report.rendering.page_checks import Visit
 
 pytestmark = pytest.mark.browser
 
-CLAIM, PLACE = "txt-5.1.2-roll-off", "code-trimmer-low_pass"
+CLAIM, PLACE = "txt-5.1.2-roll-off", "code-trimmer-linear-low_pass"
 
 
 def link(page: Page) -> Locator:

@@ -34,14 +34,14 @@ def parts(page: Page) -> Locator:
 
 
 def heard(page: Page) -> list[tuple[str, str]]:
-    """Return role and name of all that Chromium tells a screen reader of tables."""
+    """Return role and name of all that Chromium gives a screen reader for tables."""
     session = page.context.new_cdp_session(page)
     nodes = session.send("Accessibility.getFullAXTree")["nodes"]
     session.detach()
-    told = [
+    announced = [
         (node["role"]["value"], node.get("name", {}).get("value", "")) for node in nodes if "role" in node
     ]
-    return [(role, name.strip()) for role, name in told if role in ROLES]
+    return [(role, name.strip()) for role, name in announced if role in ROLES]
 
 
 def test_narrow_rows_are_blocks_and_none_scrolls_sideways(page: Page) -> None:

@@ -1,4 +1,4 @@
-"""What is not certain is told: tangency, a continuum, poles on the axis, the ends of the axis."""
+"""What is not certain is reported: tangency, a continuum, poles on the axis, the ends of the axis."""
 
 from __future__ import annotations
 

@@ -62,12 +62,12 @@ def test_it_counts_what_is_in_the_range_only() -> None:
     assert winding_number(loop, (100.0, 1e3)) == 0
 
 
-def test_it_is_not_told_where_a_solution_lies_on_the_border() -> None:
+def test_it_is_none_where_a_solution_lies_on_the_border() -> None:
     (cycle,) = harmonic_balance(THIRD_ORDER, Relay(1.0)).limit_cycles
     assert winding_number(loop_equation(THIRD_ORDER, Relay(1.0)), (cycle.omega, 10.0)) is None
 
 
-def test_it_is_not_told_where_the_system_has_a_zero_on_the_axis() -> None:
+def test_it_is_none_where_the_system_has_a_zero_on_the_axis() -> None:
     balance = harmonic_balance(20 * (s**2 + 4) / (s + 1) ** 4, FrictionBacklash(1.0))
     assert balance.certificate.winding_number is None
     assert balance.confirmed is None

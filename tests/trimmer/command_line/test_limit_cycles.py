@@ -16,24 +16,28 @@ FRICTION = ["limit-cycles", "--element", "friction", "--gap", "4e-5"]
 
 def test_json_holds_the_limit_cycles_in_full_precision(capsys) -> None:
     assert main([*FRICTION, "--channels", "displacement", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
+    printed = json.loads(capsys.readouterr().out)
     G = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
     expected = limit_cycles(G, FrictionBacklash(4e-5))
-    assert [cycle["amplitude"] for cycle in told["limit_cycles"]] == [cycle.amplitude for cycle in expected]
-    assert [cycle["frequency"] for cycle in told["limit_cycles"]] == [cycle.frequency for cycle in expected]
-    assert [cycle["stable"] for cycle in told["limit_cycles"]] == [False, True]
-    assert told["certificate"]["complete"] is True
+    assert [cycle["amplitude"] for cycle in printed["limit_cycles"]] == [
+        cycle.amplitude for cycle in expected
+    ]
+    assert [cycle["frequency"] for cycle in printed["limit_cycles"]] == [
+        cycle.frequency for cycle in expected
+    ]
+    assert [cycle["stable"] for cycle in printed["limit_cycles"]] == [False, True]
+    assert printed["certificate"]["complete"] is True
 
 
 def test_text_is_a_table_and_says_what_is_certain(capsys) -> None:
     assert main([*FRICTION, "--channels", "displacement"]) == 0
-    told = capsys.readouterr().out
+    printed = capsys.readouterr().out
     for shown in ("0.000332608", "733.631", "553.59", "none is missing there; none exist outside"):
-        assert shown in told
-    assert max(map(len, told.splitlines())) <= 110
+        assert shown in printed
+    assert max(map(len, printed.splitlines())) <= 110
 
 
-def test_no_limit_cycle_is_told(capsys) -> None:
+def test_no_limit_cycle_is_reported(capsys) -> None:
     assert main(["limit-cycles", "--element", "coulomb", "--force", "0.15"]) == 0
     assert "\n  none\n" in capsys.readouterr().out
 
@@ -66,11 +70,11 @@ def test_the_picture_is_the_same_bytes_each_time(tmp_path: Path, name: str, star
 )
 def test_what_the_user_got_wrong_is_one_line_and_exit_code_2(capsys, words, message: str) -> None:
     assert main(["limit-cycles", *words]) == 2
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert message in told.err
-    assert told.err.startswith("trimmer: ")
-    assert told.err.count("\n") == 1
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert message in printed.err
+    assert printed.err.startswith("trimmer: ")
+    assert printed.err.count("\n") == 1
 
 
 def test_identify_gives_the_time_constant_or_says_that_there_is_none(capsys) -> None:

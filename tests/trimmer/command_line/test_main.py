@@ -70,9 +70,9 @@ def test_a_command_of_another_package_runs_and_gives_the_exit_code(entry) -> Non
 def test_a_broken_command_does_not_take_the_others_with_it(entry, capsys, target, message) -> None:
     entry(target)
     assert main(["parameters"]) == 0
-    told = capsys.readouterr()
-    assert f"command 'other' ({target}) {message}" in told.err
-    assert "m1 = 0.035" in told.out
+    printed = capsys.readouterr()
+    assert f"command 'other' ({target}) {message}" in printed.err
+    assert "m1 = 0.035" in printed.out
 
 
 @pytest.mark.parametrize(
@@ -85,14 +85,14 @@ def test_wrong_use_is_exit_code_2_with_the_usage(capsys, arguments: list[str]) -
     assert "usage: trimmer" in capsys.readouterr().err
 
 
-def test_what_the_user_can_put_right_is_told_without_a_traceback(entry, capsys, monkeypatch) -> None:
+def test_what_the_user_can_correct_is_reported_without_a_traceback(entry, capsys, monkeypatch) -> None:
     monkeypatch.setattr(sys.modules[__name__], "OTHER", fail(TrimmerError("do this instead")))
     assert main(["other"]) == 2
     assert capsys.readouterr().err == "trimmer: do this instead\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_a_full_disk_behind_standard_output_is_told(project_folder: Path) -> None:
+def test_a_full_disk_behind_standard_output_is_reported(project_folder: Path) -> None:
     code = "import sys; from trimmer.command_line.main import main; sys.exit(main(['parameters']))"
     with open("/dev/full", "wb") as full:
         done = subprocess.run(

@@ -57,8 +57,8 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
     with wave.open(str(sound)) as file:
         assert file.getframerate() >= 8000
         assert file.getnframes() / file.getframerate() == pytest.approx(1.0, abs=0.01)
-    told = capsys.readouterr().out.splitlines()
-    assert told[-2:] == [f"wrote {table}", f"wrote {sound}"]
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[-2:] == [f"wrote {table}", f"wrote {sound}"]
     assert main(["spectrum", str(table), "--column", "q2-q4", "--drive", "110", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)
 
@@ -102,7 +102,7 @@ def test_orbits_stand_beside_their_predictions(capsys: pytest.CaptureFixture[str
     assert orbits[0]["amplitude"] == pytest.approx(8.28949 * 4e-6, rel=1e-6)
 
 
-def test_orbits_tell_where_their_predictions_are_undecided(
+def test_orbits_state_where_their_predictions_are_undecided(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # Without damping G is real, so -1/G lies on the real axis, which N meets at infinite amplitude.
@@ -113,9 +113,9 @@ def test_orbits_tell_where_their_predictions_are_undecided(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert main(chosen) == 0
-        told = capsys.readouterr()
-        assert "undecided: 1394.27979 to 1394.27979 rad/s" in told.out
-        assert told.err == ""
+        printed = capsys.readouterr()
+        assert "undecided: 1394.27979 to 1394.27979 rad/s" in printed.out
+        assert printed.err == ""
         assert main([*chosen, "--json"]) == 0
     undecided = json.loads(capsys.readouterr().out)["certificate"]["undecided"]
     assert [region["amplitudes"][1] for region in undecided] == [None] * len(undecided)

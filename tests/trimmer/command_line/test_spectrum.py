@@ -49,35 +49,35 @@ def as_json(capsys: pytest.CaptureFixture[str], *words: object) -> dict:
 
 
 def test_json_holds_the_spectrum_in_full_precision(capsys, file: Path, thesis_cycle: float) -> None:
-    told = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP, "--closed-loop")
-    assert told["signal"] == {
+    printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP, "--closed-loop")
+    assert printed["signal"] == {
         **{"name": "q2-q4", "unit": "m", "samples": 20_000},
         **{"sample_rate": RATE, "start": 0.0, "interpolated": 0},
     }
-    assert told["spectrum"]["window"] == "hann"
-    assert told["spectrum"]["bin_width"] == 1.0
-    assert told["harmonics"]["amplitudes"][:4] == pytest.approx([1e-3, 0.0, 5e-5, 0.0], abs=1e-9)
-    assert told["harmonics"]["phases"][0] == pytest.approx(0.0, abs=1e-6)
-    assert told["natural_frequencies"] == [mode.frequency for mode in modes(TrimmerParameters.thesis())]
-    assert told["limit_cycles"] == [thesis_cycle]
-    assert [peak["frequency"] for peak in told["peaks"]] == pytest.approx(
+    assert printed["spectrum"]["window"] == "hann"
+    assert printed["spectrum"]["bin_width"] == 1.0
+    assert printed["harmonics"]["amplitudes"][:4] == pytest.approx([1e-3, 0.0, 5e-5, 0.0], abs=1e-9)
+    assert printed["harmonics"]["phases"][0] == pytest.approx(0.0, abs=1e-6)
+    assert printed["natural_frequencies"] == [mode.frequency for mode in modes(TrimmerParameters.thesis())]
+    assert printed["limit_cycles"] == [thesis_cycle]
+    assert [peak["frequency"] for peak in printed["peaks"]] == pytest.approx(
         [DRIVE, 3 * DRIVE, thesis_cycle, 900.0], abs=1e-6
     )
-    drive, third, cycle, other = (peak["explanation"] for peak in told["peaks"])
+    drive, third, cycle, other = (peak["explanation"] for peak in printed["peaks"])
     assert drive == {"kind": "harmonic", "order": 1, "frequency": DRIVE, "odd": True}
     assert (third["kind"], third["order"]) == ("harmonic", 3)
     assert cycle == {"kind": "limit cycle", "number": 1, "order": 1, "frequency": thesis_cycle}
     assert other is None
-    kinds = {candidate["kind"]: candidate for candidate in told["peaks"][3]["candidates"]}
+    kinds = {candidate["kind"]: candidate for candidate in printed["peaks"][3]["candidates"]}
     assert set(kinds) == {"harmonic", "natural mode", "limit cycle"}
     assert kinds["harmonic"]["distance_bins"] == pytest.approx(900 - 8 * DRIVE, abs=1e-4)
-    assert told["wav"] is None
+    assert printed["wav"] is None
 
 
 def test_text_is_short_tables_and_says_what_was_done(capsys, file: Path) -> None:
     words = ["spectrum", str(file), "--drive", str(DRIVE), "--gap", str(GAP), "--limit", "4", "--closed-loop"]
     assert main(words) == 0
-    told = capsys.readouterr().out
+    printed = capsys.readouterr().out
     for shown in (
         f"q2-q4 [m] of {file}: 20000 samples at 20000 Hz, 1 s\n",
         "bins 1 Hz apart, hann window, mean ",
@@ -87,18 +87,21 @@ def test_text_is_short_tables_and_says_what_was_done(capsys, file: Path) -> None
         "nearest: harmonic 8 (even)  +21.24",
         "natural modes of the thesis's trimmer: 222.348 Hz, 354.837 Hz, 549.589 Hz, 1139.5 Hz",
     ):
-        assert shown in told
-    assert "-0.00" not in told
-    assert max(len(line) for line in told.splitlines() if str(file) not in line) <= 110
+        assert shown in printed
+    assert "-0.00" not in printed
+    assert max(len(line) for line in printed.splitlines() if str(file) not in line) <= 110
 
 
 def test_a_driven_trimmer_is_not_said_to_have_a_limit_cycle(capsys, file: Path, thesis_cycle: float) -> None:
-    told = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP)
-    assert told["limit_cycles"] == [thesis_cycle]
-    assert {c["kind"] for peak in told["peaks"] for c in peak["candidates"]} == {"harmonic", "natural mode"}
-    assert told["peaks"][2]["explanation"] is None
-    assert "nothing feeds the output back" in told["notes"][0]
-    assert told["harmonics"]["frequency"] == told["harmonics"]["drive"] == DRIVE
+    printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP)
+    assert printed["limit_cycles"] == [thesis_cycle]
+    assert {c["kind"] for peak in printed["peaks"] for c in peak["candidates"]} == {
+        "harmonic",
+        "natural mode",
+    }
+    assert printed["peaks"][2]["explanation"] is None
+    assert "nothing feeds the output back" in printed["notes"][0]
+    assert printed["harmonics"]["frequency"] == printed["harmonics"]["drive"] == DRIVE
     assert main(["spectrum", str(file), "--drive", str(DRIVE), "--gap", str(GAP)]) == 0
     text = capsys.readouterr().out
     assert "limit cycle 1" not in text
@@ -107,9 +110,9 @@ def test_a_driven_trimmer_is_not_said_to_have_a_limit_cycle(capsys, file: Path, 
 
 
 def test_without_drive_and_gap_only_modes_are_candidates(capsys, file: Path) -> None:
-    told = as_json(capsys, file)
-    assert (told["harmonics"], told["limit_cycles"]) == (None, None)
-    assert {c["kind"] for peak in told["peaks"] for c in peak["candidates"]} == {"natural mode"}
+    printed = as_json(capsys, file)
+    assert (printed["harmonics"], printed["limit_cycles"]) == (None, None)
+    assert {c["kind"] for peak in printed["peaks"] for c in peak["candidates"]} == {"natural mode"}
     assert main(["spectrum", str(file)]) == 0
     assert "Harmonics" not in capsys.readouterr().out
 
@@ -117,9 +120,9 @@ def test_without_drive_and_gap_only_modes_are_candidates(capsys, file: Path) -> 
 def test_parameters_change_modes_and_limit_cycles(capsys, file: Path, tmp_path: Path) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text(TrimmerParameters.thesis().to_toml().replace("m1 = 0.035", "m1 = 0.07"))
-    told = as_json(capsys, file, "--parameters", mine)
+    printed = as_json(capsys, file, "--parameters", mine)
     expected = [mode.frequency for mode in modes(TrimmerParameters.from_toml(mine))]
-    assert told["natural_frequencies"] == expected
+    assert printed["natural_frequencies"] == expected
     only_displacement = as_json(capsys, file, "--gap", GAP, "--channels", "displacement")
     assert only_displacement["limit_cycles"] == pytest.approx([733.631], abs=1e-3)
 
@@ -131,30 +134,30 @@ def test_a_file_as_a_spreadsheet_writes_it(capsys, tmp_path: Path) -> None:
     rows[500] = rows[500].split(";")[0] + ";;0"
     path = tmp_path / "Excel.csv"
     path.write_bytes("\r\n".join(["Time;Weg;Kanal µ", "ms;µm;V", *rows, ""]).encode("latin-1"))
-    told = as_json(capsys, path, "--column", "Weg", "--missing", "interpolate", "--drive", 110)
-    assert told["signal"]["sample_rate"] == 2000.0
-    assert (told["signal"]["unit"], told["signal"]["interpolated"]) == ("µm", 1)
-    assert told["peaks"][0]["amplitude"] == pytest.approx(1.0, abs=1e-3)
+    printed = as_json(capsys, path, "--column", "Weg", "--missing", "interpolate", "--drive", 110)
+    assert printed["signal"]["sample_rate"] == 2000.0
+    assert (printed["signal"]["unit"], printed["signal"]["interpolated"]) == ("µm", 1)
+    assert printed["peaks"][0]["amplitude"] == pytest.approx(1.0, abs=1e-3)
 
 
 def test_columns_can_be_described_instead_of_found_out(capsys, tmp_path: Path) -> None:
     values = np.cos(2 * np.pi * 110 * np.arange(2000) / 2000)
     path = tmp_path / "one.csv"
     path.write_text("\n".join(f"{value:.9f}".replace(".", ",") for value in values))
-    told = as_json(capsys, path, "--decimal", "comma", "--rate", 2000)
-    assert told["peaks"][0]["frequency"] == pytest.approx(110.0, abs=1e-6)
+    printed = as_json(capsys, path, "--decimal", "comma", "--rate", 2000)
+    assert printed["peaks"][0]["frequency"] == pytest.approx(110.0, abs=1e-6)
     path.write_text("\n".join(f"{value:.9f}\t{k}" for k, value in enumerate(values)))
-    told = as_json(capsys, path, "--delimiter", "tab", "--column", "1", "--rate", 2000)
-    assert told["signal"]["name"] == "column 1"
+    printed = as_json(capsys, path, "--delimiter", "tab", "--column", "1", "--rate", 2000)
+    assert printed["signal"]["name"] == "column 1"
 
 
 @pytest.mark.parametrize(("bits", "width"), [("16", 2), ("24", 3)])
 def test_the_vibration_is_written_as_sound(capsys, file: Path, tmp_path: Path, bits: str, width: int) -> None:
-    told = as_json(capsys, file, "--wav", tmp_path / "a.wav", "--bits", bits)
+    printed = as_json(capsys, file, "--wav", tmp_path / "a.wav", "--bits", bits)
     with wave.open(str(tmp_path / "a.wav")) as sound:
         assert (sound.getframerate(), sound.getsampwidth()) == (22_050, width)
-        assert told["wav"]["samples"] == sound.getnframes()
-    assert told["wav"]["bit_depth"] == int(bits)
+        assert printed["wav"]["samples"] == sound.getnframes()
+    assert printed["wav"]["bit_depth"] == int(bits)
     assert main(["spectrum", str(file), "--wav", str(tmp_path / "a.wav")]) == 0
     shown = capsys.readouterr().out.splitlines()[-1]
     assert shown.startswith(
@@ -228,10 +231,10 @@ def test_what_the_user_got_wrong_is_one_line_and_exit_code_2(
     names = {"file": file, "short": tmp_path / "short.csv", "slow": tmp_path / "slow.csv"}
     before = sorted(tmp_path.iterdir())
     assert main(["spectrum", *(word.format(**names) for word in words)]) == 2
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert told.err.startswith(f"trimmer: {message.format(**names)}")
-    assert told.err.count("\n") == 1
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith(f"trimmer: {message.format(**names)}")
+    assert printed.err.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before
 
 

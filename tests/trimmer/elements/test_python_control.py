@@ -53,6 +53,6 @@ def test_python_control_plots_our_elements() -> None:
     matplotlib.pyplot.close(plot.figure)
 
 
-def test_python_control_is_told_that_omega_is_missing() -> None:
+def test_a_missing_omega_is_an_error_in_python_control_too() -> None:
     with pytest.raises(ValueError, match=r"depends on frequency: .* freeze it with \.at\(omega\)"):
         control.describing_function(ViscousBacklash(1.0, 0.2), [1.0])

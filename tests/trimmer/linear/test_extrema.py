@@ -34,7 +34,7 @@ def test_extrema_of_the_thesis_trimmer_are_those_of_the_force_balance(build, cha
             )
 
 
-def test_the_thesis_trimmer_has_four_peaks_and_three_dips() -> None:
+def test_the_thesis_trimmer_has_four_peaks_and_three_antiresonances() -> None:
     # To the digits shown found with exact rationals; the test above confirms each with the force balance.
     system = pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)
     assert [(peak.omega, peak.magnitude) for peak in resonance_peaks(system)] == [
@@ -70,7 +70,7 @@ def test_narrow_resonances_are_found_at_any_scale(zeta: float, unit: float) -> N
     assert peak.magnitude == pytest.approx(1 / (2 * zeta * math.sqrt(50)), rel=1e-2)
 
 
-def test_roots_on_the_axis_are_infinite_peaks_and_zero_dips() -> None:
+def test_roots_on_the_axis_are_infinite_peaks_and_zero_antiresonances() -> None:
     system = control.tf([1, 0, 4], [1, 0, 9]) * control.tf([1], [1, 1])
     assert resonance_peaks(system) == (Extremum(pytest.approx(3.0, rel=1e-14), math.inf),)
     assert antiresonances(system) == (Extremum(pytest.approx(2.0, rel=1e-14), 0.0),)
@@ -107,12 +107,12 @@ def test_no_grid_sees_an_extremum_that_was_not_found(system: control.TransferFun
     for place in np.flatnonzero(rising[:-1] & falling[1:]) + 1:
         assert sum(omega[place - 1] < peak.omega < omega[place + 1] for peak in peaks) >= 1
     for place in np.flatnonzero(falling[:-1] & rising[1:]) + 1:
-        assert sum(omega[place - 1] < dip.omega < omega[place + 1] for dip in valleys) >= 1
+        assert sum(omega[place - 1] < lowest.omega < omega[place + 1] for lowest in valleys) >= 1
 
 
 @given(stable_systems())
-def test_peaks_and_dips_take_turns_and_are_extrema(system: control.TransferFunction) -> None:
-    found = [(peak, 1) for peak in resonance_peaks(system)] + [(dip, -1) for dip in antiresonances(system)]
+def test_peaks_and_antiresonances_take_turns_and_are_extrema(system: control.TransferFunction) -> None:
+    found = [(peak, 1) for peak in resonance_peaks(system)] + [(low, -1) for low in antiresonances(system)]
     found.sort(key=lambda pair: pair[0].omega)
     assert all(first[1] != second[1] for first, second in pairwise(found))
     for extremum, sign in found:

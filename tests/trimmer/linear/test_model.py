@@ -95,7 +95,7 @@ def test_states_that_are_no_velocities_are_not_called_velocities() -> None:
     assert pin_model(THESIS).state_labels == ["q1", "q2", "q3", "q4", "z1", "z2", "z3", "z4"]
 
 
-def test_the_pin_acts_by_both_channels_unless_told_otherwise() -> None:
+def test_the_pin_acts_by_both_channels_by_default() -> None:
     assert pin_model(THESIS)(1000j) == pin_model(THESIS, channels=CHANNELS[1])(1000j)
     assert abs(pin_model(THESIS)(1e5j) / pin_model(THESIS, channels=CHANNELS[0])(1e5j)) > 1.5
 

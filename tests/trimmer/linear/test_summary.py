@@ -48,7 +48,7 @@ def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> 
         assert [item.omega for item in found] == pytest.approx([item.omega for item in expected], rel=1e-9)
 
 
-def test_a_pin_that_touches_nothing_is_told() -> None:
+def test_a_pin_that_touches_nothing_is_an_error() -> None:
     with pytest.raises(UnsupportedSystemError, match="does not reach its output"):
         summarise(dataclasses.replace(THESIS, k2=0.0, c2=0.0))
 

@@ -43,7 +43,7 @@ class Signal:
 
     @property
     def size(self) -> float:
-        """The sum of the moduli at t = 0, to tell zero from rounding."""
+        """The sum of the moduli at t = 0, which separates zero from rounding."""
         return float(mpmath.fsum(abs(c) for c in self.terms.values()) + abs(self.offset))
 
     def sampled(self, times: np.ndarray) -> np.ndarray:

@@ -74,12 +74,12 @@ def test_a_short_excursion_is_not_stepped_over(width: float, place: float) -> No
     assert found == pytest.approx(place, abs=1e-15 / width)
 
 
-def test_a_dip_that_stays_above_zero_is_no_event() -> None:
+def test_a_minimum_that_stays_above_zero_is_no_event() -> None:
     assert search([0.09 + 1e-9, -0.6, 1.0]) == (NOWHERE, NOWHERE)
 
 
 @pytest.mark.parametrize("place", [0.123, 1 / 3, 0.7])
-def test_a_dip_that_rounding_hides_is_a_touch(place: float) -> None:
+def test_a_minimum_that_rounding_hides_is_a_touch(place: float) -> None:
     root, touch = search([place**2 + 1e-15, -2 * place, 1.0])
     assert root == NOWHERE
     assert touch == pytest.approx(place, abs=1e-3)

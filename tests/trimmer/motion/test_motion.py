@@ -1,4 +1,4 @@
-"""What a motion tells: events in order, and the same state however it is asked for."""
+"""What a motion gives: events in order, and the same state however it is asked for."""
 
 from __future__ import annotations
 

@@ -42,17 +42,17 @@ def test_a_name_of_digits_comes_before_a_number(file) -> None:
         ({"column": 4, "time_column": "clock"}, ": no column is named 'clock'"),
     ],
 )
-def test_a_column_that_is_not_there_is_told_with_those_that_are(file, options, message: str) -> None:
+def test_a_column_that_is_not_there_is_reported_with_those_that_are(file, options, message: str) -> None:
     assert message_for(file(THREE), **options).startswith(message)
 
 
-def test_several_columns_of_time_stamps_are_told(file) -> None:
+def test_several_columns_of_time_stamps_are_reported(file) -> None:
     path = file("t,time,y\n0,0,1\n1,1,2\n")
     assert message_for(path) == ": 1 't' and 2 'time' may both be time stamps; choose one (--time)"
     assert read_signal(path, time_column="t", column="y").values.tolist() == [1.0, 2.0]
 
 
-def test_time_stamps_alone_are_told(file) -> None:
+def test_time_stamps_alone_are_reported(file) -> None:
     assert "holds time stamps alone" in message_for(file("t\n0\n1\n"))
 
 

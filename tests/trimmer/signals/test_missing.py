@@ -19,10 +19,10 @@ def test_missing_values_are_refused_or_interpolated(file, marker: str) -> None:
     assert signal.values == pytest.approx(np.arange(1.0, 29.0), rel=1e-15)
 
 
-def test_the_first_missing_value_and_their_number_are_told(file) -> None:
-    told = message_for(file("t,y\n0,1\n1,\n2,nan\n\n4,5\n"))
-    assert told.startswith(", line 3: the first of 3 missing values; remove lines")
-    assert "--missing interpolate" in told
+def test_the_first_missing_value_and_their_number_are_reported(file) -> None:
+    error = message_for(file("t,y\n0,1\n1,\n2,nan\n\n4,5\n"))
+    assert error.startswith(", line 3: the first of 3 missing values; remove lines")
+    assert "--missing interpolate" in error
     assert message_for(file("y\n1\n\n2\n"), sample_rate=1).startswith(", line 3: a value is missing")
 
 
@@ -30,16 +30,16 @@ def test_too_many_missing_values_are_not_interpolated(file) -> None:
     rows = ["1", "", "2", *(8 * ["3"])]
     read_signal(file("\n".join(rows[:2] + rows[3:])), sample_rate=1, missing=MissingValues.INTERPOLATE)
     rows[9] = ""
-    told = message_for(file("\n".join(rows)), sample_rate=1, missing=MissingValues.INTERPOLATE)
+    error = message_for(file("\n".join(rows)), sample_rate=1, missing=MissingValues.INTERPOLATE)
     assert (
-        told
+        error
         == ", line 2: the first of 2 missing values, more than 10 % of the samples, too many to interpolate"
     )
 
 
-def test_a_column_without_any_value_is_told(file) -> None:
-    told = message_for(file("a,b\n1,\n2,\n"), sample_rate=1, column="b")
-    assert told == ": every value of the column is missing"
+def test_a_column_without_any_value_is_reported(file) -> None:
+    error = message_for(file("a,b\n1,\n2,\n"), sample_rate=1, column="b")
+    assert error == ": every value of the column is missing"
 
 
 def test_values_cut_at_the_beginning_move_the_start(file) -> None:

@@ -113,12 +113,12 @@ def test_time_stamps_give_the_rate(file, content: str) -> None:
         (b"y\n1\n2\x01\n", {}, ", line 3: byte 0x01 does not occur"),
     ],
 )
-def test_what_is_wrong_with_the_content_is_told_with_its_line(file, content, options, message: str) -> None:
-    told = message_for(file(content), sample_rate=10, **options)
-    assert told.startswith(message)
-    assert len(told) < 250
+def test_a_fault_of_the_content_is_reported_with_its_line(file, content, options, message: str) -> None:
+    error = message_for(file(content), sample_rate=10, **options)
+    assert error.startswith(message)
+    assert len(error) < 250
 
 
-def test_a_file_that_cannot_be_read_is_told(tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_read_is_reported(tmp_path: Path) -> None:
     assert message_for(tmp_path / "none.csv", sample_rate=1) == ": no such file"
     assert "is a folder" in message_for(tmp_path, sample_rate=1)

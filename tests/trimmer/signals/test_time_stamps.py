@@ -22,7 +22,7 @@ from trimmer.signals.signal import SignalError
         (["10:00:01", "10:00:02"], ", line 2: '10:00:01' is not a number"),
     ],
 )
-def test_time_stamps_that_are_not_uniform_are_told_with_their_line(file, stamps, message: str) -> None:
+def test_time_stamps_that_are_not_uniform_are_reported_with_their_line(file, stamps, message: str) -> None:
     content = "t,y\n" + "".join(f"{stamp},1.0\n" for stamp in stamps)
     assert message_for(file(content)).startswith(message)
 
@@ -32,7 +32,7 @@ def test_time_stamps_may_be_rounded_by_a_twentieth_of_the_interval(file) -> None
     assert read_signal(file(content)).sample_rate == pytest.approx(30_000, rel=1e-4)
 
 
-def test_an_unknown_unit_of_time_is_told(file) -> None:
+def test_an_unknown_unit_of_time_is_reported(file) -> None:
     assert "time stamps in 'min' are not known; known units: s" in message_for(file("t [min],y\n0,1\n1,2\n"))
 
 
@@ -47,8 +47,8 @@ def test_a_rate_must_agree_with_the_time_stamps(file) -> None:
 
 
 def test_without_rate_and_time_stamps_it_says_what_to_give(file) -> None:
-    told = message_for(file("y\n1\n2\n"))
-    assert told == ": no sample rate; give it (--rate), or name the column of time stamps (--time)"
+    error = message_for(file("y\n1\n2\n"))
+    assert error == ": no sample rate; give it (--rate), or name the column of time stamps (--time)"
 
 
 def test_a_file_without_heading_can_have_its_time_stamps_numbered(file) -> None:

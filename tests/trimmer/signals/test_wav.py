@@ -70,7 +70,7 @@ def test_resampling_keeps_pitch_and_amplitude(tmp_path: Path, rate: float, wav_r
     assert found.amplitude == pytest.approx(amplitude, rel=2e-3)
 
 
-def test_a_rounded_ratio_of_rates_changes_the_pitch_as_told(tmp_path: Path, monkeypatch) -> None:
+def test_a_rounded_ratio_of_rates_changes_the_pitch_as_returned(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr(wav, "_LARGEST_FACTOR", 10)  # 10/9 for 22050/20000
     times = np.arange(20_000) / 20_000
     written = write_wav(tmp_path / "a.wav", np.sin(2 * np.pi * 733.6 * times), 20_000)

@@ -127,6 +127,6 @@ def test_the_number_of_harmonics_is_what_the_samples_determine(samples, drive, c
         ({"drive_frequency": 110.0, "window": Window.FLAT_TOP}, "cannot be fitted with the flat-top window"),
     ],
 )
-def test_a_drive_that_cannot_be_fitted_is_told(options, message: str) -> None:
+def test_a_drive_that_cannot_be_fitted_is_an_error(options, message: str) -> None:
     with pytest.raises((SignalError, WrongTypeError), match=message):
         fit_harmonics(np.zeros(2000), RATE, **options)

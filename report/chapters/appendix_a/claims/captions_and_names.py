@@ -12,9 +12,9 @@ from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
+from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
-from report.numbers.independent.listed_blocks import (
-    DRIVE_GAP,
+from report.numbers.listed_blocks import (
     PERIOD,
     friction_block,
     friction_by_python_control,
@@ -22,8 +22,8 @@ from report.numbers.independent.listed_blocks import (
 )
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
+from trimmer import InertiaBacklash
 
 SOURCE = "report/chapters/appendix_a/claims/captions_and_names.py"
 FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"
@@ -38,7 +38,6 @@ LISTING_A_5 = ("np = ...", "nq = ...", "N = np + li*nq;")
 NAME = r"[A-Za-z_]\w*"
 ASSIGNED = "what it adds up has been assigned before"
 BOTH_SIDES = "names on both sides of the listing's assignments"
-REPEATED = "the listing, repeated line by line"
 IS_FUNCTION = "it is a describing function"
 
 
@@ -113,7 +112,7 @@ def captions(_: Evidence) -> Record:
         second=close("python-control's backlash, whose output it is", library, once),
     )
     times = np.array([0.3, 0.4]) * PERIOD
-    right, _later = 1e3 * InertiaBacklash(DRIVE_GAP).waveform(DRIVE_OMEGA * times, DRIVE_AMPLITUDE)
+    right, _later = 1e3 * InertiaBacklash(TIMED_GAP).waveform(DRIVE_OMEGA * times, DRIVE_AMPLITUDE)
     then, later = 1e3 * inertia_block_on_a_sine(times)
     waveform = "the waveform of inertia-controlled backlash, which has the first of them then"
     yield assertion(

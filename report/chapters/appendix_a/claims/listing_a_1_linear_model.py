@@ -15,15 +15,14 @@ from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
-from report.chapters.chapter_5.claims.section_5_1_2 import LIMIT_CYCLE_OMEGA
-from report.claim import Confirmation, Impact, Mathematics
-from report.comparisons import quadrature
-from report.comparisons.expression import SameMatrix
+from report.claim import Impact
 from report.comparisons.printed import product
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.parts import assertion, close, expression, matrix, small
+from report.numbers.independent.waveforms import integral as quadrature_integral
+from report.parts import assertion, close, expression, matrix, same, small
 from report.record import ClaimRecord, Record, claim, text
-from report.text import filled
+from report.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import linear_model, response_at
 
 LAPLACE = "derivations/laplace.py"
@@ -45,8 +44,8 @@ def states(known: Evidence) -> Record:
     )
     for line, (*sides, words) in enumerate(rows, start=1):
         left, right = (sympy.ImmutableMatrix(side) for side in sides)
-        form = Mathematics(words)
-        yield matrix(f"line {line}", left, right, printed_form=form, derived_form=form)
+        form = words
+        yield matrix(f"line {line}", left, right, form=form)
     yield text("All three lines hold for a general system of two states that starts at rest.")
 
 
@@ -60,9 +59,9 @@ def output(known: Evidence) -> Record:
         (transfer_formula(known) * system.input_transform, "Y(s) = (C(sI - A)^{-1}B + D)U(s)"),
     )
     for line, (printed, words) in enumerate(rows, start=1):
-        form = Mathematics(words)
+        form = words
         derived = known.transformed.output
-        yield expression(f"line {line}", printed, derived, printed_form=form, derived_form=form)
+        yield expression(f"line {line}", printed, derived, form=form)
     yield text("Both lines equal the output that solving the equations one by one gives.")
 
 
@@ -76,8 +75,8 @@ def integral(
         limits = (tau, lower, upper)
         derived = sympy.simplify(sympy.integrate(integrand, limits))
         segment = Segment(lower, upper, integrand.subs(tau, THETA))
-        numeric = quadrature.integral(segment, sympy.Integer(1), VALUES)
-        second = quadrature.confirm(derived, numeric, VALUES)
+        numeric = quadrature_integral(segment, sympy.Integer(1), VALUES)
+        second = by_quadrature(derived, numeric, VALUES)
         left = latex(sympy.Integral(integrand, limits))
         yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
         yield text("""
@@ -110,7 +109,7 @@ def linear_listing(known: Evidence) -> Record:
     )
     for label, printed, derived, forces, variables in rows:
         by_newton = sympy.ImmutableMatrix(sympy.Matrix(forces).jacobian(variables)).expand()
-        second = Confirmation("the forces on each body", SameMatrix(by_newton, derived.expand()))
+        second = same("the forces on each body", by_newton, derived.expand())
         yield matrix(label, printed, derived, second=second)
     systems = (numbers.displacement_only, numbers.both_channels)
     kept, whole = (complex(response_at(system, LIMIT_CYCLE_OMEGA)) for system in systems)
@@ -123,21 +122,20 @@ def linear_listing(known: Evidence) -> Record:
         pin
         """,
         abs(whole - kept) <= 1e-6 * abs(kept),
-        filled(
-            """
-            the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
-            [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
-            """,
-            omega=LIMIT_CYCLE_OMEGA,
-            larger=100 * (abs(whole / kept) - 1),
-            lead=math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
-        ),
+        """
+        the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
+        [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
+        """,
+        numbers={
+            "omega": LIMIT_CYCLE_OMEGA,
+            "larger": 100 * (abs(whole / kept) - 1),
+            "lead": math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
+        },
         method="both transfer functions evaluated",
         second=close(r"$G_1 + sG_2 = (1 + s\,c_2/k_2)\,G_1$", by_factor, whole),
     )
     without, with_it = (control.margin(system)[1] for system in systems)
-    yield text(
-        r"""
+    yield text(r"""
         The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line 58
         keeps the first input alone. The text gives the choice of output as the reason, but an output cannot
         decide which inputs act: they are displacement and velocity of the pin, not a relative motion of the
@@ -146,10 +144,7 @@ def linear_listing(known: Evidence) -> Record:
         Every later prediction uses the pin's displacement alone. The neglected factor $1 + s\,c_2/k_2$ adds
         phase: at unit gain the loop's phase margin is [[ without | f2 ]] degrees without it and
         [[ with_it | f2 ]] with it. The predicted limit cycles depend on this margin.
-        """,
-        without=without,
-        with_it=with_it,
-    )
+    """).given(without=without, with_it=with_it)
 
 
 @claim("txt-A.2-two-columns", source="derivations/state_space.py", impact=Impact.NOTATION)

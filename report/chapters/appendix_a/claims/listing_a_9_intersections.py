@@ -5,17 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.claim import Impact
-from report.comparisons.second_ways import by_waveform
+from report.comparisons.second_ways import NEWTON, by_waveform
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.limit_cycle_numbers import friction_by_newton
+from report.numbers.independent.exact_response import gain
+from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
-from trimmer import response_at
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"
 GRID_END, GRID_POINTS = 0.0025, 10000
@@ -27,10 +24,10 @@ TIME_CONSTANT = 1e-3
 
 @claim("lst-A.9", source=SOURCE, impact=Impact.LOCAL)
 def search(known: Evidence) -> Record:
-    system, cycle = known.cycles.listing, known.cycles.friction_listing.stable
-    amplitude, omega = friction_by_newton(tuple(system.num[0][0]), tuple(system.den[0][0]), cycle)
+    cycle = known.cycles.friction_listing.stable
+    amplitude, omega = friction_as_listed(cycle)
     label = "the two equations of lines 23 to 26, at their solution: amplitude over gap"
-    second = close("Newton's method in 30 digits", amplitude, cycle.amplitude)
+    second = close(NEWTON, amplitude, cycle.amplitude)
     yield digits(label, "8.2845", cycle.amplitude, second=second)
     yield assertion(
         "order of the lines",
@@ -39,8 +36,7 @@ def search(known: Evidence) -> Record:
         f"line {LINE_OF_SEARCH} uses `x0`, line {LINE_OF_START} defines it",
         method="read in the printed lines",
     )
-    yield text(
-        r"""
+    yield text(r"""
         Real and imaginary part of the condition are right here, unlike equation 2.54, and the search
         converges to the thesis's numbers: $3.3138\cdot 10^{-4}/4\cdot 10^{-5} = 8.2845$ at [[ omega | f1 ]]
         rad/s. Run from an empty workspace it stops, because the start is defined after the search; it finds
@@ -48,9 +44,7 @@ def search(known: Evidence) -> Record:
         search; in the copy at hand it is line 23.
 
         Two starts gave the two limit cycles of table 5.1; a search for all of them finds no third.
-        """,
-        omega=omega,
-    )
+    """).given(omega=omega)
 
 
 @claim("txt-A.10-grid", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -62,28 +56,22 @@ def grid(known: Evidence) -> Record:
         "",
         "the plotted locus $-1/N$ shows every intersection, for every gap that is studied",
         smallest < 1e-8,
-        filled(
-            r"""
-            it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it
-            only for gaps above [[ smallest | power1 ]] m
-            """,
-            unstable=unstable,
-            smallest=smallest,
-        ),
+        r"""
+        it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it only
+        for gaps above [[ smallest | power1 ]] m
+        """,
+        numbers={"unstable": unstable, "smallest": smallest},
         method="arithmetic on the grid of line 9",
         second=close(begins, smallest / 2 + PLOT_OFFSET, smallest * unstable),
     )
-    yield text(
-        """
+    yield text("""
         The grid is absolute, in steps of [[ step | f2 ]] µm from a start that does not follow the gap, while
         the curve depends on $b/A$ alone. For a small gap the plot holds the end of the curve near $-1$ and
         nothing else.
 
         A limit cycle that seems to appear as the gap grows (sections 5.2.1 and 6) comes into the plotted
         range; it was there before.
-        """,
-        step=1e6 * (GRID_END - LARGE_GAP / 2 - PLOT_OFFSET) / (GRID_POINTS - 1),
-    )
+    """).given(step=1e6 * (GRID_END - LARGE_GAP / 2 - PLOT_OFFSET) / (GRID_POINTS - 1))
 
 
 @claim("txt-A.10-coefficients", source="derivations/transfer_function.py")
@@ -99,14 +87,12 @@ def coefficients(known: Evidence) -> Record:
             second = close("the value that the search uses", float(Fraction(exact)), used, 1e-3)
             yield digits(f"{place}, $s^{power}$", printed, exact, second=second)
     right, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
-    yield text(
-        """
+    yield text("""
         All sixteen coefficients are the exact ones rounded to four digits; those of equation 5.1, which
         differ in the numerator, belong to another output. The rounding is not harmless: the predicted
         amplitude moves by [[ more | f2 ]] % and the frequency by [[ shift | signed2 ]] Hz.
-        """,
-        more=100 * (rounded.amplitude / right.amplitude - 1),
-        shift=rounded.frequency - right.frequency,
+    """).given(
+        more=100 * (rounded.amplitude / right.amplitude - 1), shift=rounded.frequency - right.frequency
     )
 
 
@@ -122,28 +108,21 @@ def two_systems(known: Evidence) -> Record:
         "line 13, `nyquist(G(1))`, and lines 18 to 20, `G_1`",
         "the intersection is searched on the curve that is drawn",
         abs(drawn - searched) < 1e-6,
-        filled(
-            """
-            at [[ omega | f1 ]] rad/s the two responses are [[ apart | f4 ]] apart, where $G$ is
-            [[ distance | f3 ]] away from $-1$
-            """,
-            omega=cycle.omega,
-            apart=abs(drawn - searched),
-            distance=abs(searched + 1),
-        ),
+        """
+        at [[ omega | f1 ]] rad/s the two responses are [[ apart | f4 ]] apart, where $G$ is
+        [[ distance | f3 ]] away from $-1$
+        """,
+        numbers={"omega": cycle.omega, "apart": abs(drawn - searched), "distance": abs(searched + 1)},
         method="both transfer functions at the intersection that is found",
         second=close("the drawn one from exact coefficients, 40 digits", exact, abs(drawn)),
     )
-    yield text(
-        """
+    yield text("""
         Drawn is the transfer function of Listing A.1, searched the one typed in with four digits. On the page
         they look alike, and so near to $-1$ they are not: the amplitude is [[ off | f2 ]] % off. With
         `evalfr(G, s)` for `G_1` the listing would find the intersection that it shows.
 
         Every predicted amplitude of section 5.2.1 carries this difference.
-        """,
-        off=100 * (cycle.amplitude / known.cycles.friction.stable.amplitude - 1),
-    )
+    """).given(off=100 * (cycle.amplitude / known.cycles.friction.stable.amplitude - 1))
 
 
 @claim("txt-A.10-other-functions", source="trimmer/balance/solve.py", impact=Impact.LOCAL)
@@ -157,14 +136,11 @@ def other_functions(known: Evidence) -> Record:
         "a function of amplitude and frequency in line 8",
         "the search then solves the condition for harmonic balance as well",
         abs(frozen.frequency - found.frequency) < 0.01,
-        filled(
-            r"""
-            with $M/D$ of 1 ms and $\omega$ set to the drive's it gives [[ frozen | f1 ]] Hz; with the limit
-            cycle's own $\omega$ in $N$ it is [[ found | f1 ]] Hz
-            """,
-            frozen=frozen.frequency,
-            found=found.frequency,
-        ),
+        r"""
+        with $M/D$ of 1 ms and $\omega$ set to the drive's it gives [[ frozen | f1 ]] Hz; with the limit
+        cycle's own $\omega$ in $N$ it is [[ found | f1 ]] Hz
+        """,
+        numbers={"frozen": frozen.frequency, "found": found.frequency},
         method="all solutions of harmonic balance, with and without a fixed frequency in $N$",
         second=by_waveform(system, [(element, found)]),
     )

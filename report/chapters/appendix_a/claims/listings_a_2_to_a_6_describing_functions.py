@@ -17,30 +17,28 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.friction import FORCE
 from derivations.elements.friction import friction_waveform as coulomb_waveform
-from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
+from derivations.elements.waveform import describing_function, simplified_describing_function
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
     general_describing_function,
     in_phase_part,
     quadrature_part,
 )
-from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression
-from report.comparisons.quadrature import coefficient, confirm
+from report.claim import Impact, Part
+from report.comparisons.second_ways import REPEATED, by_quadrature
 from report.evidence import Evidence
-from report.numbers.independent.listed_blocks import contact_angle
-from report.numbers.independent.listed_describing_functions import (
+from report.numbers.independent.load_in_play import contact_angle_by_bisection
+from report.numbers.independent.waveforms import quadrature_gain
+from report.numbers.listed_functions import (
     friction_listing,
     inertia_formula,
     inertia_listing,
 )
-from report.parts import assertion, close, expression, made_here
+from report.parts import assertion, close, expression, made_here, same
 from report.record import ClaimRecord, Record, claim, text
-from report.text import filled
 
 BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
-REPEATED = "the listing, repeated line by line"
 
 
 def friction_expression() -> sympy.Expr:
@@ -54,14 +52,13 @@ def formula_part() -> Part:
     """Return the part on the formula of friction-controlled backlash."""
     waveform, values = friction_waveform(), {A: sympy.Rational(17, 10), GAP: sympy.Rational(6, 7)}
     derived = simplified_describing_function(waveform, A)
-    sine, cosine = (coefficient(waveform, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
     return expression(
         "formula, with $b$ the total gap",
         friction_expression(),
         derived,
         left="N",
         assume=REACHED,
-        second=confirm(derived, (sine + 1j * cosine) / float(values[A]), values),
+        second=by_quadrature(derived, quadrature_gain(waveform, A, values), values),
     )
 
 
@@ -77,27 +74,22 @@ def friction_controlled(claim_id: str, remark: str) -> ClaimRecord:
             "amplitudes inside the dead band",
             "the function returns zero where the pin does not reach the bridge",
             abs(inside) < 1e-12,
-            filled(
-                """
-                the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
-                [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
-                """,
-                inside=inside,
-            ),
+            """
+            the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
+            [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
+            """,
+            numbers={"inside": inside},
             method=REPEATED,
             second=close("the square root of a negative number", by_formula, inside),
         )
-        yield text(
-            """
+        yield text("""
             The formula is right when $b$ is the total gap; equations 2.36 to 2.41 use half of it for the same
             letter. The guard of line 6 asks for $A < b$ where $A < b/2$ is meant, and has no effect.
             [[ remark ]]
 
             The plots start above $b/2$, so no figure shows it. A search that strays below $b/2$ gets complex
             numbers that mean nothing.
-            """,
-            remark=remark,
-        )
+        """).given(remark=remark)
 
     return record
 
@@ -122,7 +114,11 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
         real = sympy.pi + 2 * sympy.sin(nested) - CONTACT - sympy.sin(nested) * sympy.cos(nested)
         printed = real / sympy.pi - sympy.I * (1 - sympy.cos(nested)) ** 2 / sympy.pi
         derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * ratio))
-        one, two, angle = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0), contact_angle(1.0)
+        one, two, angle = (
+            inertia_listing(1.0, 1.0),
+            inertia_listing(1.0, 2.0),
+            contact_angle_by_bisection(1.0),
+        )
         right = complex(derived.subs(CONTACT, angle))
         by_half = "its formula at half of the contact angle, the root of line 3 for $w = 2$"
         second = close("the listing, repeated, at Beta = 1", one, right)
@@ -131,14 +127,11 @@ def inertia_controlled(claim_id: str) -> ClaimRecord:
             "with another $w$",
             "the result does not depend on the second argument",
             abs(two - one) < 1e-9,
-            filled(
-                """
-                at Beta = 1 it is [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
-                [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
-                """,
-                one=one,
-                two=two,
-            ),
+            """
+            at Beta = 1 it is [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
+            [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
+            """,
+            numbers={"one": one, "two": two},
             method=REPEATED,
             second=close(by_half, inertia_formula(angle / 2, 1.0), two),
         )
@@ -169,7 +162,7 @@ def viscous_controlled(_: Evidence) -> Record:
         derived,
         left=r"\beta",
         assume=sympy.Lt(GAMMA, 1),
-        second=Confirmation("the right form", SameExpression(root - sympy.sin(CONTACT) - flight, derived)),
+        second=same("the right form", root - sympy.sin(CONTACT) - flight, derived),
         slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
     )
     yield in_phase_part("lines 11 to 14, np", general)
@@ -188,12 +181,15 @@ def equivalent(_: Evidence) -> Record:
     relay = 4 * FORCE / (sympy.pi * A)
     printed = relay / (sympy.I * omega)
     derived = sympy.simplify(sympy.I * omega * relay.subs(A, omega * A))
-    by_displacement = SameExpression(describing_function(coulomb_waveform(), A), derived)
     slip = r"""
         the relay's gain for a displacement is divided by $j\omega$ instead of that for a velocity multiplied
         by it
         """
-    second = Confirmation("the Fourier coefficients of friction under a displacement", by_displacement)
+    second = same(
+        "the Fourier coefficients of friction under a displacement",
+        describing_function(coulomb_waveform(), A),
+        derived,
+    )
     yield formula_part()
     yield expression("friction term, line 18", printed, derived, second=second, slip=made_here(slip, printed))
     yield text(r"""

@@ -11,16 +11,14 @@ import sympy
 from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from report.claim import Impact, Mathematics, Part
+from report.claim import Impact, Part
 from report.comparisons.printed import product, total
+from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
-from report.numbers.independent.listed_blocks import (
-    DRIVE_GAP,
+from report.numbers.independent.load_in_play import contact_angle_by_bisection
+from report.numbers.listed_blocks import (
     PERIOD,
     PERIODS,
-    PRINTED_CONTACT,
-    PRINTED_OFFSET,
-    contact_angle,
     contact_time,
     friction_by_python_control,
     inertia_block,
@@ -30,12 +28,18 @@ from report.numbers.independent.listed_blocks import (
 from report.octave.formulas import LOAD, PIN, friction_step
 from report.parts import More, assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LISTED_CONTACT,
+    LISTED_OFFSET,
+    TIMED_GAP,
+    TURN,
+)
+from trimmer import InertiaBacklash
 
 SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"
-REPEATED = "the listing, repeated line by line"
 FRICTION_LINES = (
     *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
     *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),
@@ -76,8 +80,8 @@ def friction_parts(place: str = "") -> tuple[Part, ...]:
         derived = sympy.simplify(friction_step().subs(LOAD, load))
         library = friction_by_python_control(values[PIN], values[GAP], float(load.subs(values)))
         second = close("python-control's backlash", float(returned.subs(values)), library)
-        form = Mathematics(rf"u = {value} \quad \text{{if }} {condition}")
-        more = More(second=second, printed_form=form, derived_form=form)
+        form = rf"u = {value} \quad \text{{if }} {condition}"
+        more = More(second=second, form=form)
         parts.append(expression(f"{place}{label}", returned, derived, **more))
     return tuple(parts)
 
@@ -106,12 +110,12 @@ def friction_controlled(_: Evidence) -> Record:
 
 def at_phase(piece: sympy.Expr, phase: float) -> float:
     """Return a piece of the waveform at a phase (rad) for the constants of Listing A.8, m."""
-    return float(piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: DRIVE_GAP}))
+    return float(piece.subs({THETA: phase, A: DRIVE_AMPLITUDE, b: TIMED_GAP}))
 
 
 def element_at_phase(phase: float) -> float:
     """Return the same of the numeric element."""
-    (output,) = InertiaBacklash(DRIVE_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
+    (output,) = InertiaBacklash(TIMED_GAP).waveform(np.array([phase]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     return float(output)
 
 
@@ -126,34 +130,31 @@ def inertia_controlled(_: Evidence) -> Record:
         yield expression(label, printed, piece, left="y", second=second)
 
     angle, offset = DRIVE_OMEGA * contact_time(), at_phase(pieces[2], 0)
-    flight = DRIVE_AMPLITUDE * angle - DRIVE_GAP / 2
-    wall = DRIVE_AMPLITUDE * math.sin(angle) + DRIVE_GAP / 2
+    flight = DRIVE_AMPLITUDE * angle - TIMED_GAP / 2
+    wall = DRIVE_AMPLITUDE * math.sin(angle) + TIMED_GAP / 2
     second = close("flight and wall at that time", flight, wall)
-    yield digits("line 8, phi, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    yield digits("line 8, phi, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
     half_turn = DRIVE_AMPLITUDE * DRIVE_OMEGA * PERIOD / 2
-    second = close(r"its value $b/2$ above $A \theta$ half a period on", DRIVE_GAP / 2 + half_turn, offset)
-    yield digits(r"line 12, the constant $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
+    second = close(r"its value $b/2$ above $A \theta$ half a period on", TIMED_GAP / 2 + half_turn, offset)
+    yield digits(r"line 12, the constant $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
 
     before, after = inertia_block_on_a_sine(np.array([PERIOD / 2 * (1 - 1e-12), PERIOD / 2]))
     jump = float(after - before)
-    lacking = float(PRINTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - DRIVE_GAP / 2
+    lacking = float(LISTED_OFFSET) - math.pi * DRIVE_AMPLITUDE - TIMED_GAP / 2
     yield assertion(
         "output over time",
         "the output is continuous",
-        abs(jump) < 1e-9 * DRIVE_GAP,
-        filled(
-            """
-            at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the
-            rounded constant
-            """,
-            jump=1e6 * jump,
-            share=100 * abs(jump) / DRIVE_GAP,
-        ),
+        abs(jump) < 1e-9 * TIMED_GAP,
+        """
+        at half a period it jumps by [[ jump | f1 ]] µm, [[ share | f1 ]] % of the gap, because of the rounded
+        constant
+        """,
+        numbers={"jump": 1e6 * jump, "share": 100 * abs(jump) / TIMED_GAP},
         method=REPEATED,
         second=close(r"the printed constant less $\pi A + b/2$", lacking, jump, 1e-6),
     )
 
-    instant = float(PRINTED_CONTACT)
+    instant = float(LISTED_CONTACT)
     (output,) = inertia_block_on_a_sine(np.array([instant]))
     beside = min(inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))) > 0
     second = so("a nanosecond before and after, where the output is that of flight and of contact", beside)
@@ -161,38 +162,35 @@ def inertia_controlled(_: Evidence) -> Record:
         "conditions of lines 10 to 13",
         "every instant belongs to one of the pieces",
         abs(output) > DRIVE_AMPLITUDE / 2,
-        filled(
-            """
-            at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]:
-            two conditions ask for more and for less, none for equal
-            """,
-            instant=PRINTED_CONTACT,
-            pin=1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
-            output=output,
-        ),
+        """
+        at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]: two
+        conditions ask for more and for less, none for equal
+        """,
+        numbers={
+            "instant": LISTED_CONTACT,
+            "pin": 1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
+            "output": output,
+        },
         method=REPEATED,
         second=second,
     )
 
     early = np.array([PERIOD / 8])
     still, moved = (float(inertia_block(np.array([pin]), early)[0]) for pin in (0.0, DRIVE_AMPLITUDE))
-    by_itself = DRIVE_AMPLITUDE * math.pi / 4 - DRIVE_GAP / 2
+    by_itself = DRIVE_AMPLITUDE * math.pi / 4 - TIMED_GAP / 2
     yield assertion(
         "input",
         "the block takes the input wave from its argument",
         still != moved,
-        filled(
-            """
-            in lines 10 and 12 the output is a function of time alone; an eighth of a period after its start
-            it is [[ output | f3 ]] mm wherever the pin is
-            """,
-            output=1e3 * still,
-        ),
+        """
+        in lines 10 and 12 the output is a function of time alone; an eighth of a period after its start it is
+        [[ output | f3 ]] mm wherever the pin is
+        """,
+        numbers={"output": 1e3 * still},
         method=f"{REPEATED}, for two inputs",
         second=close(r"line 10 by itself, $A\omega t - b/2$", by_itself, still),
     )
-    yield text(
-        """
+    yield text("""
         The four pieces are those of the derived waveform, and the contact time is right to every digit. The
         offset of line 12 is cut to two digits, which makes the output jump by [[ jump | f1 ]] µm twice a
         period. Flight is written as a function of time for one amplitude, frequency and phase, so the block
@@ -200,33 +198,30 @@ def inertia_controlled(_: Evidence) -> Record:
 
         It can stand behind the drive of 100 Hz and 1.5 mm in open loop, as in figures 4.2 and 5.14. In a
         closed loop, and at the 109.845 Hz that the text gives, its output means nothing.
-        """,
-        jump=-1e6 * jump,
-    )
+    """).given(jump=-1e6 * jump)
 
 
 @claim("txt-A.9-constants", source=ELEMENT)
 def constants(_: Evidence) -> Record:
-    angle = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE)
-    offset = math.pi * DRIVE_AMPLITUDE + DRIVE_GAP / 2
+    angle = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE)
+    offset = math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2
     middle = math.pi + angle / 2
     by_wave = element_at_phase(middle) + DRIVE_AMPLITUDE * middle
     second = close("bisection", angle / DRIVE_OMEGA, contact_time(), 1e-12)
-    yield digits("`phi`, the time of contact", PRINTED_CONTACT, contact_time(), "s", second=second)
+    yield digits("`phi`, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
     second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
-    yield digits(r"the constant of line 12, $\pi A + b/2$", PRINTED_OFFSET, offset, "m", second=second)
-    yield text(
-        r"""
+    yield digits(r"the constant of line 12, $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
+    yield text(r"""
         Both are right to their digits, for 100 Hz: the contact angle is [[ angle | f5 ]] rad, and `phi` is
         that angle over $\omega$, in seconds. Two digits are few for the second one: [[ offset | f4 ]] mm is
         meant, and the [[ missing | f1 ]] µm that are missing make half of each period lower by
         [[ share | f0 ]] % of the gap while the bridge flies, so the output holds even harmonics that backlash
         cannot make.
-        """,
+    """).given(
         angle=angle,
         offset=1e3 * offset,
-        missing=1e6 * (offset - float(PRINTED_OFFSET)),
-        share=100 * (offset - float(PRINTED_OFFSET)) / DRIVE_GAP,
+        missing=1e6 * (offset - float(LISTED_OFFSET)),
+        share=100 * (offset - float(LISTED_OFFSET)) / TIMED_GAP,
     )
 
 
@@ -253,11 +248,11 @@ def equation(_: Evidence) -> Record:
 
 @claim("txt-A.9-frequency", source=ELEMENT, impact=Impact.LOCAL)
 def frequency(_: Evidence) -> Record:
-    angle, in_text = contact_angle(DRIVE_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
-    belonging = angle / (TURN * float(PRINTED_CONTACT))
+    angle, in_text = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
+    belonging = angle / (TURN * float(LISTED_CONTACT))
     instants = (0.5 + np.array([0.0, TURN])) / (TURN * in_text)
     earlier, later = inertia_block(np.full(2, DRIVE_AMPLITUDE * math.sin(0.5)), instants)
-    another = abs(later - earlier) > CLOSE * DRIVE_GAP
+    another = abs(later - earlier) > CLOSE * TIMED_GAP
     own, other = (inertia_difference(each) for each in (DRIVE_FREQUENCY, in_text))
     label = "frequency to which the contact time of line 8 belongs"
     second = close("line 5 of the listing", DRIVE_FREQUENCY, belonging, 1e-5)
@@ -270,14 +265,11 @@ def frequency(_: Evidence) -> Record:
         method=f"{REPEATED}, beside the derived waveform",
         second=so("its output a whole period of that input later, which is another one", another),
     )
-    yield text(
-        """
+    yield text("""
         Contact time and period of the listing are those of 100 Hz. With the text's frequency the pieces run
         at 100 Hz while the input does not, so the output is periodic with neither and holds sums and
         differences of both; the contact time would have to be [[ contact | f7 ]] s. Table 3.1 has 109.945 Hz
         for the same drive.
 
         What was drawn with the listing was drawn for 100 Hz.
-        """,
-        contact=angle / (TURN * in_text),
-    )
+    """).given(contact=angle / (TURN * in_text))

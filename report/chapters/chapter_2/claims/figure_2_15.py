@@ -7,17 +7,15 @@ import sympy
 
 from derivations.elements.backlash import friction_waveform as backlash_waveform
 from derivations.elements.friction import FORCE, friction_waveform
-from derivations.elements.waveform import THETA, describing_function
+from derivations.elements.waveform import describing_function
 from derivations.symbols import A, omega
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
+from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import close, expression, part
 from report.record import Record, claim, text
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer import CoulombFriction, FrictionBacklash, SumOfElements
 
 SAMPLES = 4096
 
@@ -33,10 +31,7 @@ def in_parallel(_: Evidence) -> Record:
 
     values = {A: sympy.Integer(1), FORCE: sympy.Rational(2, 5)}
     waves = (backlash_waveform(sympy.Rational(3, 5)), friction_waveform())
-    real, imaginary = (
-        sum(coefficient(wave, weight(THETA), values) for wave in waves) for weight in (sympy.sin, sympy.cos)
-    )
-    by_quadrature = real + 1j * imaginary
+    by_quadrature = sum(quadrature_gain(wave, A, values) for wave in waves)
     both = SumOfElements((FrictionBacklash(0.6), CoulombFriction(0.4)))
     # Half a step off, so that no sample meets a jump.
     phases = 2 * np.pi * (np.arange(SAMPLES) + 0.5) / SAMPLES

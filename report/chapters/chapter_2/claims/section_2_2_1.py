@@ -10,13 +10,12 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.state_space import output_row
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
-from report.chapters.chapter_2.claims.trimmer_printed import as_printed, c1, c2, c3, c4, k1, k2, k3, k4, k5
+from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression, SameMatrix
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.independent import bodies_and_pin
-from report.parts import digits, equal, expression, made_here, matrix
+from report.numbers.independent import symbolic
+from report.parts import digits, equal, expression, made_here, matrix, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
@@ -62,7 +61,7 @@ def free_body_diagram(known: Evidence) -> Record:
         ("dampers", dampers, damping, velocities),
         ("where the pin's displacement acts", [k2, -k2, 0, 0], pin, (u,)),
     ):
-        forces = Confirmation("the forces on each body", SameMatrix(by_newton(known, variables), derived))
+        forces = same("the forces on each body", by_newton(known, variables), derived)
         yield matrix(label, sympy.ImmutableMatrix(printed), derived, second=forces)
     yield matrix("springs with a fixed end", sympy.ImmutableMatrix([k1, 0, k3, 0]), moved_together)
     yield text("""
@@ -80,8 +79,7 @@ def eccentric_pin(_: Evidence) -> Record:
     across = (turn * sympy.Matrix([0, A]))[0]
     stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)
     turned = across.subs(angle, RATE * t)
-    by_acceleration = SameExpression(bodies_and_pin.pin_from_acceleration(), PIN_MOTION)
-    second = Confirmation("its acceleration towards the axis", by_acceleration)
+    second = same("its acceleration towards the axis", symbolic.pin_from_acceleration(), PIN_MOTION)
     yield expression("displacement of the pin", PIN_MOTION, turned, sympy.Symbol("x_i"), second=second)
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text("""
@@ -104,7 +102,7 @@ def pin_motion(_: Evidence) -> Record:
 @claim("eq-2.2", source=MOTION)
 def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
-    derived = kinetic + bodies_and_pin.sign_of_potential_energy(known.derivation) * potential
+    derived = kinetic + symbolic.sign_of_potential_energy(known.derivation) * potential
     yield expression("", total(kinetic, -potential), derived, sympy.Symbol("L"))
     yield text(r"""
         With $L = T + \sigma U$ the Euler-Lagrange equation of the motor equals Newton's second law only for
@@ -119,7 +117,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     values = {mass[i]: m for i, m in enumerate(masses, 1)}
     values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
     printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
-    yield expression("the sum for $n = 4$", printed, bodies_and_pin.work_from_rest(), sympy.Symbol("T"))
+    yield expression("the sum for $n = 4$", printed, symbolic.work_from_rest(), sympy.Symbol("T"))
     yield text("""
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
         are absolute; the sentence before the equation calls them relative, which is true of springs and not
@@ -129,8 +127,8 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
 
 @claim("eq-2.4", source=ENERGIES)
 def kinetic_energy(known: Evidence) -> Record:
-    derived, work = known.derivation.kinetic_energy, bodies_and_pin.work_from_rest()
-    second = Confirmation("the work done on each mass", SameExpression(work, derived))
+    derived, work = known.derivation.kinetic_energy, symbolic.work_from_rest()
+    second = same("the work done on each mass", work, derived)
     yield expression("", trimmer_printed.kinetic_energy(), derived, sympy.Symbol("T"), second=second)
     yield text("The list of four masses gives the printed sum.")
 
@@ -141,7 +139,7 @@ def potential_energy(known: Evidence) -> Record:
     at_rest = {velocity: 0 for velocity in (*velocities, u_dot)}
     forces = sympy.ImmutableMatrix([m * each.subs(at_rest) for m, each in zip(masses, newton, strict=True)])
     slopes = sympy.ImmutableMatrix([-derived.diff(q) for q in coordinates])
-    second = Confirmation("the spring forces on each body at rest", SameMatrix(forces, slopes))
+    second = same("the spring forces on each body at rest", forces, slopes)
     yield expression("", trimmer_printed.potential_energy(), derived, sympy.Symbol("U"), second=second)
     yield text("""
         The pin rides on the motor, so the driving bridge's spring is stretched by $q_2 - q_1 - u$. With that,
@@ -158,7 +156,7 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     inertia = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q_i}\right)"
     forces = r"\frac{\partial L}{\partial q_i} + \frac{\partial R}{\partial \dot q_i} = Q_i"
     printed, derived = sympy.ImmutableMatrix(balances), sympy.ImmutableMatrix(newton)
-    yield matrix("the four bodies, $Q_i = 0$", printed, derived, **as_printed(f"{inertia} - {forces}"))
+    yield matrix("the four bodies, $Q_i = 0$", printed, derived, form=f"{inertia} - {forces}")
     yield text("""
         For each of the four bodies the printed left side equals mass times acceleration less the forces of
         Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that $Q_i$
@@ -169,7 +167,7 @@ def euler_lagrange_equation(known: Evidence) -> Record:
 @claim("eq-2.7", source=ENERGIES)
 def rayleigh_function(known: Evidence) -> Record:
     derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
-    second = Confirmation("the power balance", SameExpression(lost / 2, derived))
+    second = same("the power balance", lost / 2, derived)
     yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
     yield text("""
         The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
@@ -180,13 +178,12 @@ def rayleigh_function(known: Evidence) -> Record:
 def velocity_part() -> Part:
     """Return the part on the printed velocity of the pin."""
     derived = PIN_MOTION.diff(t)
-    projected = SameExpression(sympy.re(RATE * TURNING_POINT), derived)
     return expression(
         "velocity of the pin",
         product(RATE, sympy.cos(RATE * t)),
         derived,
         u_dot,
-        second=Confirmation("the velocity of a point on a circle", projected),
+        second=same("the velocity of a point on a circle", sympy.re(RATE * TURNING_POINT), derived),
         slip=made_here(AMPLITUDE_LOST, derived / A),
     )
 
@@ -201,29 +198,24 @@ def output_with_the_slip(known: Evidence) -> float:
 @claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL)
 def pin_velocity(known: Evidence) -> Record:
     yield velocity_part()
-    yield text(
-        r"""
+    yield text(r"""
         The derivative of $A\sin(2\pi f t)$ keeps its amplitude, which the printed line loses. The units show
         it too: the printed right side is in 1/s, a velocity is in m/s.
 
         The printed velocity is [[ larger | f0 ]] times too large at $A = 1.5$ mm. Fed into the second input
         at 100 Hz, it would give figure 5.1 an amplitude of [[ output | f1 ]] mm; the thesis finds 1.5 mm
         there, and its loop drops the velocity (Listing A.1, line 58), so neither contains this slip.
-        """,
-        larger=1 / DRIVE_AMPLITUDE,
-        output=1e3 * output_with_the_slip(known),
-    )
+    """).given(larger=1 / DRIVE_AMPLITUDE, output=1e3 * output_with_the_slip(known))
 
 
 @claim("txt-2.2.1-single-input-velocity", source=SYMBOLS, impact=Impact.LOCAL)
 def pin_velocity_in_words(known: Evidence) -> Record:
     amplitude = A * RATE
     squared = sympy.trigsimp(PIN_MOTION.diff(t) ** 2 + (PIN_MOTION.diff(t, 2) / RATE) ** 2)
-    second = Confirmation("velocity and acceleration at any time", SameExpression(squared, amplitude**2))
+    second = same("velocity and acceleration at any time", squared, amplitude**2)
     yield velocity_part()
     yield expression("its amplitude", RATE, amplitude, second=second, slip=made_here(AMPLITUDE_LOST, RATE))
-    yield text(
-        r"""
+    yield text(r"""
         The factor before the cosine of equation 2.8 is $2\pi f$, [[ rate | f1 ]]/s at [[ frequency | f0 ]]
         Hz. The velocity of a pin with an eccentricity of [[ size ]] mm has the amplitude $2\pi f A =
         [[ velocity | f4 ]]$ m/s.
@@ -231,7 +223,7 @@ def pin_velocity_in_words(known: Evidence) -> Record:
         Equation 3.2 and the equations of motion take the velocity as an input. Figure 5.1 does not contain
         the slip, which would make it [[ higher | f1 ]] times too high; the models behind chapter 3 are not
         given.
-        """,
+    """).given(
         rate=DRIVE_OMEGA,
         frequency=DRIVE_FREQUENCY,
         size=1e3 * DRIVE_AMPLITUDE,
@@ -245,7 +237,7 @@ def equations_of_motion(known: Evidence) -> Record:
     derivation, printed = known.derivation, trimmer_printed.accelerations()
     lines = zip(printed, derivation.accelerations, derivation.newton, accelerations, strict=True)
     for index, (line, derived, newton, left) in enumerate(lines, start=1):
-        second = Confirmation("Newton's second law for each body", SameExpression(newton, derived))
+        second = same("Newton's second law for each body", newton, derived)
         yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second)
     yield text("""
         All four lines follow from the energies, and again from the forces alone. Signs and indices of every
@@ -261,18 +253,18 @@ def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
 def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.MatrixBase) -> Confirmation:
     """Confirm a matrix of the state equation by derivatives."""
     slopes = newton_rates(known).jacobian(variables)
-    return Confirmation("the slopes of Newton's accelerations", SameMatrix(slopes, derived))
+    return same("the slopes of Newton's accelerations", slopes, derived)
 
 
 @claim("eq-2.10", source=STATE_SPACE)
 def general_form(known: Evidence) -> Record:
     space = known.derivation.space
-    printed = as_printed(r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)")
+    form = r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)"
     rates = space.a * STATE + space.b * INPUT
     output = (OUTPUT * STATE)[0] + (sympy.zeros(1, INPUT.rows) * INPUT)[0]
     relative = coordinates[1] - coordinates[3]
-    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), **printed)
-    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, **printed)
+    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), form=form)
+    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, form=form)
     yield text("""
         With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
         Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four
@@ -300,7 +292,7 @@ def first_order_equations(known: Evidence) -> Record:
     lines = zip(printed, derived, newton_rates(known).subs(named), strict=True)
     for index, (line, rate, newton) in enumerate(lines, start=1):
         left = rf"\dot{{x}}_{{{index}}}"
-        second = Confirmation("Newton's second law", SameExpression(newton, rate))
+        second = same("Newton's second law", newton, rate)
         yield expression(rf"$\dot x_{index}$", line, rate, left, second=second)
     yield text("All eight lines follow from equation 2.9 with the states as numbered.")
 

@@ -10,12 +10,16 @@ import sympy
 from derivations.dimensions import dimension_of
 from derivations.laplace import transform_of_derivative
 from derivations.symbols import DIMENSIONS, s, t, u
-from report.chapters.chapter_2.claims.trimmer_printed import as_printed
-from report.claim import Claim, Impact, Mathematics
+from report.claim import Impact
 from report.comparisons.digits import CloseNumbers
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
-from report.numbers.exact_response import response as exact_response
-from report.numbers.independent.linear_response import laplace_integral, matrix_formula, settled_gain
+from report.numbers.independent.exact_response import response as exact_response
+from report.numbers.independent.linear_trimmer import (
+    matrix_formula,
+    settled_gain,
+)
+from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA
@@ -23,7 +27,6 @@ from trimmer import response_at
 
 SOURCE = "derivations/laplace.py"
 IN_TIME = "trimmer/linear/time_response.py"
-IN_MANY_DIGITS = "exact coefficients, 40 digits"
 
 
 def responses(known: Evidence) -> tuple[complex, complex, complex]:
@@ -39,8 +42,8 @@ def magnitude(known: Evidence) -> Record:
     yield part(
         f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {settled:.5f}",
         CloseNumbers(gain, settled, 1e-4),
-        second=close(IN_MANY_DIGITS, exact, gain),
-        **as_printed(r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|"),
+        second=close(EXACTLY, exact, gain),
+        form=r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|",
     )
     yield text(r"""
         The trimmer, simulated until its transients are gone, answers a sine with a sine whose amplitude is
@@ -55,8 +58,8 @@ def phase(known: Evidence) -> Record:
     yield part(
         f"at 100 Hz: the phase is {angle:.6f} rad, a simulation gives {settled:.6f} rad",
         CloseNumbers(angle, settled, 1e-3),
-        second=close(IN_MANY_DIGITS, exact, angle),
-        **as_printed(r"\angle G(j\omega) = \phi(j\omega) = \phi"),
+        second=close(EXACTLY, exact, angle),
+        form=r"\angle G(j\omega) = \phi(j\omega) = \phi",
     )
     yield text(r"""
         The same simulation shows the phase of $G(j\omega)$ between input and output. The symbol $\phi$ stands
@@ -74,7 +77,7 @@ def transfer_formula(known: Evidence) -> sympy.Expr:
 @claim("eq-2.17", source=SOURCE)
 def output_in_laplace_domain(known: Evidence) -> Record:
     printed = transfer_formula(known) * known.general.input_transform
-    yield expression("", printed, known.transformed.output, **as_printed("Y(s) = G(s)U(s)"))
+    yield expression("", printed, known.transformed.output, form="Y(s) = G(s)U(s)")
     yield text("""
         For a general system of two states the output's transform is $G(s)U(s)$. The trimmer has two inputs
         and so two such terms, $Y = G_1 U + G_2 V$ with the transform $V$ of the pin's velocity. Since $V =
@@ -96,18 +99,15 @@ def transform_integral(capital: str, small: str) -> Record:
         f"the transform is in {unit}, the printed integrand alone is not",
         method="dimension check",
         second=close(means, laplace_integral(function, place), float(listed)),
-        printed_form=Mathematics(printed),
-        derived_form=Mathematics(rf"{printed}\,dt"),
+        printed_form=printed,
+        derived_form=rf"{printed}\,dt",
     )
-    yield text(
-        """
+    yield text("""
         The printed integral lacks $dt$. With it, the transform has the unit of $[[ small ]]$ times a second,
         as equation 2.20 needs.
 
         None: the later equations use the transform with its $dt$.
-        """,
-        small=small,
-    )
+    """).given(small=small)
 
 
 @claim("eq-2.18", source=SOURCE, impact=Impact.NOTATION)
@@ -126,19 +126,13 @@ def state_space_in_laplace_domain(known: Evidence) -> Record:
     right_side = sympy.ImmutableMatrix(system.a * solved.state + system.b * system.input_transform)
     rate, transform_of_rate = s * sympy.Symbol("Q"), transform_of_derivative(sympy.Integer(0))
     output = (system.c * solved.state)[0] + system.d * system.input_transform
-    state_form, output_form = as_printed("sQ(s) = AQ(s) + BU(s)"), as_printed("Y(s) = CQ(s) + DU(s)")
     yield expression(r"transform of $\dot q$ from rest", rate, transform_of_rate)
-    yield matrix("state equation", right_side, s * solved.state, **state_form)
-    yield expression("output equation", output, solved.output, **output_form)
+    yield matrix("state equation", right_side, s * solved.state, form="sQ(s) = AQ(s) + BU(s)")
+    yield expression("output equation", output, solved.output, form="Y(s) = CQ(s) + DU(s)")
     yield text(r"""
         The transform of $\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at rest,
         which is what a transfer function assumes. Checked on a general system of two states.
     """)
-
-
-def transformed_state_space(known: Evidence, claim_id: str) -> Claim:
-    """Return the claim of equation 2.20 under another id: appendix D prints it again."""
-    return claim(claim_id, source=SOURCE)(state_space_in_laplace_domain.items).claim(known)
 
 
 @claim("eq-2.21", source=SOURCE)
@@ -154,7 +148,7 @@ def transfer_function(known: Evidence) -> Record:
         transfer_formula(known),
         known.transformed.output / known.general.input_transform,
         second=close("Cramer's rule on the equations of motion", formula, by_rule),
-        **as_printed(r"G(s) = \frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D"),
+        form=r"G(s) = \frac{Y(s)}{U(s)} = C(sI - A)^{-1}B + D",
     )
     yield text("""
         The matrix formula gives what solving the transformed equations one by one gives. With the two columns
@@ -167,7 +161,7 @@ def transfer_function(known: Evidence) -> Record:
 def block_diagram(known: Evidence) -> Record:
     block, signal = sympy.symbols("G U")
     named = {block: transfer_formula(known), signal: known.general.input_transform}
-    yield expression("", (block * signal).subs(named), known.transformed.output, **as_printed(r"Y = G\,U"))
+    yield expression("", (block * signal).subs(named), known.transformed.output, form=r"Y = G\,U")
     yield text("""
         The diagram stands for equation 2.17: one block that multiplies the input's transform by $G(s)$. It is
         redrawn from the text, which is all that was at hand.

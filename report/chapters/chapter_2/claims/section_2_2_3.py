@@ -6,14 +6,12 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations import stability
-from report.chapters.chapter_2.claims.trimmer_printed import as_printed
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.independent import stability_examples
+from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
 from report.parts import assertion, close, digits, equal, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
 
 SOURCE = "derivations/stability.py"
 
@@ -25,8 +23,8 @@ def eigenvalue_problem(known: Evidence) -> Record:
     shifted = DomainMatrix.from_Matrix(state_matrix - eigenvalue * sympy.eye(state_matrix.rows))
     determinant = sympy.expand(shifted.domain.to_sympy(shifted.det()))
     dynamics = sympy.Poly([sympy.Rational(c) for c in known.numbers.denominator], eigenvalue).as_expr()
-    form = as_printed(r"\det(A - \lambda I) = 0")
-    yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, **form)
+    form = r"\det(A - \lambda I) = 0"
+    yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, form=form)
     yield text(r"""
         For the trimmer the printed determinant equals $\det(M\lambda^2 + C\lambda + K)/\det M$, the condition
         for a motion $q\,e^{\lambda t}$ without input, in exact arithmetic.
@@ -37,7 +35,7 @@ def eigenvalue_problem(known: Evidence) -> Record:
 def corollary(_: Evidence) -> Record:
     norm = stability.exponential_norm(stability.double_integrator())
     (time,) = norm.free_symbols
-    growth, late = stability_examples.growth_of_double_integrator(1000.0), float(norm.subs(time, 1000))
+    growth, late = examples.growth_of_double_integrator(1000.0), float(norm.subs(time, 1000))
     yield assertion(
         "",
         r"""
@@ -45,14 +43,12 @@ def corollary(_: Evidence) -> Record:
         $\gamma \ge 0$
         """,
         sympy.limit(norm, time, sympy.oo) < sympy.oo,
-        filled(
-            r"""
-            the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$,
-            which no $K$ bounds. True is: $\mathrm{Re}\,\lambda_k < 0$ for every $k$ if and only if such a
-            bound holds with some $\gamma > 0$
-            """,
-            norm=norm,
-        ),
+        r"""
+        the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$, which no
+        $K$ bounds. True is: $\mathrm{Re}\,\lambda_k < 0$ for every $k$ if and only if such a bound holds with
+        some $\gamma > 0$
+        """,
+        numbers={"norm": norm},
         method="counterexample with its matrix exponential in closed form",
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
@@ -93,7 +89,7 @@ closed_loop_diagram = claim("fig-2.4", source=SOURCE)(closed_loop_fraction.items
 
 @claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", impact=Impact.LOCAL)
 def nyquist_statement(_: Evidence) -> Record:
-    critical, example = stability_examples.critical_point(), stability_examples.unstable_plant()
+    critical, example = examples.critical_point(), examples.unstable_plant()
     yield digits(
         "real part of the critical point",
         "1",
@@ -101,15 +97,14 @@ def nyquist_statement(_: Evidence) -> Record:
         second=equal("a loop with one unstable pole", example.points_that_agree(), [critical]),
         slip=made_here("the minus sign is lost", -critical),
     )
-    yield text(
-        """
+    yield text("""
         The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the sentence before says. Example: $G =
         2/(s - 1)$ with unit feedback has one open-loop pole in the right half plane and is [[ stability ]] in
         closed loop. Its locus turns [[ about_critical ]] time counter-clockwise about $-1$, as the criterion
         asks, and [[ about_printed ]] times about $+1$.
 
         None: section 5.1.2 and all later sections use $(-1, j0)$.
-        """,
+    """).given(
         stability="stable" if example.stable_in_loop else "unstable",
         about_critical=example.turns[-1],
         about_printed=example.turns[1],

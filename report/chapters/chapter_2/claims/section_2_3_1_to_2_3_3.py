@@ -9,22 +9,19 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.claim import Confirmation, Impact, Mathematics
+from report.claim import Confirmation, Impact
 from report.comparisons.assertion import Assertion
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import sampled_gain
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.independent.van_der_pol import third_harmonic
+from report.numbers.independent.exact_response import gain_ratio
+from report.numbers.independent.examples import van_der_pol_third_harmonic
+from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.textbook_loops import relay_loop
-from report.parts import assertion, close, expression, made_here
+from report.parts import assertion, close, expression, made_here, same
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_OMEGA
-from trimmer import filtering_ratio
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA
+from trimmer import FrictionBacklash, ViscousBacklash, filtering_ratio
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_to_2_3_3.py"
 LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")
@@ -74,17 +71,17 @@ def harmonic_balance(_: Evidence) -> Record:
 
 @claim("eq-2.26", source="trimmer/linear/low_pass.py")
 def filtering_hypothesis(known: Evidence) -> Record:
-    at, system = 4607.7, known.numbers.displacement_only
+    at, system = LIMIT_CYCLE_OMEGA, known.numbers.displacement_only
     second, third, *others = (float(filtering_ratio(system, at, n)) for n in range(2, 20))
-    exact = float(gain(known.numbers, 3 * at) / gain(known.numbers, at))
+    exact = gain_ratio(known.numbers, at, 3)
     yield assertion(
         "at the predicted limit cycle",
         "the linear part passes every harmonic less than the fundamental",
         max(second, third, *others) < 1,
         f"at {at} rad/s the second is passed {second:.3f}, the third {third:.3f} times as well",
         method="frequency response at the harmonics",
-        second=close("exact coefficients, 40 digits", exact, third),
-        printed_form=Mathematics(r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots"),
+        second=close(EXACTLY, exact, third),
+        printed_form=r"|G(j\omega)| \gg |G(jn\omega)|, \quad n = 2, 3, \dots",
     )
     yield text("""
         As a condition this is the usual one. It is stricter than needed: a nonlinearity that is odd makes no
@@ -101,35 +98,32 @@ def van_der_pol(_: Evidence) -> Record:
     time, radius, turning = sympy.symbols("t A omega", positive=True)
     circle = radius * sympy.cos(time)
     undamped = acceleration.subs({alpha: 0, position: circle, velocity: circle.diff(time)})
-    residual = SameExpression(circle.diff(time, 2) - undamped, sympy.Integer(0))
     yield assertion(
         r"$\alpha = 0$",
         "there is a limit cycle, to which other motions tend",
         gained.subs(alpha, 0) != 0,
-        filled(
-            r"""
-            $(x^2 + \dot x^2)/2$ changes by $[[ gained | latex ]]$, $v = \dot x$, and for $\alpha = 0$ not at
-            all: every motion keeps its amplitude
-            """,
-            gained=gained,
-        ),
+        r"""
+        $(x^2 + \dot x^2)/2$ changes by $[[ gained | latex ]]$, $v = \dot x$, and for $\alpha = 0$ not at all:
+        every motion keeps its amplitude
+        """,
+        numbers={"gained": gained},
         method="balance of energy",
-        second=Confirmation("a circle of any radius solves the equation", residual),
+        second=same(
+            "a circle of any radius solves the equation", circle.diff(time, 2) - undamped, sympy.Integer(0)
+        ),
     )
     sine = radius * sympy.sin(turning * time)
     ellipse = (sine / radius) ** 2 + (sine.diff(time) / (radius * turning)) ** 2
-    to_one = SameExpression(sympy.expand_trig(ellipse), sympy.Integer(1))
     yield assertion(
         "the elliptic shape",
         "a limit cycle of elliptic shape is not a sinusoid",
         sympy.simplify(ellipse) != 1,
         r"$x = A\sin\omega t$ satisfies $(x/A)^2 + (\dot x/(A\omega))^2 = 1$, an ellipse",
         method="the sinusoid put into the equation of an ellipse",
-        second=Confirmation("simplification to one", to_one),
+        second=same("simplification to one", sympy.expand_trig(ellipse), sympy.Integer(1)),
     )
     damping = 1.0
-    yield text(
-        r"""
+    yield text(r"""
         For $\alpha = 0$ nothing is dissipated: every orbit is closed and none is a limit cycle by the
         thesis's own definition, so the condition is $\alpha > 0$. And an ellipse over position and velocity
         is a sinusoid, the very shape that the method assumes. Van der Pol's limit cycle is nearly that for
@@ -138,10 +132,7 @@ def van_der_pol(_: Evidence) -> Record:
 
         None on numbers. The caution is right and section 6.1 repeats it; its example is the other end, large
         $\alpha$.
-        """,
-        damping=damping,
-        third=100 * third_harmonic(damping),
-    )
+    """).given(damping=damping, third=100 * van_der_pol_third_harmonic(damping))
 
 
 @claim("txt-2.3.3-amplitude-only", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
@@ -163,17 +154,11 @@ def amplitude_only(_: Evidence) -> Record:
         "",
         statement,
         abs(driven - cycling) < 1e-9,
-        filled(
-            """
-            a load with $M/D$ of 1 ms has [[ a.real | f3 ]] [[ a.imag | signed3 ]] j at [[ drive | f0 ]] rad/s
-            and [[ b.real | f3 ]] [[ b.imag | signed3 ]] j at [[ near | f0 ]] rad/s, with two gaps of
-            amplitude
-            """,
-            a=driven,
-            b=cycling,
-            drive=DRIVE_OMEGA,
-            near=near_limit_cycle,
-        ),
+        """
+        a load with $M/D$ of 1 ms has [[ a.real | f3 ]] [[ a.imag | signed3 ]] j at [[ drive | f0 ]] rad/s and
+        [[ b.real | f3 ]] [[ b.imag | signed3 ]] j at [[ near | f0 ]] rad/s, with two gaps of amplitude
+        """,
+        numbers={"a": driven, "b": cycling, "drive": DRIVE_OMEGA, "near": near_limit_cycle},
         method="the describing function of viscous-controlled backlash at two frequencies",
         second=Confirmation("the derived phase of separation", independent),
     )
@@ -214,7 +199,7 @@ def sinusoid(_: Evidence) -> Record:
         exponential,
         sine,
         "u",
-        second=Confirmation("Euler's formula", SameExpression(sympy.im(exponential), sine)),
+        second=same("Euler's formula", sympy.im(exponential), sine),
         slip=made_here("the imaginary part is not taken", exponential),
     )
     yield text(r"""
@@ -235,8 +220,8 @@ def fourier_series(_: Evidence) -> Record:
         for n in (1, 2)
     )
     rebuilt = WAVE.cosine_coefficient(0) / 2 + sympy.Add(*harmonics)
-    form = Mathematics(r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)")
-    yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), printed_form=form, derived_form=form)
+    form = r"y = \frac{a_0}{2} + \sum_{n=1}^\infty (a_n \cos n\omega t + b_n \sin n\omega t)"
+    yield expression("up to $n = 2$", SERIES, sympy.expand(rebuilt), form=form)
     yield text("""
         A signal of two harmonics is rebuilt from its coefficients by the printed series, with half of $a_0$.
     """)
@@ -263,7 +248,7 @@ def fundamental_coefficients(_: Evidence) -> Record:
 def first_harmonic(_: Evidence) -> Record:
     printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
     shifted = sympy.simplify(sympy.expand_trig(MODULUS * sympy.sin(THETA + ANGLE)))
-    form = Mathematics(r"M \sin(\omega t + \phi)")
+    form = r"M \sin(\omega t + \phi)"
     yield expression(r"with $M$ and $\phi$ of equations 2.32 and 2.33", printed, shifted, derived_form=form)
     yield text("The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$.")
 
@@ -297,20 +282,16 @@ def ratio_of_signals(_: Evidence) -> Record:
         printed,
         derived,
         "N",
-        second=Confirmation("the ratio of the phasors", SameExpression(sympy.simplify(phasors), derived)),
+        second=same("the ratio of the phasors", sympy.simplify(phasors), derived),
         slip=made_here("the ratio of the signals is taken, not that of their phasors", printed),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The ratio of two sines depends on time (for $\phi = 60$ degrees it is [[ early | f2 ]] at $\omega t =
         0.5$ and [[ late | f2 ]] at $\omega t = 1$) and is infinite at every zero of the input. The describing
         function is the ratio of the phasors, a complex constant.
 
         None: equation 2.35 takes the ratio of the phasors.
-        """,
-        early=early,
-        late=late,
-    )
+    """).given(early=early, late=late)
 
 
 @claim("eq-2.35", source=SOURCE)

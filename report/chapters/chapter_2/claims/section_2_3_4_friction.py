@@ -13,18 +13,16 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
-from report.claim import Confirmation, Impact, Mathematics, Part
-from report.comparisons.expression import SameExpression
+from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm, integral
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.numbers.independent.symbolic_roots import first_root
-from report.numbers.independent.traced_play import boundaries, outputs_at, traced
-from report.numbers.independent.waveforms import Values
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
+from report.numbers.independent.symbolic import first_root
+from report.numbers.independent.waveforms import Values, coefficient, integral
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
@@ -50,13 +48,12 @@ def motor_and_load(_: Evidence) -> Record:
     means = "the domain of the describing function, gap over amplitude below two"
     second = close(means, float(least.subs(b, 1)), by_domain)
     yield expression("amplitude up to which the load is not moved", b, least, A, second=second)
-    turning = SameExpression(without_mass.subs(GAP, 2 * b), RESTING.value)
     yield expression(
         "velocity of a load without mass that is let go",
         sympy.Integer(0),
         without_mass.diff(sympy.Symbol("tau", positive=True)),
         r"\dot y",
-        second=Confirmation("the place where the pin turns round", turning),
+        second=same("the place where the pin turns round", without_mass.subs(GAP, 2 * b), RESTING.value),
     )
     yield text(r"""
         The bound is right with $b$ as half of the clearance, as this part of the text uses it; where $b$ is
@@ -77,13 +74,16 @@ def characteristic(_: Evidence) -> Record:
     yield expression("segment OA, its length", b, first_contact)
     yield expression("segment AB, its slope", sympy.Integer(1), slope(RISING))
     yield expression("segment BC, its length", 2 * b, stopped - restarted, assume=REACHED)
-    in_quadrature = SameExpression(-sympy.pi * A * WAVEFORM.cosine_coefficient(), -swept)
     yield expression(
         r"area that EBCD runs round counter-clockwise, $2b \cdot 2(A - b)$",
         product(2 * b, 2 * (A - b)),
         sympy.simplify(-swept),
         assume=REACHED,
-        second=Confirmation("the quadrature part of the describing function", in_quadrature),
+        second=same(
+            "the quadrature part of the describing function",
+            -sympy.pi * A * WAVEFORM.cosine_coefficient(),
+            -swept,
+        ),
     )
     yield assertion(
         "heights of B, C, D and E",
@@ -116,10 +116,10 @@ def input_characteristic_output(_: Evidence) -> Record:
         second = close(TRACING, start, float(segment.start.subs(values)), STEP_ERROR)
         label = f"start of the {name} region"
         yield expression(label, phase, segment.start, r"\omega t", assume=REACHED, second=second)
-    form = Mathematics("k = 1")
+    form = "k = 1"
     for name, segment in (("falling", FALLING), ("rising", RISING)):
         label = f"slope of the {name} side"
-        yield expression(label, sympy.Integer(1), slope(segment), printed_form=form, derived_form=form)
+        yield expression(label, sympy.Integer(1), slope(segment), form=form)
     yield expression("gap to overcome", 2 * b, sympy.simplify(FALLING.value - RISING.value))
     yield text("""
         Tracing the input through the characteristic gives an output of four regions that begin where the text
@@ -147,8 +147,7 @@ def waveform(_: Evidence) -> Record:
     for index, (line, value, segment) in enumerate(zip(LINES, printed, WAVEFORM.segments, strict=True)):
         second, slip = continuous(WAVEFORM, index, VALUES), made_here(EXCHANGED, -segment.value)
         yield expression(f"{line} piece", value, segment.value, "y", assume=REACHED, second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         After its peak at $\omega t = \pi/2$ the pin lets go and the bridge stays where it is, at $+(A - b)$;
         after the trough it stays at $-(A - b)$. The printed signs are exchanged, so the output would jump by
         $[[ jump | latex ]]$ at the start of contact, and the bridge would leave the gap. The moving pieces
@@ -156,9 +155,7 @@ def waveform(_: Evidence) -> Record:
 
         The same signs stand in the integrals of equation 2.37, whose values are nevertheless those of the
         right waveform; the describing function is not touched.
-        """,
-        jump=2 * (A - b),
-    )
+    """).given(jump=2 * (A - b))
 
 
 @claim("txt-2.3.4-first-segment-value", source=SOURCE, impact=Impact.LOCAL)
@@ -238,7 +235,7 @@ def integrals(
             slip=made_here(EXCHANGED, -derived),
         )
         area = sympy.simplify(segment_integral(segment, weight))
-        second = confirm(area, integral(segment, weight, VALUES), VALUES)
+        second = by_quadrature(area, integral(segment, weight, VALUES), VALUES)
         yield expression(f"{line} value", value, area, assume=REACHED, second=second)
 
 
@@ -275,7 +272,7 @@ def sine_integrals(_: Evidence) -> Record:
 def cosine_part(label: str) -> Part:
     """Return the part on a1."""
     derived = sympy.simplify(WAVEFORM.cosine_coefficient())
-    second = confirm(derived, coefficient(WAVEFORM, COSINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(WAVEFORM, COSINE, VALUES), VALUES)
     printed = 4 * b / sympy.pi * (b / A - 1)
     return expression(label, printed, derived, "a_{1}", assume=REACHED, second=second)
 
@@ -283,7 +280,7 @@ def cosine_part(label: str) -> Part:
 def sine_part(label: str) -> Part:
     """Return the part on b1."""
     derived = sympy.simplify(WAVEFORM.sine_coefficient())
-    second = confirm(derived, coefficient(WAVEFORM, SINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(WAVEFORM, SINE, VALUES), VALUES)
     printed = product(A / sympy.pi, total(*printed_sine_terms()))
     return expression(label, printed, derived, "b_{1}", assume=REACHED, second=second)
 

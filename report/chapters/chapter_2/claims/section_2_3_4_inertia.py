@@ -15,15 +15,14 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
-from report.chapters.chapter_2.claims.section_2_3_4_friction import COSINE, LINES, SINE, continuous
-from report.claim import Confirmation, Impact
-from report.comparisons.expression import SameExpression
+from report.chapters.chapter_2.claims.section_2_3_4_friction import LINES, SINE, continuous
+from report.claim import Impact
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.parts import assertion, expression, made_here, so
+from report.numbers.independent.waveforms import quadrature_gain
+from report.parts import assertion, expression, made_here, same, so
 from report.record import Record, claim, text
-from report.text import filled
 
 SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
@@ -34,8 +33,8 @@ ANGLE = sympy.Rational(8, 5)
 @claim("fig-2.10", source=SOURCE)
 def characteristic(_: Evidence) -> Record:
     flying, following, flying_back, following_back = WAVEFORM.segments
-    start = Confirmation("the start of the flight", SameExpression(flying.start, sympy.Integer(0)))
-    back = Confirmation("the start of the flight back", SameExpression(flying_back.start, sympy.pi))
+    start = same("the start of the flight", flying.start, sympy.Integer(0))
+    back = same("the start of the flight back", flying_back.start, sympy.pi)
     derived = limits(sympy.oo).separation
     yield expression("phase of the first separation", sympy.Integer(0), derived, r"\omega t", second=start)
     yield expression("phase of the second separation", sympy.pi, derived + sympy.pi, r"\omega t", second=back)
@@ -52,8 +51,7 @@ def separation_velocity(_: Evidence) -> Record:
     velocity = (A * sympy.sin(omega * t)).diff(t)
     for n in (0, 1):
         derived = velocity.subs(t, n * sympy.pi / omega)
-        flight = SameExpression(IN_GAP.segments[2 * n].value.diff(THETA) * omega, derived)
-        second = Confirmation("the slope of the flight", flight)
+        second = same("the slope of the flight", IN_GAP.segments[2 * n].value.diff(THETA) * omega, derived)
         slip = made_here("the sign of cos nπ is lost", derived * (-1) ** n)
         label = f"velocity at the separation $n = {n}$"
         yield expression(label, A * omega, derived, "u'", second=second, slip=slip)
@@ -101,7 +99,7 @@ def contact_equation(_: Evidence) -> Record:
     meeting = sympy.expand((flying.value - following.value).subs(THETA, CONTACT) / A)
     limit = limits(sympy.oo).ratio.subs(sympy.Symbol("tau", positive=True), CONTACT) - b / A
     means = "the limit of the general element for M/D to infinity"
-    second = Confirmation(means, SameExpression(limit, meeting))
+    second = same(means, limit, meeting)
     yield expression("", CONTACT - sympy.sin(CONTACT) - b / A, meeting, second=second)
     yield text(r"""
         Flight and falling wall meet where the printed expression is zero. It is Kepler's equation for
@@ -117,13 +115,12 @@ def describing_function(_: Evidence) -> Record:
     imaginary = product(-1, sympy.I / sympy.pi * (1 - cosine) ** 2)
     derived = simplified_describing_function(IN_GAP, A, (GAP, A * ratio))
     values = {A: sympy.Integer(1), CONTACT: ANGLE, GAP: ratio.subs(CONTACT, ANGLE)}
-    numeric = coefficient(IN_GAP, SINE, values) + 1j * coefficient(IN_GAP, COSINE, values)
     yield expression(
         "",
         total(product(1 / sympy.pi, real), imaginary),
         derived,
         "N",
-        second=confirm(derived, numeric, values),
+        second=by_quadrature(derived, quadrature_gain(IN_GAP, A, values), values),
     )
     yield text(r"""
         The describing function of the right waveform, with $b$ the total gap. It holds as long as the bridge
@@ -141,14 +138,11 @@ def imaginary_signs(_: Evidence) -> Record:
         "",
         "the imaginary part is negative for inertia-controlled, positive for friction-controlled backlash",
         all(sample > 0 for sample in samples),
-        filled(
-            """
-            for friction-controlled backlash it is $[[ derived | latex ]]$, negative for every $A > g/2$, and
-            $[[ largest | latex ]]$ where it is largest in size
-            """,
-            derived=sympy.factor(friction),
-            largest=friction.subs(GAP, A),
-        ),
+        """
+        for friction-controlled backlash it is $[[ derived | latex ]]$, negative for every $A > g/2$, and
+        $[[ largest | latex ]]$ where it is largest in size
+        """,
+        numbers={"derived": sympy.factor(friction), "largest": friction.subs(GAP, A)},
         method="sign of the derived coefficient over the whole domain",
         second=so("python-control's describing function of backlash at five amplitudes", negative),
     )

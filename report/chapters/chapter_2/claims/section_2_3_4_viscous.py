@@ -20,18 +20,17 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
-from report.claim import Confirmation, Impact, Mathematics, Part, Words
+from report.claim import Impact, Part, Words
 from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.numbers.independent.load_flight import contact_after_flight, contact_by_equation, zero_of_force
-from report.numbers.independent.waveforms import Values
-from report.parts import close, expression, made_here, part, so
+from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
+from report.numbers.independent.waveforms import Values, quadrature_gain
+from report.parts import close, expression, made_here, part, same, so
 from report.record import Record, claim, text
 from report.text import filled
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"
 SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)
@@ -55,7 +54,7 @@ LEFT_OUT = filled(
     """
 )
 """The terms of n_q behind the factor in equation B.4, and those that its bracket leaves out."""
-QUADRATURE = Mathematics(rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)")
+QUADRATURE = rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)"
 LOAD, PLAY = 1.7, 0.6
 """M omega / D and gap over amplitude for which the flight is integrated numerically."""
 
@@ -88,8 +87,7 @@ def point() -> Values:
 @cache
 def numeric() -> complex:
     """Return N at that point by quadrature."""
-    real, imaginary = (coefficient(general_waveform(), f(THETA), point()) for f in (sympy.sin, sympy.cos))
-    return real + 1j * imaginary
+    return quadrature_gain(general_waveform(), A, point())
 
 
 @claim("fig-2.11", source=SOURCE)
@@ -126,7 +124,7 @@ def separation_and_contact(_: Evidence) -> Record:
 def separation(_: Evidence) -> Record:
     angle = separation_angle()
     force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
-    second = Confirmation("the force of the wall at that phase", SameExpression(force, sympy.Integer(0)))
+    second = same("the force of the wall at that phase", force, sympy.Integer(0))
     yield expression("", sympy.atan(1 / GAMMA), angle, r"\phi_{s}", second=second)
     yield text(r"""
         While the bridge follows the pin the wall has to push with $D\dot y + M\ddot y$, which reaches zero at
@@ -144,13 +142,10 @@ def ratio(_: Evidence) -> Record:
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
     yield expression("", printed, second / first, GAMMA)
-    yield text(
-        r"""
+    yield text(r"""
         With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
         ratio. Its unit is [[ unit ]]: a pure number.
-        """,
-        unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}),
-    )
+    """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
 
 
 @claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -160,17 +155,16 @@ def contact_equation(_: Evidence) -> Record:
     derived = gap_over_amplitude()
     at_contact = {THETA: CONTACT, SEPARATION: separation_angle(), GAP: 0}
     meeting = sympy.simplify((free_flight() - A * sympy.sin(THETA)).subs(at_contact) / A)
-    by_distance = SameExpression(meeting, ROOT - SINE - flight)
     yield expression(
         "solved for $b/A$",
         wrong_root - SINE - flight,
         derived,
         r"\frac{b}{A}",
         assume=sympy.Lt(GAMMA, 1),
-        second=Confirmation("the distance between flight and pin", by_distance),
+        second=same("the distance between flight and pin", meeting, ROOT - SINE - flight),
         slip=made_here("the sign under the root is minus instead of plus", derived - ROOT + wrong_root),
-        printed_form=Mathematics(rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}"),
-        derived_form=Mathematics(rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}"),
+        printed_form=rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}",
+        derived_form=rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}",
     )
     yield text(r"""
         The sum $\sin\phi_s + \gamma\cos\phi_s$ of the flight is $\sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
@@ -185,9 +179,9 @@ def contact_equation(_: Evidence) -> Record:
 def complex_form(_: Evidence) -> Record:
     derived = general_describing_function()
     printed = sympy.re(derived) + sympy.I * sympy.im(derived)
-    form = Mathematics(r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)")
-    second = confirm(derived, numeric(), point())
-    yield expression("", printed, derived, second=second, printed_form=form, derived_form=form)
+    form = r"N(A, \omega) = n_p(A, \omega) + j\,n_q(A, \omega)"
+    second = by_quadrature(derived, numeric(), point())
+    yield expression("", printed, derived, second=second, form=form)
     yield text("""
         $n_p$ is the part in phase with the input, $n_q$ the part ahead of it by a quarter turn, as in
         equation 2.35.
@@ -203,15 +197,14 @@ def in_phase_part(label: str, derived: sympy.Expr) -> Part:
         -(SINE**2) / GAMMA,
         -SINE * COSINE,
     )
-    form, real = Mathematics(IN_PHASE), sympy.re(derived)
+    real = sympy.re(derived)
     return expression(
         label,
         2 * GAMMA**2 / (sympy.pi * (1 + GAMMA**2)) * bracket,
         real,
         assume=flight_lasts(),
-        second=confirm(real, complex(numeric().real), point()),
-        printed_form=form,
-        derived_form=form,
+        second=by_quadrature(real, complex(numeric().real), point()),
+        form=IN_PHASE,
     )
 
 
@@ -232,9 +225,8 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
         factor * (behind + left_out),
         imaginary,
         assume=flight_lasts(),
-        second=confirm(imaginary, complex(numeric().imag), point()),
-        printed_form=QUADRATURE,
-        derived_form=QUADRATURE,
+        second=by_quadrature(imaginary, complex(numeric().imag), point()),
+        form=QUADRATURE,
     )
 
 
@@ -257,9 +249,9 @@ def quadrature(_: Evidence) -> Record:
         factor * behind + left_out,
         imaginary,
         assume=flight_lasts(),
-        second=confirm(imaginary, complex(numeric().imag), point()),
+        second=by_quadrature(imaginary, complex(numeric().imag), point()),
         slip=made_here("the bracket is closed before its last two terms", slipped),
-        printed_form=Mathematics(rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}"),
+        printed_form=rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}",
         derived_form=QUADRATURE,
     )
     yield text(r"""

@@ -9,16 +9,15 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
-from report.claim import Impact, Mathematics
+from report.claim import Impact
 from report.comparisons.printed import total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.numbers.independent.symbolic_roots import zeros_in_turn
+from report.numbers.independent.symbolic import zeros_in_turn
+from report.numbers.independent.waveforms import coefficient, quadrature_gain
 from report.parts import assertion, close, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
+from trimmer import CoulombFriction, Relay
 
 SOURCE = "derivations/elements/friction.py"
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
@@ -33,8 +32,8 @@ def law(_: Evidence) -> Record:
         "power lost by a body that feels $-F$",
         FORCE * sympy.sign(SPEED) * SPEED,
         FORCE * sympy.Abs(SPEED),
-        printed_form=Mathematics(r"F(\dot x) = F_c \operatorname{sign}(\dot x)"),
-        derived_form=Mathematics(r"F(\dot x)\,\dot x = F_c |\dot x| \ge 0"),
+        printed_form=r"F(\dot x) = F_c \operatorname{sign}(\dot x)",
+        derived_form=r"F(\dot x)\,\dot x = F_c |\dot x| \ge 0",
     )
     yield text(r"""
         A force of constant size against the motion takes the power $F_c|\dot x|$, so the printed law
@@ -67,13 +66,11 @@ def friction_as_relay(_: Evidence) -> Record:
         "an ideal relay in the velocity",
         "friction is a relay that switches where the velocity changes its sign",
         switching == zeros_in_turn(COSINE, THETA) and levels == {FORCE, -FORCE},
-        filled(
-            r"""
-            under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
-            [[ angles ]]$
-            """,
-            angles=angles,
-        ),
+        r"""
+        under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
+        [[ angles ]]$
+        """,
+        numbers={"angles": angles},
         method="levels and limits of the derived waveform",
         second=close(means, overlap, float(phases.size)),
     )
@@ -92,7 +89,7 @@ def cosine_coefficient(_: Evidence) -> Record:
         label = f"integral over the {half} half"
         yield expression(label, sympy.Integer(0), segment_integral(segment, COSINE))
     derived = RELAY.cosine_coefficient()
-    second = confirm(derived, coefficient(RELAY, COSINE, VALUES), VALUES)
+    second = by_quadrature(derived, coefficient(RELAY, COSINE, VALUES), VALUES)
     yield expression("$a_1$, switched by its own input", sympy.Integer(0), derived, "a_{1}", second=second)
     yield text(r"""
         Right for a relay that its own sinusoidal input switches; for friction that input is the velocity.
@@ -111,13 +108,13 @@ def sine_coefficient(_: Evidence) -> Record:
         "second line, the bracket",
         printed.doit(),
         bracket,
-        second=confirm(bracket, 2.0 * numeric / float(4 * VALUES[FORCE] / sympy.pi), VALUES),
+        second=by_quadrature(bracket, 2.0 * numeric / float(4 * VALUES[FORCE] / sympy.pi), VALUES),
         slip=made_here("the lower limit is added instead of subtracted", bracket - 2),
-        printed_form=Mathematics(r"[-\cos(\pi) - \cos(0)]"),
-        derived_form=Mathematics(r"[-\cos(\pi) + \cos(0)]"),
+        printed_form=r"[-\cos(\pi) - \cos(0)]",
+        derived_form=r"[-\cos(\pi) + \cos(0)]",
     )
     derived = RELAY.sine_coefficient()
-    second = confirm(derived, numeric, VALUES)
+    second = by_quadrature(derived, numeric, VALUES)
     yield expression("third line, $b_1$", 4 * FORCE / sympy.pi, derived, "b_{1}", second=second)
     yield text("""
         The bracket of the second line, taken as printed, is zero; the lower limit has to be subtracted, which
@@ -130,7 +127,7 @@ def sine_coefficient(_: Evidence) -> Record:
 @claim("eq-2.52", source=SOURCE)
 def describing_function(_: Evidence) -> Record:
     derived = derived_function(RELAY, A)
-    second = confirm(derived, coefficient(RELAY, SINE, VALUES) / float(VALUES[A]), VALUES)
+    second = by_quadrature(derived, quadrature_gain(RELAY, A, VALUES), VALUES)
     label = "switched by its own input of amplitude $A$"
     yield expression(label, 4 * FORCE / (A * sympy.pi), derived, "N", second=second)
     yield text("""
@@ -143,13 +140,12 @@ def describing_function(_: Evidence) -> Record:
 @claim("txt-2.3.5-input-choice", source=SOURCE, impact=Impact.DOWNSTREAM)
 def input_choice(_: Evidence) -> Record:
     by_velocity, by_displacement = derived_function(RELAY, A), derived_function(FRICTION, A)
-    numeric = coefficient(FRICTION, SINE, VALUES) + 1j * coefficient(FRICTION, COSINE, VALUES)
     yield expression(
         "friction with the displacement as input",
         by_velocity,
         by_displacement,
         "N",
-        second=confirm(by_displacement, numeric / float(VALUES[A]), VALUES),
+        second=by_quadrature(by_displacement, quadrature_gain(FRICTION, A, VALUES), VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", by_velocity),
     )
     yield text(r"""
@@ -167,7 +163,7 @@ def locus(_: Evidence) -> Record:
     relay, friction = (sympy.simplify(-1 / derived_function(each, A)) for each in (RELAY, FRICTION))
     statement = "$-1/N$ lies on the negative real axis"
     method = "sign of the derived expression for every positive amplitude"
-    second = confirm(relay, -float(VALUES[A]) / coefficient(RELAY, SINE, VALUES), VALUES)
+    second = by_quadrature(relay, -1 / quadrature_gain(RELAY, A, VALUES), VALUES)
     negative, evidence = relay.is_negative is True, f"$-1/N = {sympy.latex(relay)}$"
     yield assertion("with the velocity as input", statement, negative, evidence, method=method, second=second)
     amplitude, force = float(VALUES[A]), float(VALUES[FORCE])

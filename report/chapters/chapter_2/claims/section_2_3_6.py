@@ -8,13 +8,13 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Impact, Mathematics, Part, Words
+from report.claim import Impact, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
-from report.numbers.independent.listed_describing_functions import friction_listing
-from report.numbers.independent.loop_poles import decays, feedback_poles
-from report.numbers.independent.symbolic_roots import first_root
+from report.numbers.independent.loci import decays, feedback_poles
+from report.numbers.independent.symbolic import first_root
+from report.numbers.listed_functions import friction_listing
 from report.numbers.textbook_loops import (
     backlash_history,
     backlash_loop,
@@ -25,9 +25,7 @@ from report.numbers.textbook_loops import (
 )
 from report.parts import assertion, close, digits, equal, expression, made_here, part
 from report.record import Record, claim, text
-from report.text import filled
-from trimmer import response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, response_at
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
 LOOPS = "report/numbers/textbook_loops.py"
@@ -92,14 +90,11 @@ def roles(known: Evidence) -> Record:
         "a complex $N$, as of backlash",
         "the imaginary equation gives the frequency without the amplitude",
         abs(left) < 1e-9,
-        filled(
-            r"""
-            at the predicted [[ cycle.frequency | f2 ]] Hz it is met at $A = [[ cycle.amplitude | f2 ]]\,b$;
-            at twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
-            """,
-            cycle=cycle,
-            left=left,
-        ),
+        r"""
+        at the predicted [[ cycle.frequency | f2 ]] Hz it is met at $A = [[ cycle.amplitude | f2 ]]\,b$; at
+        twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
+        """,
+        numbers={"cycle": cycle, "left": left},
         method="the imaginary part at two amplitudes",
         second=close("the formula of Listing A.3", by_listing, left),
     )
@@ -186,15 +181,12 @@ def two_limit_cycles(_: Evidence) -> Record:
         method="both solutions of harmonic balance",
         second=close(means, float(from_between), second, SETTLED),
     )
-    yield text(
-        """
+    yield text("""
         The figure names no loop; taken is [[ loop ]], which has two limit cycles. The operating points beside
         them are encircled or not as the text says, counted by turns of the locus and by growing poles. With
         another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves cross;
         which of two limit cycles is the way in depends on where $-1/N$ begins.
-        """,
-        loop=EXAMPLE,
-    )
+    """).given(loop=EXAMPLE)
 
 
 @claim("txt-2.3.6-stability-rule", source="trimmer/balance/stability.py")
@@ -206,16 +198,11 @@ def stability_rule(_: Evidence) -> Record:
         "$L_1$",
         "the first limit cycle is stable",
         first.stable,
-        filled(
-            """
-            of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
-            tenth above it at [[ above | f2 ]]
-            """,
-            loop=EXAMPLE,
-            first=first.amplitude,
-            below=from_below,
-            above=from_between,
-        ),
+        """
+        of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
+        tenth above it at [[ above | f2 ]]
+        """,
+        numbers={"loop": EXAMPLE, "first": first.amplitude, "below": from_below, "above": from_between},
         method="Loeb's criterion",
         asserted=False,
         second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
@@ -258,8 +245,8 @@ def side_of_the_crossing() -> Part:
         product(sympy.Abs(gain) ** 2, crossing),
         loeb,
         second=close(means, sine, math.sin(cycle.crossing_angle), 1e-6),
-        printed_form=Mathematics(r"|N|^2\,\operatorname{Im}\left(\overline{G_\omega}\,(-1/N)_A\right) > 0"),
-        derived_form=Mathematics(r"X_A Y_\omega - X_\omega Y_A > 0"),
+        printed_form=r"|N|^2\,\operatorname{Im}\left(\overline{G_\omega}\,(-1/N)_A\right) > 0",
+        derived_form=r"X_A Y_\omega - X_\omega Y_A > 0",
     )
 
 
@@ -275,15 +262,11 @@ def nyquist_premise(_: Evidence) -> Record:
         "",
         "an open loop can be stable only if the closed loop is",
         not counterexamples,
-        filled(
-            r"""
-            the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
-            $10/(s + 1)^3$ with unit feedback has poles at $[[ real | f3 ]] \pm [[ imaginary | f3 ]]j$
-            """,
-            growing=growing,
-            real=closed.real.max(),
-            imaginary=abs(closed.imag).max(),
-        ),
+        r"""
+        the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
+        $10/(s + 1)^3$ with unit feedback has poles at $[[ real | f3 ]] \pm [[ imaginary | f3 ]]j$
+        """,
+        numbers={"growing": growing, "real": closed.real.max(), "imaginary": abs(closed.imag).max()},
         method="counterexamples, by their poles",
         second=equal(means, encirclements_of(linear, -1.0), in_right_half),
     )

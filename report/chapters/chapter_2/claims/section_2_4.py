@@ -13,8 +13,9 @@ from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_friction import printed_sine_terms
 from report.claim import Impact, Part
 from report.comparisons.printed import product, total
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
+from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, equal, expression, made_here, so
 from report.record import Record, claim, text
 
@@ -58,14 +59,13 @@ def printed_backlash_part(label: str) -> Part:
     derived, real = describing_function(wave, A), wave.sine_coefficient() / A
     cosine = 4 * b / sympy.pi * (b / A - 1)
     values = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
-    sine, cosine_value = (coefficient(wave, weight(THETA), values) for weight in (sympy.sin, sympy.cos))
     return expression(
         label,
         product(1 / A, total(*printed_sine_terms(), sympy.I * cosine)),
         simplified_describing_function(wave, A),
         "N_r",
         assume=sympy.Gt(A, b),
-        second=confirm(derived, (sine + 1j * cosine_value) / float(values[A]), values),
+        second=by_quadrature(derived, quadrature_gain(wave, A, values), values),
         slip=made_here("the factor A/pi of b1 is lost", derived - real + real * sympy.pi / A),
     )
 
@@ -136,8 +136,7 @@ def units(_: Evidence) -> Record:
             altered and backlash.subs(in_milliseconds) == backlash,
         ),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Backlash turns a displacement into a displacement, friction a velocity into a force. Even with the
         right operator friction is a stiffness ($j\,4F_c/(\pi A)$, in [[ stiffness ]]), and needs to be
         divided by one, such as $k_2$, before it can be added to a number. Besides, it acts between cutter and
@@ -145,6 +144,4 @@ def units(_: Evidence) -> Record:
 
         Every contour of section 5.2.5 adds quantities of different units; its numbers have no physical
         meaning.
-        """,
-        stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS),
-    )
+    """).given(stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))

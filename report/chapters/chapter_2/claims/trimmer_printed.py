@@ -5,12 +5,9 @@ Sources are equations 2.4, 2.5, 2.7, 2.9 and 2.12 to 2.14; appendix D prints the
 
 from __future__ import annotations
 
-from typing import TypedDict
-
 import sympy
 
 from derivations.symbols import coordinates, dampings, masses, stiffnesses, u, u_dot, velocities
-from report.claim import Mathematics
 from report.comparisons.printed import half, over, product, total
 
 m1, m2, m3, m4 = masses
@@ -18,18 +15,6 @@ k1, k2, k3, k4, k5 = stiffnesses
 c1, c2, c3, c4 = dampings
 q1, q2, q3, q4 = coordinates
 v1, v2, v3, v4 = velocities
-
-
-class Form(TypedDict):
-    """What a part shows on its two sides in place of the instance of a formula that it compares."""
-
-    printed_form: Mathematics
-    derived_form: Mathematics
-
-
-def as_printed(latex: str) -> Form:
-    """Return a form that is the same on both sides."""
-    return Form(printed_form=Mathematics(latex), derived_form=Mathematics(latex))
 
 
 def kinetic_energy() -> sympy.Expr:

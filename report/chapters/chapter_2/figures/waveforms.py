@@ -14,11 +14,8 @@ from report.drawing.marks import arrow, beside, few_ticks, span
 from report.drawing.style import BLACK, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.record import figure
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
 from trimmer.elements.contact_equation import steady_motion
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,9 +8,11 @@ from derivations.elements.incremental_dissipation import incremental_dissipation
 from report.claim import Confirmation
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, DrivenRun
-from report.numbers.independent.driven_harmonics import harmonic_of_friction, harmonic_of_play
+from report.numbers.independent.harmonics import harmonic_behind, harmonic_of_friction
 from report.parts import close, so
 from report.text import filled
+from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA
+from trimmer import FrictionBacklash
 
 SOURCE = "derivations/elements/incremental_dissipation.py"
 METHOD = filled(
@@ -76,7 +78,8 @@ def confirm_friction(evidence: Evidence) -> Confirmation:
 
 def confirm_play(evidence: Evidence, gap: float) -> Confirmation:
     """Confirm third and fifth harmonic of the run with a gap (m) and without friction."""
-    third, fifth = (harmonic_of_play(evidence.numbers.both_channels, gap, order) for order in (3, 5))
+    system, play, drive = evidence.numbers.both_channels, FrictionBacklash(gap), MEASURED_DRIVE_OMEGA
+    third, fifth = (harmonic_behind(system, play, DRIVE_AMPLITUDE, drive, order) for order in (3, 5))
     means = "the harmonics of backlash times the response to the pin, without friction"
     return _both(means, third, fifth, evidence.motion.driven.run(gap, 0.0))
 

@@ -5,18 +5,20 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
 from report.claim import Impact, Part, Uncheckable
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, DrivenRun
-from report.numbers.independent.driven_harmonics import guard_over_cutter
+from report.numbers.driven_motion import (
+    FORCES,
+    DrivenRun,
+)
+from report.numbers.independent.harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
 from report.parts import assertion, close, digits, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE
+from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, TABLE_2
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
@@ -43,7 +45,7 @@ def motions_without_play(known: Evidence) -> Record:
 
 @claim("fig-3.3", source=OPEN_LOOP)
 def motions_with_play(known: Evidence) -> Record:
-    yield from motions(known, GAP, "with play")
+    yield from motions(known, EXPERIMENT_GAP, "with play")
 
 
 def motions(known: Evidence, gap: float, case: str) -> Record:
@@ -62,13 +64,10 @@ def motions(known: Evidence, gap: float, case: str) -> Record:
         second=so(means, bound < 1),
     )
     yield measured("measured motions")
-    yield text(
-        """
+    yield text("""
         The model [[ case ]] moves as the text describes. The recorded curves cannot be checked, and the
         figure drawn here has the parameters of Listing A.1, not those of the experiment's trimmer.
-        """,
-        case=case,
-    )
+    """).given(case=case)
 
 
 def largest(run: DrivenRun) -> set[int]:
@@ -104,7 +103,9 @@ def spectrum_with_play(known: Evidence) -> Record:
     yield digits(caption, "200", 1e6 * gap, "µm", second=again)
     growth = [
         float(play.harmonics[order] / none.harmonics[order])
-        for none, play in zip(driven.runs_with(known, 0.0), driven.runs_with(known, GAP), strict=True)
+        for none, play in zip(
+            driven.runs_with(known, 0.0), driven.runs_with(known, EXPERIMENT_GAP), strict=True
+        )
         for order in (3, 5, 7)
     ]
     factors = f"factors of {min(growth):.1f} to {max(growth):.1f}"
@@ -114,7 +115,7 @@ def spectrum_with_play(known: Evidence) -> Record:
         min(growth) > 1,
         f"third, fifth and seventh by {factors}, for the same friction",
         method=AT_THE_DRIVE,
-        second=driven.confirm_play(known, GAP),
+        second=driven.confirm_play(known, EXPERIMENT_GAP),
     )
     yield measured("measured spectra")
     yield text("""
@@ -143,7 +144,7 @@ def enlarged_spectrum(_: Evidence) -> Record:
 
 @claim("fig-3.6", source=OPEN_LOOP)
 def smallest_gap(known: Evidence) -> Record:
-    even = power_of(max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, GAP)))
+    even = power_of(max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, EXPERIMENT_GAP)))
     yield assertion(
         "spectrum",
         "it holds the odd harmonics of the drive and nothing else",
@@ -217,16 +218,13 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
         second=driven.confirm_odd(known),
     )
     yield simulated()
-    yield text(
-        """
+    yield text("""
         With the printed gap the spectrum would be empty, see figure 3.7. With a gap that is crossed it holds
         the odd harmonics, and, if the record begins with the start, natural modes that die out: with Listing
         A.1 at [[ mode | f0 ]] Hz, in the place of the peak at 366 Hz.
 
         See the peak at 365.999 Hz.
-        """,
-        mode=known.numbers.modes[1].frequency,
-    )
+    """).given(mode=known.numbers.modes[1].frequency)
 
 
 @claim("fig-3.9", source=CLOSED_LOOP)
@@ -234,29 +232,25 @@ def released_loop(known: Evidence) -> Record:
     released = known.motion.released
     lines = {
         (gap, force): line_near_second_mode(released.released(gap, force, INSIDE)) / gap
-        for gap in (GAP, LARGEST_GAP)
+        for gap in (EXPERIMENT_GAP, LARGEST_GAP)
         for force in FORCES_OF_FIGURE
     }
     least, *_, most = FORCES_OF_FIGURE
-    small, large = (lines[gap, most] / lines[gap, least] for gap in (GAP, LARGEST_GAP))
+    small, large = (lines[gap, most] / lines[gap, least] for gap in (EXPERIMENT_GAP, LARGEST_GAP))
     left = f"{100 * small:.0f} % with 0.2 mm and to {100 * large:.0f} % with 20 mm"
     scaling = "the scaling of the model, by which 20 mm with 0.25 N is a hundred times 0.2 mm with 0.0025 N"
     yield assertion(
         "peak near 350 Hz, released inside of the play",
         "friction suppresses it, and the larger gap needs more",
-        small < large and lines[GAP, most] < lines[GAP, least],
+        small < large and lines[EXPERIMENT_GAP, most] < lines[EXPERIMENT_GAP, least],
         f"from {least} to {most} N it falls to {left}, released from {INSIDE} gaps",
         method=driven.BY_LISTING,
-        second=close(scaling, lines[LARGEST_GAP, most], lines[GAP, least]),
+        second=close(scaling, lines[LARGEST_GAP, most], lines[EXPERIMENT_GAP, least]),
     )
     yield simulated(f"{PARAMETERS}; and from which state the loop was released")
     lasting = released.released(LARGEST_GAP, least, OUTSIDE)
-    yield text(
-        """
+    yield text("""
         All that the text reads from the figure also happens when nothing but a natural mode dies out. A limit
         cycle would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and would
         have an amplitude of [[ amplitude | f0 ]] mm in a gap of 20 mm, which no trimmer has room for.
-        """,
-        frequency=lasting.frequency,
-        amplitude=1e3 * lasting.amplitude,
-    )
+    """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude)

@@ -6,22 +6,13 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from report.comparisons.digits import PrintedDigits
+from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
-SAMPLE_RATE = "20000"
-"""Of the experiment's camera (section 3.1), Hz."""
-FRAMES_OF_TABLES = 2001
-"""Number of samples whose bins the tables hold: 0 to 0.1 s with both ends."""
-BIN = Fraction(SAMPLE_RATE) / FRAMES_OF_TABLES
+BIN = Fraction(SAMPLE_RATE, FRAMES_OF_TABLES)
 """Distance of those bins, Hz."""
 DRIVE_BIN = 11
 TABLE_1 = {1: "109.945", 3: "329.835", 5: "559.725"}
 """Table 3.1, Hz, by harmonic."""
-TABLE_2 = {
-    "M1": ("109.945", "219.890", "339.830", "439.780", "559.720"),
-    "M2": ("109.450", "229.885", "339.830", "449.775", "549.725"),
-    "M3": ("109.450", "229.885", "339.830", "439.780", "549.725"),
-}
-"""Table 3.2, Hz: harmonics 1 to 5 of each measurement."""
 
 
 def tabulated() -> tuple[str, ...]:
@@ -31,12 +22,12 @@ def tabulated() -> tuple[str, ...]:
 
 def nearest_bin(frequency: float | str, samples: int = FRAMES_OF_TABLES) -> int:
     """Return the number of the bin nearest to a frequency (Hz)."""
-    return round(Fraction(frequency) * samples / Fraction(SAMPLE_RATE))
+    return round(Fraction(frequency) * samples / SAMPLE_RATE)
 
 
 def on_a_bin(printed: str, samples: int = FRAMES_OF_TABLES) -> bool:
     """Tell whether a bin rounds to the printed digits."""
-    centre = nearest_bin(printed, samples) * Fraction(SAMPLE_RATE) / samples
+    centre = nearest_bin(printed, samples) * Fraction(SAMPLE_RATE, samples)
     return PrintedDigits(printed, centre).compare().agrees
 
 

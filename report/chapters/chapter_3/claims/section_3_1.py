@@ -10,21 +10,25 @@ import sympy
 from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
-from report.chapters.chapter_3.claims.measured_peaks import BIN, SAMPLE_RATE, on_a_bin, tabulated
-from report.claim import Confirmation, Impact
-from report.comparisons.expression import SameExpression
+from report.chapters.chapter_3.claims.measured_peaks import (
+    BIN,
+    on_a_bin,
+    tabulated,
+)
+from report.claim import Impact
 from report.comparisons.printed import total
 from report.evidence import Evidence
-from report.numbers.independent.leading_loop import gains_where_phases_match
+from report.numbers.independent.loci import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
+from report.thesis import SAMPLE_RATE
 from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/chapters/chapter_3/claims/measured_peaks.py"
 DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
 """Of the experiment's record, as printed: s, Hz, frames."""
-RATE, STATED_FRAMES = float(SAMPLE_RATE), int(FRAMES)
+STATED_FRAMES = int(FRAMES)
 FEWEST, MOST = 1000, 4000
 """Numbers of samples, at 20 kHz, among which a grid for the tables is sought."""
 
@@ -35,8 +39,8 @@ def distance_of_bins(_: Evidence) -> Record:
     turns = frequency * samples / rate
     # The turns in a record are proportional to the frequency, and the lowest sine turns once.
     derived = frequency / turns
-    stated = float(derived.subs({rate: int(SAMPLE_RATE), samples: STATED_FRAMES}))
-    second = close("NumPy's bins for 2000 samples at 20 kHz", bins(STATED_FRAMES, RATE)[1], stated)
+    stated = float(derived.subs({rate: SAMPLE_RATE, samples: STATED_FRAMES}))
+    second = close("NumPy's bins for 2000 samples at 20 kHz", bins(STATED_FRAMES, SAMPLE_RATE)[1], stated)
     yield expression("", rate / samples, derived, left=r"\Delta f", second=second)
     yield text("""
         The lowest sine that repeats with the record turns once in $N$ samples, and the bins are its
@@ -47,18 +51,15 @@ def distance_of_bins(_: Evidence) -> Record:
 
 @claim("txt-3.1-resolution", source=SOURCE)
 def resolution(_: Evidence) -> Record:
-    frames = Fraction(SAMPLE_RATE) * Fraction(DURATION)
+    frames = SAMPLE_RATE * Fraction(DURATION)
     second = equal("a count of the instants before 0.1 s", len(range(0, 100_000, 50)), frames)
     yield digits("frames in 0.1 s at 20 kHz", FRAMES, frames, second=second)
-    second = close("NumPy's bins", bins(STATED_FRAMES, RATE)[1], 1 / float(DURATION))
-    yield digits("resolution", RESOLUTION, Fraction(SAMPLE_RATE) / STATED_FRAMES, "Hz", second=second)
-    yield text(
-        """
+    second = close("NumPy's bins", bins(STATED_FRAMES, SAMPLE_RATE)[1], 1 / float(DURATION))
+    yield digits("resolution", RESOLUTION, Fraction(SAMPLE_RATE, STATED_FRAMES), "Hz", second=second)
+    yield text("""
         Both are right, and the resolution is one over the time of the record. The tables that follow have
         bins of [[ spacing | f3 ]] Hz, so one frame more was used: 0 to 0.1 s with both ends.
-        """,
-        spacing=float(BIN),
-    )
+    """).given(spacing=float(BIN))
 
 
 @claim("txt-3.1-bins", source=SOURCE, impact=Impact.LOCAL)
@@ -75,8 +76,8 @@ def bins_of_the_tables(_: Evidence) -> Record:
         second=equal(remainders, sum(Decimal(cell) % 10 == 0 for cell in cells), len(stated)),
     )
     others = [cell for cell in cells if on_a_bin(cell)]
-    grids = fitting_samples(others, RATE, FEWEST, MOST)
-    by_numpy = {f"{each:.3f}" for each in bins(grids[0], RATE)}
+    grids = fitting_samples(others, SAMPLE_RATE, FEWEST, MOST)
+    by_numpy = {f"{each:.3f}" for each in bins(grids[0], SAMPLE_RATE)}
     fitting = f"{len(others)} of {len(cells)} are, to every digit, with {' or '.join(map(str, grids))}"
     no_other = f"no other number between {FEWEST} and {MOST}"
     misfits = ", ".join(sorted(set(cells) - set(others)))
@@ -84,22 +85,19 @@ def bins_of_the_tables(_: Evidence) -> Record:
     yield assertion(
         "with any number of frames",
         "the tabulated peaks are bins of one spectrum",
-        len(fitting_samples(cells, RATE, FEWEST, MOST)) > 0,
+        len(fitting_samples(cells, SAMPLE_RATE, FEWEST, MOST)) > 0,
         f"{fitting} frames and with {no_other}; {misfits} are bins of none of these",
         method="each printed frequency against the nearest bin, for every number of frames",
         second=equal(rounded, sum(cell in by_numpy for cell in cells), len(others)),
     )
-    yield text(
-        """
+    yield text("""
         The peaks are multiples of 20000/2001 = [[ spacing | f4 ]] Hz, the bins of one frame more than stated;
         three cells are not and are misprints. The three decimals are those of the bins: each peak is known to
         half a bin, 5 Hz.
 
         The drive's frequency is not measured to a millihertz, and differences of 10 Hz between measurements
         mean one bin.
-        """,
-        spacing=float(BIN),
-    )
+    """).given(spacing=float(BIN))
 
 
 @claim("txt-3.1-output-sign", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)
@@ -110,7 +108,7 @@ def sign_of_the_output(known: Evidence) -> Record:
         for row in (output_row(of=1, relative_to=3, size=len(coordinates)), output_matrix())
     )
     printed = total(coordinates[3], -coordinates[1])
-    second = Confirmation("the matrix $C$ of equation 2.14 times the state", SameExpression(listed, derived))
+    second = same("the matrix $C$ of equation 2.14 times the state", listed, derived)
     slip = made_here("the sign is turned", -derived)
     yield expression("output map of the state space", printed, derived, left="y", second=second, slip=slip)
     plant = known.numbers.displacement_only

@@ -17,7 +17,7 @@ from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
 from report.parts import assertion, close, digits, equal, repeated, so, uncheckable
 from report.record import Record, claim, text
-from report.text import filled
+from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
 PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
@@ -26,7 +26,7 @@ DIFFERENCE = "219.890"
 QUOTED = (
     ("section 3.2 and tables, first peak", peaks.TABLE_1[1]),
     *((place, "109.845") for place in ("section 3.2", "footnote 7 of section 5.2.1", "appendix A.9")),
-    ("table 3.2, measurements 2 and 3", peaks.TABLE_2["M2"][0]),
+    ("table 3.2, measurements 2 and 3", TABLE_2["M2"][0]),
     ("sections 3.2 and 3.3, about", "109"),
 )
 """The drive's frequency wherever it is quoted, Hz."""
@@ -55,13 +55,10 @@ def odd_harmonics(known: Evidence) -> Record:
         method=driven.BY_LISTING,
         second=driven.confirm_friction(known),
     )
-    yield text(
-        """
+    yield text("""
         For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. The
         fifth is larger than the third because it meets the natural mode at [[ mode | f1 ]] Hz.
-        """,
-        mode=known.numbers.modes[2].frequency,
-    )
+    """).given(mode=known.numbers.modes[2].frequency)
 
 
 @claim("tab-3.1", source=PEAKS, impact=Impact.NOTATION)
@@ -77,33 +74,30 @@ def first_table(_: Evidence) -> Record:
     number = 2 * peaks.DRIVE_BIN
     for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
         yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
-    yield text(
-        """
+    yield text("""
         The peaks are bins 11, 33 and 55 of [[ spacing | f4 ]] Hz, so $f_5$ is 549.725 Hz; 559.725 is not a
         bin, is not five times the first, and contradicts the difference printed beside it. With that digit
         put right the three are odd multiples of one frequency.
 
         None on the text, which calls them multiples of the drive's frequency.
-        """,
-        spacing=float(peaks.BIN),
-    )
+    """).given(spacing=float(peaks.BIN))
 
 
 def by_numpy(number: int) -> Confirmation:
     """Confirm the frequency of a bin."""
-    frequencies = bins(peaks.FRAMES_OF_TABLES, float(peaks.SAMPLE_RATE))
+    frequencies = bins(FRAMES_OF_TABLES, SAMPLE_RATE)
     return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
 
 
 @claim("tab-3.2", source=PEAKS, impact=Impact.NOTATION)
 def second_table(_: Evidence) -> Record:
     measured = {}
-    for name, row in peaks.TABLE_2.items():
+    for name, row in TABLE_2.items():
         measured[name] = {order: peaks.nearest_bin(cell) for order, cell in enumerate(row, start=1)}
         for (order, number), printed in zip(measured[name].items(), row, strict=True):
             second = by_numpy(number)
             if not peaks.on_a_bin(printed):
-                first = float(peaks.TABLE_2["M1"][0])
+                first = float(TABLE_2["M1"][0])
                 second = close("the same peak in measurement 1", first, float(number * peaks.BIN), 1e-6)
             yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
     ranges = {name: peaks.common_drive(row, Fraction(1)) for name, row in measured.items()}
@@ -119,8 +113,7 @@ def second_table(_: Evidence) -> Record:
         method="intervals of the drive's frequency, intersected over the five peaks",
         second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
     )
-    yield text(
-        """
+    yield text("""
         All cells but two are bins of [[ spacing | f4 ]] Hz to the last digit; 109.450 is 109.945 misprinted.
         The text puts unequal differences down to the resolution: with peaks one bin off a common drive fits
         all of a measurement, with the nearest bins none does, so peaks were shifted, by leakage or because
@@ -128,9 +121,7 @@ def second_table(_: Evidence) -> Record:
 
         The two cells change nothing else. That $f_2$ and $f_4$ are there at all matters more, see the
         comparison with the model in section 3.3.
-        """,
-        spacing=float(peaks.BIN),
-    )
+    """).given(spacing=float(peaks.BIN))
 
 
 @claim("txt-3.2-drive-frequency", source=PEAKS, impact=Impact.LOCAL)
@@ -143,18 +134,14 @@ def drive_frequency(_: Evidence) -> Record:
         yield digits(place, printed, drive, "Hz", second=second, slip=slip)
     odd = {order: order * peaks.DRIVE_BIN for order in peaks.TABLE_1}
     low, high = peaks.common_drive(odd, Fraction(1, 2))
-    yield text(
-        """
+    yield text("""
         The tables' peaks are 1, 3 and 5 times 109.945 Hz; 109.845 Hz, of which the text calls them multiples,
         and 109.450 Hz fit no bin, and 109 is cut rather than rounded. What the bins of experiment 1 say of
         the drive is that it lies between [[ low | f2 ]] and [[ high | f2 ]] Hz.
 
         Section 5.2.1 and appendix A.9 carry 109.845 Hz on. The models of chapters 4 and 5 run at 100 Hz, so
         their harmonics meet the natural modes elsewhere than the experiment's.
-        """,
-        low=low,
-        high=high,
-    )
+    """).given(low=low, high=high)
 
 
 @claim("txt-3.2-play-place", source="derivations/mechanism.py", impact=Impact.LOCAL)
@@ -164,13 +151,11 @@ def place_of_the_play(known: Evidence) -> Record:
         "experiment 2",
         "the play lies between driving bridge and cutter",
         bodies == len(MOVING_PARTS),
-        filled(
-            """
-            sections 1.1, 2.1 and 3.1 have it between pin and driving bridge; bridge and cutter are one of the
-            [[ bodies ]] bodies, with one displacement, so there is no joint between them that could have play
-            """,
-            bodies=bodies,
-        ),
+        """
+        sections 1.1, 2.1 and 3.1 have it between pin and driving bridge; bridge and cutter are one of the
+        [[ bodies ]] bodies, with one displacement, so there is no joint between them that could have play
+        """,
+        numbers={"bodies": bodies},
         method="rank of the mass matrix against the parts that the text names",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), bodies),
     )
@@ -188,17 +173,14 @@ def place_of_the_play(known: Evidence) -> Record:
 def predicted_frequency(known: Evidence) -> Record:
     missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
     yield uncheckable("frequency of the prediction", "488 Hz", missing)
-    yield text(
-        """
+    yield text("""
         The number cannot be checked; with Listing A.1 the two limit cycles lie at
         [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop whose
         play is moved by $-y$. In the experiment and in open loop a motor moves the pin, nothing leads from
         $y$ back to it, and in the thesis's model no motion of its own frequency can last. So that no peak was
         found at 488 Hz neither contradicts the describing function nor shows that friction suppressed a limit
         cycle, as chapter 6 concludes; see the statement on the missing limit cycle.
-        """,
-        pair=known.cycles.friction,
-    )
+    """).given(pair=known.cycles.friction)
 
 
 @claim("txt-3.2-no-limit-cycle", source=driven.SOURCE, impact=Impact.DOWNSTREAM)

@@ -11,25 +11,32 @@ from derivations.identity import prove_equal
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.chapters.chapter_3.claims.measured_peaks import TABLE_2
-from report.claim import Confirmation, Impact, Number
-from report.comparisons.expression import SameExpression
+from report.claim import Impact, Number
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, GAP, LARGER_GAP, LARGEST_GAP
+from report.numbers.driven_motion import (
+    FORCES,
+    transient_peaks,
+)
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
-from report.numbers.transient_spectrum import transient_peaks
-from report.parts import assertion, close, digits, expression, made_here, so, uncheckable
+from report.parts import assertion, close, digits, expression, made_here, same, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import MEASURED_DRIVE_FREQUENCY
+from report.thesis import (
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    TABLE_2,
+)
 
 CONTACT, RELEASED = "derivations/elements/coulomb_contact.py", "report/numbers/released_motion.py"
 PRINTED_RATE = velocities[1] - velocities[0]
 PRINTED_FRICTION = product(FORCE, sympy.sign(total(velocities[1], -velocities[0])))
 PRINTED_SIGNS = (-1, 1, 0, 0)
 """Sign of the friction in each line of equation 3.2."""
-OPEN_LOOP_PEAK, FIFTH = "365.999", "549.999"
-"""Peaks of figure 3.8, Hz."""
+FIFTH = "549.999"
+"""The other peak of figure 3.8, Hz."""
 BIN_OF_FIGURE = 1.0
 """Widest bins of which both peaks are whole multiples together with their digits, Hz."""
 PEAK, PREDICTED = "350", "488"
@@ -55,16 +62,17 @@ def derived_forces(known: Evidence) -> tuple[sympy.Expr, ...]:
 @claim("eq-3.2", source=CONTACT, impact=Impact.LOCAL)
 def equations_of_motion(known: Evidence) -> Record:
     derivation, forces = known.derivation, derived_forces(known)
-    takes = Confirmation(
+    takes = same(
         "the power of the two forces, which is $-F_c$ times the relative speed",
-        SameExpression(-FORCE * sympy.sign(PRINTED_RATE) * PRINTED_RATE, power(derivation.mechanism, forces)),
+        -FORCE * sympy.sign(PRINTED_RATE) * PRINTED_RATE,
+        power(derivation.mechanism, forces),
     )
     slip = "friction acts along the relative motion instead of against it"
     for index, (printed, sign) in enumerate(zip(accelerations(), PRINTED_SIGNS, strict=True)):
         _, bracket = printed.args
         friction = {1: (PRINTED_FRICTION,), -1: (-PRINTED_FRICTION,), 0: ()}[sign]
         linear, force = derivation.accelerations[index], forces[index] / masses[index]
-        by_newton = Confirmation("the forces on the body", SameExpression(derivation.newton[index], linear))
+        by_newton = same("the forces on the body", derivation.newton[index], linear)
         yield expression(
             f"{('first', 'second', 'third', 'fourth')[index]} line",
             over(total(*bracket.args, *friction), masses[index]),
@@ -74,8 +82,7 @@ def equations_of_motion(known: Evidence) -> Record:
             slip=made_here(slip, linear - force) if force != 0 else None,
         )
     run, opposite = known.motion.printed_friction.as_printed[0], known.motion.printed_friction.opposite
-    yield text(
-        """
+    yield text("""
         The linear terms are those of equation 2.9. The friction of the first two lines has the wrong sign: it
         pushes either body the way it already slides. Simulated as printed, beside a pin that does not reach
         the bridge, the trimmer's energy rises from [[ start | f0 ]] to [[ end | f0 ]] µJ in [[ time | f1 ]] s
@@ -83,7 +90,7 @@ def equations_of_motion(known: Evidence) -> Record:
 
         A model built as printed oscillates by itself, with an amplitude that grows with $F_c$. The text
         reports amplitudes that fall, so what was simulated had, it seems, the right sign.
-        """,
+    """).given(
         start=1e6 * run.energy[0],
         end=1e6 * run.energy[-1],
         time=run.times[-1],
@@ -119,8 +126,7 @@ def force_of_friction(known: Evidence) -> Record:
         method="sum of force times velocity over the lines, against the dissipation function",
         second=so(energy, gain > 0 > loss),
     )
-    yield text(
-        """
+    yield text("""
         Equation 3.2 lets motor and cutter rub on each other; section 2.3.5 and the text of 3.3 speak of
         cutter and guard, whose forces belong into the second and fourth line. As printed the force feeds the
         motion: beside a pin that does not reach it the trimmer then oscillates at [[ first.frequency | f0 ]]
@@ -129,17 +135,12 @@ def force_of_friction(known: Evidence) -> Record:
 
         This report simulates friction between cutter and guard, against their motion. Between motor and
         cutter it would act much alike, since the guard moves little.
-        """,
-        first=first,
-        last=last,
-        least=1e6 * first.amplitude,
-        most=1e6 * last.amplitude,
-    )
+    """).given(first=first, last=last, least=1e6 * first.amplitude, most=1e6 * last.amplitude)
 
 
 @claim("txt-3.3-open-loop-odd", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
 def odd_harmonics(known: Evidence) -> Record:
-    runs, odd = driven.runs_with(known, GAP), driven.has_odd_harmonics_only(known)
+    runs, odd = driven.runs_with(known, EXPERIMENT_GAP), driven.has_odd_harmonics_only(known)
     second = driven.confirm_odd(known)
     largest = [sorted(range(2, run.harmonics.size), key=lambda n: -run.harmonics[n])[:2] for run in runs]
     sizes = ((run.force, *(1e6 * run.harmonics[order] for order in (3, 5, 7))) for run in runs)
@@ -150,7 +151,7 @@ def odd_harmonics(known: Evidence) -> Record:
         all(set(pair) == {3, 5} for pair in largest),
         f"third, fifth and seventh with {'; '.join(rows)}",
         method=driven.BY_LISTING,
-        second=driven.confirm_play(known, GAP),
+        second=driven.confirm_play(known, EXPERIMENT_GAP),
     )
     yield assertion(
         "no others",
@@ -174,8 +175,7 @@ def odd_harmonics(known: Evidence) -> Record:
         method="orders of the tabulated harmonics against the theorem",
         second=second,
     )
-    yield text(
-        """
+    yield text("""
         The model has odd harmonics only, the fifth being raised by the natural mode at [[ mode | f1 ]] Hz.
         The experiment without play agrees with that. With play it shows the second and fourth harmonic as
         well, which takes something that is not symmetric: friction that differs by direction, a spring that
@@ -183,9 +183,7 @@ def odd_harmonics(known: Evidence) -> Record:
 
         The model lacks what makes the even harmonics, so the agreement cannot carry the conclusions on larger
         gaps.
-        """,
-        mode=known.numbers.modes[2].frequency,
-    )
+    """).given(mode=known.numbers.modes[2].frequency)
 
 
 @claim("txt-3.3-peak-366", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
@@ -214,8 +212,7 @@ def peak_366(known: Evidence) -> Record:
     yield uncheckable("which natural mode of the experiment's trimmer it is", "365.999 Hz", missing)
     *peaks, last = transient_peaks(known.motion.driven.run(LARGER_GAP, FORCES[0]))
     mode = known.numbers.modes[1]
-    yield text(
-        """
+    yield text("""
         A driven trimmer with friction has no limit cycle. What is left beside harmonics is the start: with
         Listing A.1 what dies out after it has its peaks at [[ peaks ]] and [[ last | f0 ]] Hz, near natural
         modes, of which the second is at [[ mode | f1 ]] Hz with a time constant of [[ constant | f0 ]] ms. A
@@ -223,11 +220,8 @@ def peak_366(known: Evidence) -> Record:
 
         The evidence for a limit cycle in the open loop is gone. A spectrum of the settled motion, or of two
         records of different length, would have told a transient from an oscillation that lasts.
-        """,
-        peaks=driven.listed(peaks),
-        last=last,
-        mode=mode.frequency,
-        constant=-1000 / mode.eigenvalue.real,
+    """).given(
+        peaks=driven.listed(peaks), last=last, mode=mode.frequency, constant=-1000 / mode.eigenvalue.real
     )
 
 
@@ -244,14 +238,11 @@ def peak_550(known: Evidence) -> Record:
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )
-    yield text(
-        """
+    yield text("""
         It is the fifth harmonic, magnified by the natural mode at [[ mode | f1 ]] Hz (Listing A.1). The text
         calls it a subharmonic, which is judged apart. 549.999 and 365.999 Hz read like bins of 1 Hz with one
         sample too many, as in the experiment's tables.
-        """,
-        mode=known.numbers.modes[2].frequency,
-    )
+    """).given(mode=known.numbers.modes[2].frequency)
 
 
 @claim("txt-3.3-subharmonic", source=driven.SOURCE, impact=Impact.NOTATION)
@@ -274,7 +265,7 @@ def subharmonic(_: Evidence) -> Record:
 def peak_350(known: Evidence) -> Record:
     mode, least = known.numbers.modes[1].frequency, FORCES_OF_FIGURE[0]
     inside, outside = (
-        [known.motion.released.released(gap, least, start) for gap in (GAP, LARGEST_GAP)]
+        [known.motion.released.released(gap, least, start) for gap in (EXPERIMENT_GAP, LARGEST_GAP)]
         for start in (INSIDE, OUTSIDE)
     )
     small, large = peaks = [released_peak(run) for run in inside]
@@ -318,8 +309,7 @@ def peak_350(known: Evidence) -> Record:
     yield uncheckable(
         "which it is in the experiment's trimmer", "this peak belongs to a limit cycle", missing
     )
-    yield text(
-        """
+    yield text("""
         That a frequency does not depend on the gap says nothing: natural modes do not know the gap either.
         Released inside of its play the loop with Listing A.1 dies out, sooner with more friction, and has its
         peak at the second natural mode for either gap, which is how the figure is described; released outside
@@ -328,10 +318,7 @@ def peak_350(known: Evidence) -> Record:
 
         The peak reads as a natural mode that is dying out. Chapter 7 takes from this section that friction
         suppresses limit cycles.
-        """,
-        lasting=goes_on,
-        predicted=PREDICTED,
-    )
+    """).given(lasting=goes_on, predicted=PREDICTED)
 
 
 @claim("txt-3.3-friction-suppresses", source=RELEASED)
@@ -339,17 +326,17 @@ def suppression(known: Evidence) -> Record:
     released, branches = known.motion.released, known.cycles.equivalent.in_place_both_channels
     lasting = [run for run in released.by_force if run.goes_on]
     weak, predicted = lasting[1], branches.stable
-    balance = np.interp(weak.force / GAP, predicted.force_per_gap, predicted.amplitude)
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.amplitude)
     yield assertion(
         "amplitude",
         "the amplitude of the limit cycle falls as friction rises",
         bool((np.diff([run.amplitude for run in lasting]) < 0).all()),
         ", ".join(f"{1e6 * run.amplitude:.0f} µm with {run.force:g} N" for run in lasting),
         method=RISING,
-        second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / GAP, 0.02),
+        second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / EXPERIMENT_GAP, 0.02),
     )
     *_, before, last = released.by_force
-    merger = GAP * branches.merger.force_per_gap
+    merger = EXPERIMENT_GAP * branches.merger.force_per_gap
     merge = f"harmonic balance, whose two solutions merge at {merger:.3f} N"
     yield assertion(
         "existence",
@@ -376,14 +363,13 @@ def suppression(known: Evidence) -> Record:
         second=so(alike, distance < ALIKE),
     )
     least, *_, most = (released.released(LARGEST_GAP, force, OUTSIDE) for force in FORCES_OF_FIGURE)
-    yield text(
-        """
+    yield text("""
         With friction between cutter and guard that resists their motion, all of it holds, and the force
         needed is proportional to the gap. With Listing A.1 and 0.2 mm the limit cycle lasts up to [[ force ]]
         N, so the forces below 1 N that the text assumes weaken it and do not end it. For 20 mm the largest
         force of figure 3.9 takes [[ share | f1 ]] % of its [[ amplitude | f0 ]] mm, which no figure shows;
         what was suppressed there was, it seems, another peak.
-        """,
+    """).given(
         force=lasting[-1].force,
         share=100 * (1 - most.amplitude / least.amplitude),
         amplitude=1e3 * least.amplitude,
@@ -404,7 +390,7 @@ def frequency_under_friction(known: Evidence) -> Record:
     without, weak, *_, strong = lasting
     slower = without.frequency - strong.frequency
     predicted = known.cycles.equivalent.in_place_both_channels.stable
-    balance = np.interp(weak.force / GAP, predicted.force_per_gap, predicted.frequency)
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.frequency)
     yield assertion(
         "self-sustained oscillation",
         "friction leaves its frequency",
@@ -413,8 +399,7 @@ def frequency_under_friction(known: Evidence) -> Record:
         method=RISING,
         second=close(f"harmonic balance at {weak.force} N", balance, weak.frequency, 1e-3),
     )
-    yield text(
-        """
+    yield text("""
         What is observed, peaks that friction lowers and does not move, is right and is what harmonics of the
         drive do. The reason given, that a self-sustained oscillation loses amplitude and not frequency, does
         not hold: backlash acts by the ratio of amplitude and gap, so a smaller oscillation is slower, by
@@ -422,7 +407,4 @@ def frequency_under_friction(known: Evidence) -> Record:
 
         A peak that stays in its place while friction changes speaks for a harmonic of the drive and against a
         limit cycle; the text takes it for the opposite.
-        """,
-        slower=slower,
-        force=strong.force,
-    )
+    """).given(slower=slower, force=strong.force)

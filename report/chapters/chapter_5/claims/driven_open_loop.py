@@ -7,10 +7,11 @@ import numpy as np
 from report.claim import Confirmation, Part
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
+from report.numbers.independent.harmonics import harmonic_behind
+from report.numbers.record import change
 from report.parts import assertion, close, made_here, so
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import FrictionBacklash, response_at
+from trimmer import FrictionBacklash
 
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
 PRINTED_SIZE = 1.0
@@ -28,11 +29,17 @@ def open_loop(known: Evidence) -> AmplitudeRun:
     return next(run for run in known.motion.drive_amplitudes if run.amplitude == DRIVE_AMPLITUDE)
 
 
+def open_loop_harmonic(
+    known: Evidence, order: int, amplitude: float = DRIVE_AMPLITUDE, omega: float = DRIVE_OMEGA
+) -> float:
+    """Return the amplitude of a harmonic of the open loop without simulation, m, for a drive (m, rad/s)."""
+    element = FrictionBacklash(LARGE_GAP)
+    return harmonic_behind(known.numbers.displacement_only, element, amplitude, omega, order)
+
+
 def harmonic_in_open_loop(known: Evidence, order: int) -> Confirmation:
     """Confirm a harmonic of the settled open loop without simulation."""
-    element = complex(FrictionBacklash(LARGE_GAP).describing_function(DRIVE_AMPLITUDE, harmonic=order))
-    response = complex(response_at(known.numbers.displacement_only, order * DRIVE_OMEGA))
-    by_balance, simulated = DRIVE_AMPLITUDE * abs(element * response), open_loop(known).harmonics[order]
+    by_balance, simulated = open_loop_harmonic(known, order), open_loop(known).harmonics[order]
     means = f"harmonic {order} by describing function and frequency response"
     return close(means, by_balance, float(simulated), 1e-4)
 
@@ -43,7 +50,7 @@ def open_loop_repeats(known: Evidence) -> Confirmation:
     periods = [(run.output[:SAMPLES], run.output[SAMPLES:]) for run in runs]
     return so(
         f"exact simulation with {len(runs)} drives, of which the last two periods are alike",
-        all(abs(second - first).max() <= REPEATS * abs(second).max() for first, second in periods),
+        all(change(first, second) <= REPEATS for first, second in periods),
     )
 
 
@@ -70,24 +77,23 @@ def line_part(known: Evidence, label: str) -> Part:
     order = round(cycle.frequency / DRIVE_FREQUENCY)
     nearest = DRIVE_FREQUENCY * order
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
-    evidence = filled(
+    return assertion(
+        label,
+        "the open loop has a line at the frequency of the limit cycle",
+        decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
         r"""
         backlash repeats with the drive, and behind it every free motion decays as $e^{[[ decay | f0 ]]\,t}$
         or faster: what stays are multiples of 100 Hz, the nearest at [[ nearest | f0 ]] Hz with
         [[ size | f1 ]] µm. With the drive as reference there is one at [[ frequency | f2 ]] Hz with
         [[ line | f0 ]] µm
         """,
-        decay=decay,
-        nearest=nearest,
-        size=1e6 * opened.harmonics[order],
-        frequency=closed.frequency,
-        line=1e6 * closed.line,
-    )
-    return assertion(
-        label,
-        "the open loop has a line at the frequency of the limit cycle",
-        decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
-        evidence,
+        numbers={
+            "decay": decay,
+            "nearest": nearest,
+            "size": 1e6 * opened.harmonics[order],
+            "frequency": closed.frequency,
+            "line": 1e6 * closed.line,
+        },
         method="periodic input of a stable linear system; exact simulation",
         second=harmonic_in_open_loop(known, order),
         slip=made_here(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR),

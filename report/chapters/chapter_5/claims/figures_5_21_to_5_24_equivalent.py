@@ -26,17 +26,20 @@ from report.chapters.chapter_5.claims.section_5_2_5 import (
     peak_parts,
 )
 from report.claim import Impact
-from report.comparisons.second_ways import by_matching_real_parts
+from report.comparisons.second_ways import NEWTON, by_matching_real_parts
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE, OTHER_GAP, listing_element
-from report.numbers.limit_cycle_numbers import friction_exactly
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    FORCES,
+    OTHER_FORCE,
+    listing_element,
+)
+from report.numbers.independent.limit_cycles import friction_exactly
 from report.parts import assertion, close, digits, equal, expression, made_here, repeated
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_OMEGA, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
+from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
-NEWTON = "Newton's method in 30 digits"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 """What Listing A.6 computes."""
 
@@ -68,10 +71,9 @@ def three_panels(known: Evidence) -> Record:
         len(found) > 1,
         f"at {inner.frequency:.1f} Hz, unstable, and at {outer.frequency:.1f} Hz, stable",
         method=BY_LISTING,
-        second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / OTHER_GAP, len(found)),
+        second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / LARGER_GAP, len(found)),
     )
-    yield text(
-        r"""
+    yield text(r"""
         The contours are those of Listing A.6, whose friction term has the wrong sign and a factor $1/\omega$
         that does not belong there; equation 5.14 would give others. With the right term there is one family
         too, with $F_c/(k_2 b)$ in place of $F_c/(\omega b)$ and bent the other way, and frequency has no part
@@ -79,9 +81,7 @@ def three_panels(known: Evidence) -> Record:
 
         The dependence on frequency is that of the wrong factor. The likeness to viscous-controlled backlash
         comes from the wrong sign, which makes friction a lag, as inertia is.
-        """,
-        share=OTHER_FORCE / OTHER_GAP / known.numbers.parameters.k2,
-    )
+    """).given(share=OTHER_FORCE / LARGER_GAP / known.numbers.parameters.k2)
 
 
 @claim("fig-5.22", source=SOURCE, impact=Impact.LOCAL)
@@ -95,18 +95,14 @@ def without_force(known: Evidence) -> Record:
     yield digits("amplitude", "3.313e-5", size, "m", second=close(NEWTON, SMALL_GAP * ratio, size), slip=slip)
     second, slip = close(NEWTON, turning / TURN, stable.frequency), repeated(ROUNDED, rounded.frequency)
     yield digits("frequency", "733.3", stable.frequency, "Hz", second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         Without force the listing's function is that of backlash, and the intersections are those of figure
         5.8, as the text says. Equation 5.14 for $F_c = 0$ is something else, because its real part lacks the
         factor $A/\pi$. The shorter path is the range of amplitudes that was drawn: the second intersection,
         at [[ inner | f2 ]] µm, lies below $b/2 + [[ offset | f0 ]]$ µm.
 
         See the prediction in section 5.2.1; equation 5.14 cannot have drawn this figure.
-        """,
-        inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude,
-        offset=1e6 * PLOT_OFFSET,
-    )
+    """).given(inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude, offset=1e6 * PLOT_OFFSET)
 
 
 @claim("fig-5.23", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -131,18 +127,14 @@ def one_force(known: Evidence) -> Record:
     )
     yield frequency_part(numbers)
     yield from peak_parts(known, "b: ")
-    yield text(
-        r"""
+    yield text(r"""
         The one intersection is an effect of line 18: its sign alone decides. With friction that takes energy
         there is none. For a gap of $4\times10^{-6}$ m a limit cycle bears at most [[ most | f4 ]] N between
         cutter and guard; the force in the caption is [[ times | f0 ]] times as large.
 
         The peaks of part b are free vibrations of the loop, which is linear for a start much larger than the
         gap: see the peaks of section 5.2.5.
-        """,
-        most=numbers.force_of_merger,
-        times=FORCE / numbers.force_of_merger,
-    )
+    """).given(most=numbers.force_of_merger, times=FORCE / numbers.force_of_merger)
 
 
 @claim("fig-5.24", source="report/numbers/friction_in_place.py", impact=Impact.DOWNSTREAM)
@@ -155,28 +147,20 @@ def forces(known: Evidence) -> Record:
         "stable intersection",
         "more friction moves it to a higher frequency",
         by_right,
-        filled(
-            """
-            from [[ first | f2 ]] Hz without friction it falls to [[ last | f2 ]] Hz at the largest force that
-            has a limit cycle
-            """,
-            first=right[0],
-            last=right[-1],
-        ),
+        """
+        from [[ first | f2 ]] Hz without friction it falls to [[ last | f2 ]] Hz at the largest force that has
+        a limit cycle
+        """,
+        numbers={"first": right[0], "last": right[-1]},
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         slip=made_here(LINE_18, by_listing),
     )
-    yield text(
-        """
+    yield text("""
         The listing's contours move the intersection up, from [[ first | f2 ]] to [[ last | f2 ]] Hz at
         [[ force ]] N, and hardly further for any force: the limit is where the real part of $1/G$ is $-1$, in
         which neither gap nor force takes part. With the right term the frequency falls as the force grows,
         and the amplitude with it.
 
         The explanation of the 0.57 % by friction has the wrong direction.
-        """,
-        first=listing[0],
-        last=listing[-1],
-        force=FORCES[-1],
-    )
+    """).given(first=listing[0], last=listing[-1], force=FORCES[-1])

@@ -7,21 +7,26 @@ import control
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
-from report.comparisons.second_ways import by_grid, by_waveform, sampled_gain
+from report.comparisons.second_ways import (
+    LOEB,
+    NEWTON,
+    by_grid,
+    by_waveform,
+)
 from report.evidence import Evidence
-from report.numbers.independent.backlash_loci import (
+from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
+from report.numbers.independent.loci import (
     LIBRARY_GAP,
     LIBRARY_GRID,
     distance_from_curve,
     intersections_by_library,
 )
-from report.numbers.independent.listed_describing_functions import friction_listing
-from report.numbers.limit_cycle_numbers import friction_by_newton, inertia_by_newton
-from report.numbers.viscous_listing import intersections, listing_contour
+from report.numbers.independent.waveforms import sampled_gain
+from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
+from report.numbers.listed_functions import friction_listing, intersections, listing_contour
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET, TURN
+from report.thesis import LARGE_GAP, PLOT_OFFSET, TURN
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
@@ -32,7 +37,6 @@ from trimmer import (
 )
 
 SOURCE = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
 THICK_BAND = (4.6e3, 5.38e3)
@@ -58,39 +62,32 @@ def second_implementation(known: Evidence) -> Record:
     )
     (second, _), (first, omega) = intersections_by_library(known.cycles.listing)
     stable = known.cycles.friction_listing.stable
-    above, below = (tuple(map(float, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR))
-    by_newton, _ = friction_by_newton(above, below, stable)
+    by_newton, _ = friction_as_listed(stable)
     error = abs(first / LIBRARY_GAP / stable.amplitude - 1)
-    evidence = filled(
-        """
-        it gives [[ first | f3 ]] mm at [[ frequency | f1 ]] Hz; right for its coefficients is
-        [[ right | f3 ]] mm at [[ stable.frequency | f1 ]] Hz
-        """,
-        first=1e3 * first,
-        frequency=omega / TURN,
-        right=1e3 * LIBRARY_GAP * stable.amplitude,
-        stable=stable,
-    )
     yield assertion(
         "the outer intersection",
         "the library finds its amplitude and frequency by itself",
         error < 0.01 and abs(omega / stable.omega - 1) < 0.001,
-        evidence,
+        """
+        it gives [[ first | f3 ]] mm at [[ frequency | f1 ]] Hz; right for its coefficients is
+        [[ right | f3 ]] mm at [[ stable.frequency | f1 ]] Hz
+        """,
+        numbers={
+            "first": 1e3 * first,
+            "frequency": omega / TURN,
+            "right": 1e3 * LIBRARY_GAP * stable.amplitude,
+            "stable": stable,
+        },
         method="python-control, run on the coefficients of Listing A.9",
         second=close(NEWTON, first / LIBRARY_GAP, by_newton, 0.01),
     )
-    yield text(
-        """
+    yield text("""
         Listing and library agree to rounding where they are drawn, so the formula is right; inside of the
         dead band, which is not drawn, the library returns zero and the listing numbers without meaning. The
         numbers of figure 5.5b are not in the text. The library interpolates on the grid it is given: on
         [[ steps ]] equal steps of the range of Listing A.9 it finds the outer limit cycle to [[ error | f1 ]]
         %, and gives the inner one an amplitude of [[ inner | f0 ]] mm.
-        """,
-        steps=LIBRARY_GRID.size,
-        error=100 * error,
-        inner=1e3 * second,
-    )
+    """).given(steps=LIBRARY_GRID.size, error=100 * error, inner=1e3 * second)
 
 
 def intersections_part(known: Evidence, gap: str, printed: str) -> Part:
@@ -147,7 +144,7 @@ def larger_gap(known: Evidence) -> Record:
         "the outer one is stable, the inner one unstable",
         outer.stable and not inner.stable,
         f"{small:.2f} µm at {low:.2f} Hz is unstable, {large:.1f} µm at {high:.2f} Hz stable",
-        method="Loeb's criterion, from analytic derivatives of both curves",
+        method=LOEB,
         second=so("the Floquet multipliers of the exact orbits", as_exact),
     )
     means = "a motion that starts 0.1 % outside of the unstable orbit and ends on this one"
@@ -171,7 +168,7 @@ def larger_gap(known: Evidence) -> Record:
 def inertia(known: Evidence) -> Record:
     system, stable = known.numbers.displacement_only, known.cycles.inertia.stable
     found, scaled = (limit_cycles(system, InertiaBacklash(gap)) for gap in (1.0, 1e-3))
-    _, omega = inertia_by_newton(known.numbers, stable)
+    _, omega = inertia_exactly(known.numbers, stable)
     below_two = sum(1 / cycle.amplitude <= 2 for cycle in found)
     yield digits(
         "intersections",
@@ -182,16 +179,13 @@ def inertia(known: Evidence) -> Record:
     )
     label, second = "angular frequency of the stable one", close(NEWTON, omega, stable.omega)
     yield digits(label, "5.12e3", stable.omega, "rad/s", second=second)
-    yield text(
-        r"""
+    yield text(r"""
         Drawn with equation 2.43 the curve meets the locus twice: once at [[ stable.omega | f0 ]] rad/s, and
         once more beyond $\beta = 2$, where the thesis stops. What was drawn to give 5120 rad/s could not be
         found.
 
         See the prediction in section 5.2.2 and the band of equation 5.10.
-        """,
-        stable=stable,
-    )
+    """).given(stable=stable)
 
 
 @claim("fig-5.15", source="trimmer/balance/leakage.py", impact=Impact.DOWNSTREAM)
@@ -203,22 +197,16 @@ def higher_harmonics(known: Evidence) -> Record:
     lines = abs(known.orbits.inertia.stable.harmonics)
     exact = float(lines[1:].sum() / lines[0])
     low, high = (distance_from_curve(system, element, omega) for omega in THICK_BAND)
-    evidence = filled(
-        """
-        at the ends $G$ is [[ low | f3 ]] and [[ high | f3 ]] away from the curve; all harmonics that come
-        back together are [[ returned | f2 ]] % of the fundamental, a thickness of [[ thickness | f4 ]]
-        """,
-        low=low,
-        high=high,
-        returned=100 * returned,
-        thickness=thickness,
-    )
     means = f"the exact orbit, whose harmonics have {100 * exact:.2f} % of its fundamental together"
     yield assertion(
         r"from $4.6\times10^{3}$ to $5.38\times10^{3}$ rad/s",
         "harmonics make the curve thick enough to meet $G$ over this band",
         max(low, high) <= thickness,
-        evidence,
+        """
+        at the ends $G$ is [[ low | f3 ]] and [[ high | f3 ]] away from the curve; all harmonics that come
+        back together are [[ returned | f2 ]] % of the fundamental, a thickness of [[ thickness | f4 ]]
+        """,
+        numbers={"low": low, "high": high, "returned": 100 * returned, "thickness": thickness},
         method=f"harmonics 3 to {HARMONICS[-1]} of the element, each with the response of $G$",
         second=so(means, exact < min(low, high)),
     )
@@ -241,11 +229,11 @@ def higher_harmonics(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-5.16", source="report/numbers/viscous_listing.py", impact=Impact.DOWNSTREAM)
+@claim("fig-5.16", source="report/numbers/listed_functions.py", impact=Impact.DOWNSTREAM)
 def viscous(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     listing = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
-    balanced = {gamma: limit_cycles(system, ViscousBacklash(1.0, gamma).at(1.0)) for gamma in GAMMAS}
+    balanced = {gamma: cycles_of_constant_gamma(system, gamma) for gamma in GAMMAS}
     found = [(gamma, cycle) for gamma, cycles in balanced.items() for cycle in cycles]
     on_outer = [(gamma, cycle) for gamma, cycle in found if cycle.omega > STABLE_SIDE]
     outer = [(ViscousBacklash(1.0, gamma / cycle.omega), cycle) for gamma, cycle in on_outer]
@@ -275,8 +263,7 @@ def viscous(known: Evidence) -> Record:
         method="right describing function at both ends of the range",
         second=close(f"{FIRST_LINE} at the last of these points", sampled, ends[-1], 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         Viscous contours begin at $-1$, as those of friction and inertia do, and cross the outer circle
         between theirs. Listing A.5 repeated, with its complex angles, gives contours that begin away from
         $-1$, run to the right and meet $G$ at [[ first | f0 ]] to [[ last | f0 ]] Hz only: that is what the
@@ -285,26 +272,18 @@ def viscous(known: Evidence) -> Record:
 
         What is drawn from it, that all viscous limit cycles are unstable and merge with others, falls. The
         band of section 5.2.3 holds by the right contours, each of which has a stable limit cycle of its own.
-        """,
-        first=min(listing) / TURN,
-        last=max(listing) / TURN,
-        low=min(inner),
-        high=max(inner),
-    )
+    """).given(first=min(listing) / TURN, last=max(listing) / TURN, low=min(inner), high=max(inner))
 
 
 @claim("fig-5.17", source=SOURCE, impact=Impact.DOWNSTREAM)
 def band(known: Evidence) -> Record:
     yield from band_parts(known)
-    yield text(
-        """
+    yield text("""
         The arrow ends at the two limits of the load, of which the upper one is wrong: [[ high | f1 ]] Hz. The
         band between them is as the section says, and narrower.
 
         See equation 5.10.
-        """,
-        high=known.cycles.inertia.stable.frequency,
-    )
+    """).given(high=known.cycles.inertia.stable.frequency)
 
 
 @claim("fig-5.18", source="trimmer/linear/crossings.py")

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.driven_open_loop import REPEATS, line_part, size_part
-from report.chapters.chapter_5.claims.section_5_2_1_simulated import SECOND_WAY, one_impulse_part
+from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
-from report.chapters.chapter_5.claims.section_5_2_2 import largest_other_line
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
 from report.chapters.chapter_5.claims.section_5_2_4 import (
     FIGURE_FORCE,
@@ -16,17 +15,16 @@ from report.chapters.chapter_5.claims.section_5_2_4 import (
     relay_part,
 )
 from report.claim import Confirmation, Impact
-from report.comparisons.second_ways import by_harmonics
+from report.comparisons.second_ways import TWO_DURATIONS, by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
 from report.parts import assertion, close, digits, repeated, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
-DRIVEN, RELAY = "report/numbers/reference_loop.py", "report/numbers/relay_loop.py"
+DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"
 STANDS_OUT = 0.01
 """Share of the largest line below which another does not show beside it."""
 UNIT = 1e-8
@@ -40,18 +38,17 @@ def three_gaps(known: Evidence) -> Record:
     strong = [run for run in runs if run.impulse == runs[0].impulse]
     sizes = [run.amplitude / run.gap for run in strong]
     exact = known.orbits.friction.stable.amplitude
-    evidence = filled(
-        "after [[ impulse | power0 ]] m s it is [[ amplitudes ]], [[ size | f3 ]] gaps each",
-        impulse=strong[0].impulse,
-        amplitudes=", ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong),
-        size=sizes[0],
-    )
     yield one_impulse_part(known)
     yield assertion(
         "from top to bottom",
         "what goes on grows faster than the gap",
         max(sizes) / min(sizes) > 1.1,
-        evidence,
+        "after [[ impulse | power0 ]] m s it is [[ amplitudes ]], [[ size | f3 ]] gaps each",
+        numbers={
+            "impulse": strong[0].impulse,
+            "amplitudes": ", ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong),
+            "size": sizes[0],
+        },
         method="exact simulation of the three gaps with one impulse",
         second=close("the exact orbit, by shooting", exact, sizes[0], 1e-4),
     )
@@ -80,7 +77,7 @@ def small_gap(known: Evidence) -> Record:
         SMALL_GAP * pair.stable.amplitude for pair in (orbits.friction, orbits.friction_listing)
     )
     sizes = abs(orbits.friction.stable.harmonics)
-    second = close(SECOND_WAY, SMALL_GAP * orbits.friction_by_durations[0], exact)
+    second = close(TWO_DURATIONS, SMALL_GAP * orbits.friction_by_durations[0], exact)
     slip = repeated(f"{ROUNDED}, and the last digit is cut off", UNIT * math.floor(rounded / UNIT))
     yield digits("a: upper reading", "3.303e-5", exact, "m", second=second, slip=slip)
     yield digits("a: lower reading", "-3.2961e-5", -exact, "m", second=second)
@@ -93,36 +90,27 @@ def small_gap(known: Evidence) -> Record:
         method=BY_COEFFICIENTS,
         second=others_by_balance(known),
     )
-    yield text(
-        """
+    yield text("""
         The exact oscillation is its own mirror image half a period later, so both readings should be
         [[ exact | power4 ]] m. The upper one is what rounded coefficients give, [[ rounded | power4 ]] m, cut
         after four digits; the lower one is 0.2 % smaller and misses the peak, or the motion had not settled.
         That one line stands out is right: this limit cycle is nearly a sine.
 
         The amplitude of the simulation is 0.5 % off, more than the prediction that it tests.
-        """,
-        exact=exact,
-        rounded=rounded,
-    )
+    """).given(exact=exact, rounded=rounded)
 
 
 @claim("fig-5.11", source=DRIVEN, impact=Impact.DOWNSTREAM)
 def driven_response(known: Evidence) -> Record:
     closed = known.motion.closed.reference.from_rest
     yield size_part(known, "output of the linear block")
-    yield text(
-        """
+    yield text("""
         The figure as the text describes it, ±1 mm with a strong faster oscillation, is that of the loop with
         the drive as its reference: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at
         [[ frequency | f1 ]] Hz. Behind an open loop the output is the drive, with harmonics of one percent.
 
         It is no picture of the driven trimmer, whose output is not fed back to the pin.
-        """,
-        base=1e3 * closed.base,
-        line=1e3 * closed.line,
-        frequency=closed.frequency,
-    )
+    """).given(base=1e3 * closed.base, line=1e3 * closed.line, frequency=closed.frequency)
 
 
 @claim("fig-5.12", source=DRIVEN, impact=Impact.DOWNSTREAM)
@@ -148,31 +136,20 @@ def driven_spectrum(known: Evidence) -> Record:
 
 @claim("fig-5.14", source="report/numbers/timed_block.py", impact=Impact.DOWNSTREAM)
 def inertia(known: Evidence) -> Record:
-    read, size = largest_other_line(known.motion.closed.timed_block)
+    read, size = known.motion.closed.timed_block.largest_other_line
     yield from peaks_of_inertia(known)
-    yield text(
-        """
+    yield text("""
         As for friction-controlled backlash, what is printed belongs to a closed loop with the drive as
         reference, here with Listing A.8's block in it: beside multiples of 100 Hz its largest line is in the
         bin at [[ read | f1 ]] Hz, with [[ size | f0 ]] µm. In open loop there is none at all.
 
         See the peak at 659 Hz in section 5.2.2.
-        """,
-        read=read,
-        size=1e6 * size,
-    )
+    """).given(read=read, size=1e6 * size)
 
 
 @claim("fig-5.19", source=RELAY, impact=Impact.DOWNSTREAM)
 def relay(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
-    evidence = filled(
-        r"""
-        a relay turns a sine into a square wave of the same period, and behind it free motions decay as
-        $e^{[[ decay | f0 ]]\,t}$ or faster
-        """,
-        decay=decay,
-    )
     means = f"exact simulation, whose last two of {SETTLED_AFTER} periods are alike"
     difference = difference_of_last_periods(known.numbers.parameters, FIGURE_FORCE)
     yield relay_part(known.motion.closed.relay, "relay of 0.015 in the loop")
@@ -180,7 +157,11 @@ def relay(known: Evidence) -> Record:
         "in open loop, as the caption has it",
         "an oscillation besides the drive's harmonics goes on",
         decay >= 0,
-        evidence,
+        r"""
+        a relay turns a sine into a square wave of the same period, and behind it free motions decay as
+        $e^{[[ decay | f0 ]]\,t}$ or faster
+        """,
+        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=so(means, difference < REPEATS),
     )

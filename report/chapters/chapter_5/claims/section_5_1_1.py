@@ -10,7 +10,6 @@ from report.numbers.independent.linear_trimmer import deviation_from_pin
 from report.numbers.linear_numbers import LinearNumbers
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from trimmer import steady_state
 
@@ -30,13 +29,12 @@ def amplitude(known: Evidence) -> Record:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     settled = steady_state(system, DRIVE_OMEGA, DRIVE_AMPLITUDE)
     yield amplitude_part(known.numbers)
-    yield text(
-        """
+    yield text("""
         At 100 Hz the gain is [[ gain | f5 ]], so the amplitudes agree to the printed digits; the output lags
         by [[ lag | f2 ]] degrees. That is a coincidence of this frequency: a slow drive gives [[ slow | f1 ]]
         % of the pin's amplitude, and from there the gain rises towards the resonances. With the pin's
         velocity as second input the gain is [[ with_velocity | f5 ]].
-        """,
+    """).given(
         gain=settled.amplitude / DRIVE_AMPLITUDE,
         lag=-math.degrees(settled.phase),
         slow=100 * steady_state(system, TURN, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE,
@@ -53,19 +51,15 @@ def time_response(known: Evidence) -> Record:
         "from rest, first period",
         "the output follows the input precisely",
         deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
-        filled(
-            """
-            in the first period the output is up to [[ deviation | f2 ]] mm away from the pin,
-            [[ share | f0 ]] % of the amplitude
-            """,
-            deviation=1e3 * deviation,
-            share=100 * deviation / DRIVE_AMPLITUDE,
-        ),
+        """
+        in the first period the output is up to [[ deviation | f2 ]] mm away from the pin, [[ share | f0 ]] %
+        of the amplitude
+        """,
+        numbers={"deviation": 1e3 * deviation, "share": 100 * deviation / DRIVE_AMPLITUDE},
         method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
         second=close("SciPy's DOP853 over that period", integrated, deviation, 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         Read as the settled motion, the statement holds to the printed digits. Read as it stands, for the
         command that is quoted and its start from rest, it does not: the start excites the natural modes, and
         the slowest of them decays with [[ slowest | f0 ]]/s, so it is visible for several periods. After that
@@ -73,7 +67,7 @@ def time_response(known: Evidence) -> Record:
 
         None on predictions. A spectrum of such a run has peaks at the natural frequencies that no
         nonlinearity caused, unless the start is cut off.
-        """,
+    """).given(
         slowest=min(-mode.eigenvalue.real for mode in numbers.modes),
         lag=-math.degrees(steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).phase),
     )

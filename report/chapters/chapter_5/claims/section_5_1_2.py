@@ -11,8 +11,9 @@ import sympy
 
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
-from report.numbers.exact_response import gain, gain_crossing
+from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
 from report.numbers.independent.linear_trimmer import (
     highest_unfiltered,
     impulse_response_grows,
@@ -22,8 +23,7 @@ from report.numbers.independent.linear_trimmer import (
 from report.numbers.linear_numbers import LinearNumbers
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
+from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import (
     Body,
     asymptotic_roll_off,
@@ -43,8 +43,6 @@ PRINTED_DENOMINATOR = (
     *("2.676e17", "4.889e21", "4.595e23", "5.971e27"),
 )
 CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
-LIMIT_CYCLE_OMEGA = 4607.7
-"""Angular frequency of the limit cycle that table 5.1 predicts at 733.33 Hz, rad/s."""
 MUCH_SMALLER = 0.1
 HARMONICS = range(2, 40)
 CLEAR = 2.0
@@ -83,8 +81,7 @@ def transfer_function(known: Evidence) -> Record:
         method="evaluation as printed",
         second=close("ten factors in exact fractions", in_fractions, as_printed),
     )
-    yield text(
-        """
+    yield text("""
         The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - q_4$ of
         equation 2.14; the first three are the same for both. Powers of ten are set as powers of the
         coefficient, and in the coefficient of $s^6$ below the fraction bar the exponent 7 stands behind the
@@ -92,7 +89,7 @@ def transfer_function(known: Evidence) -> Record:
 
         The printed function has a static gain of [[ printed | f4 ]] instead of [[ right | f4 ]]. Listing A.9,
         which computes the limit cycles, has the right coefficients, so no prediction changes.
-        """,
+    """).given(
         printed=float(wrong_output[-1] / numbers.denominator[-1]),
         right=float(numbers.numerator[-1] / numbers.denominator[-1]),
     )
@@ -110,14 +107,11 @@ def order(known: Evidence) -> Record:
     nearest = min(abs(pole - zero) / abs(pole) for pole in system.poles() for zero in system.zeros())
     second = equal("the Popov-Belevitch-Hautus test of every eigenvalue", seen, minimal)
     yield digits("", "8", minimal, second=second)
-    yield text(
-        """
+    yield text("""
         Numerator and denominator have no common factor, in exact arithmetic, so all eight states count. One
         pair of poles comes within [[ nearest | f3 ]] % of a pair of zeros, which hides a resonance but keeps
         the order.
-        """,
-        nearest=100 * nearest,
-    )
+    """).given(nearest=100 * nearest)
 
 
 def no_encirclement_part(numbers: LinearNumbers) -> Part:
@@ -163,11 +157,6 @@ def nyquist_locus(known: Evidence) -> Record:
     """)
 
 
-def exact_ratio(numbers: LinearNumbers, omega: float, harmonic: int) -> float:
-    """Return how well a harmonic of ω (rad/s) passes over the fundamental, from exact coefficients."""
-    return float(gain(numbers, harmonic * omega) / gain(numbers, omega))
-
-
 @claim("txt-5.1.2-filtering", source=LOW_PASS, impact=Impact.DOWNSTREAM)
 def filtering(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
@@ -175,34 +164,32 @@ def filtering(known: Evidence) -> Record:
     third = float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3))
     fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
     every = highest_unfiltered(system, HARMONICS)
-    exact = "exact coefficients, 40 digits"
     yield assertion(
         f"at the predicted limit cycle, {LIMIT_CYCLE_OMEGA} rad/s",
         f"every odd harmonic is passed at most {MUCH_SMALLER:g} times as well",
         third <= MUCH_SMALLER,
         rf"$|G(3j\omega)|/|G(j\omega)| = {third:.4f}$, higher ones less",
         method="frequency response",
-        second=close(exact, exact_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
+        second=close(EXACTLY, gain_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
     )
     yield assertion(
         "at every frequency, as equation 2.26 asks",
         r"$|G(j\omega)| \gg |G(jn\omega)|$ for $n = 2, 3, \dots$",
         every == 0.0,
-        filled(
-            """
-            below [[ every | f1 ]] Hz some harmonic passes better than the fundamental (odd ones: below
-            [[ odd | f1 ]] Hz); at [[ measured ]] Hz the fifth passes [[ fifth | f2 ]] times better
-            """,
-            every=every,
-            odd=highest_unfiltered(system, range(3, 40, 2)),
-            measured=MEASURED_DRIVE_FREQUENCY,
-            fifth=fifth_measured,
-        ),
-        method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
-        second=close(exact, exact_ratio(numbers, measured, 5), fifth_measured),
-    )
-    yield text(
         """
+        below [[ every | f1 ]] Hz some harmonic passes better than the fundamental (odd ones: below
+        [[ odd | f1 ]] Hz); at [[ measured ]] Hz the fifth passes [[ fifth | f2 ]] times better
+        """,
+        numbers={
+            "every": every,
+            "odd": highest_unfiltered(system, range(3, 40, 2)),
+            "measured": MEASURED_DRIVE_FREQUENCY,
+            "fifth": fifth_measured,
+        },
+        method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
+        second=close(EXACTLY, gain_ratio(numbers, measured, 5), fifth_measured),
+    )
+    yield text("""
         Whether the hypothesis holds depends on the frequency. At the predicted limit cycle it does: the third
         harmonic passes [[ third | f3 ]] times as well as the fundamental, the second [[ second | f3 ]] times.
         At the drive it does not: at 100 Hz the fifth harmonic passes [[ fifth | f1 ]] times better than the
@@ -213,7 +200,7 @@ def filtering(known: Evidence) -> Record:
         Predictions of limit cycles near 733 Hz keep their basis. A describing function must not be used for
         the motion at the drive's frequency, and in driven spectra harmonics of the drive near
         [[ highest | f0 ]] Hz stand out without any limit cycle.
-        """,
+    """).given(
         third=third,
         second=float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 2)),
         fifth=fifth,
@@ -232,16 +219,12 @@ def bode_plot(known: Evidence) -> Record:
     second = equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear))
     label = "peaks that are clearly visible (more than twice the pin's motion)"
     yield digits(label, "2", len(clear), second=second)
-    yield text(
-        """
+    yield text("""
         The redrawn plot shows the two clear peaks, at [[ clear[0].omega | f1 ]] and [[ clear[1].omega | f1 ]]
         rad/s, and two faint ones, at [[ peaks[0].omega | f1 ]] and [[ peaks[1].omega | f1 ]] rad/s, on either
         side of a shallow valley. What the text reads from it about slope and cutoff is judged under those
         statements.
-        """,
-        clear=clear,
-        peaks=peaks,
-    )
+    """).given(clear=clear, peaks=peaks)
 
 
 @claim("txt-5.1.2-cutoff", source=LOW_PASS, impact=Impact.LOCAL)
@@ -254,37 +237,30 @@ def cutoff(known: Evidence) -> Record:
     for label, omega in (("first -3 dB frequency", first), ("last -3 dB frequency", last)):
         second = close("a root search on exact coefficients", gain_crossing(numbers, level, omega), omega)
         yield digits(label, "4.6329e+03", omega, "rad/s", second=second, slip=slip)
-    yield text(
-        """
+    yield text("""
         The printed number is the highest frequency at which $|G| = 1$, [[ unity | f2 ]] rad/s, not a cutoff.
         The cutoff is where the gain is 3 dB below its static value: first at [[ first | f1 ]] rad/s, in the
         valley between two resonances, and for good at [[ last | f1 ]] rad/s, beyond the last one.
 
         The number is not used again. It lies [[ above | f1 ]] % above the predicted limit cycle, and not by
         accident: where the play is small beside the amplitude, $|N|$ and so $|G|$ are close to one.
-        """,
-        unity=unity,
-        first=first,
-        last=last,
-        above=100 * (unity / LIMIT_CYCLE_OMEGA - 1),
-    )
+    """).given(unity=unity, first=first, last=last, above=100 * (unity / LIMIT_CYCLE_OMEGA - 1))
 
 
 @claim("txt-5.1.2-roll-off", source=LOW_PASS, impact=Impact.DOWNSTREAM)
 def roll_off(known: Evidence) -> Record:
     numbers = known.numbers
     slope = asymptotic_roll_off(numbers.displacement_only)
-    chord = 20 * math.log10(exact_ratio(numbers, 1e3, 10))
+    chord = 20 * math.log10(gain_ratio(numbers, 1e3, 10))
     steepness = local_slope(numbers.displacement_only, np.geomspace(ROLL_OFF_FROM, HIGH_OMEGA, 4000))
-    far = 20 * math.log10(exact_ratio(numbers, HIGH_OMEGA, 10))
+    far = 20 * math.log10(gain_ratio(numbers, HIGH_OMEGA, 10))
     misread = "the fall over the decade from $10^{3}$ to $10^{4}$ rad/s is read as the slope"
     second = close("the slope of the exact gain at $10^{8}$ rad/s", far, slope, 1e-6)
     yield digits("roll-off", "-20", slope, "dB/decade", second=second, slip=made_here(misread, chord))
     degrees = len(numbers.denominator) - len(numbers.numerator)
     second = equal("the degrees of the polynomials", degrees, -slope / 20)
     yield digits("filter order", "1", -slope / 20, second=second, slip=made_here(misread, -chord / 20))
-    yield text(
-        """
+    yield text("""
         There are two poles more than zeros, so the gain falls by [[ fall | f0 ]] dB per decade in the end,
         and above [[ start | f0 ]] rad/s nowhere by less than [[ least | f1 ]]. From $10^3$ to $10^4$ rad/s
         the curve as a whole drops by [[ drop | f1 ]] dB, which may have been read as the slope.
@@ -292,7 +268,7 @@ def roll_off(known: Evidence) -> Record:
         The linear part filters better than the thesis says: section 6.2 calls it on the edge of filtering,
         with order 1. With the pin's velocity as second input the slope is [[ with_velocity | f0 ]] dB per
         decade, but only far above [[ corner | f0 ]] rad/s.
-        """,
+    """).given(
         fall=-slope,
         start=ROLL_OFF_FROM,
         least=-float(steepness.max()),

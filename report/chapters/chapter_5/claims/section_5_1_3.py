@@ -5,36 +5,32 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import control
 import numpy as np
 import sympy
 
 from derivations.state_space import output_row
-from report.chapters.chapter_5.claims.section_5_1_2 import exact_ratio
 from report.claim import Confirmation, Impact, Part
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
-from report.numbers.exact_response import eigenvalues, gain, peak
-from report.numbers.independent.antiresonances import antiresonances, antiresonances_without_damping
-from report.numbers.independent.linear_trimmer import gain_of_state_space
-from report.numbers.light_damping import DAMPING_FACTOR, lightly_damped, sum_of_displacements
+from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
+from report.numbers.independent.linear_trimmer import (
+    antiresonances,
+    antiresonances_without_damping,
+    matrix_formula,
+)
+from report.numbers.linear_numbers import (
+    DAMPING_FACTOR,
+    lightly_damped,
+    lightly_damped_response,
+    sum_of_displacements,
+)
 from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import (
-    Body,
-    Displacement,
-    InputChannels,
-    TrimmerParameters,
-    filtering_ratio,
-    linear_model,
-    resonance_peaks,
-    response_at,
-    transfer_function,
-)
+from trimmer import Body, Displacement, filtering_ratio, linear_model, resonance_peaks, response_at
 from trimmer.linear.extrema import Extremum
 
-MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/light_damping.py"
+MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/linear_numbers.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -100,32 +96,24 @@ def hidden_peak(known: Evidence) -> Record:
         rf"peak near $\mathrm{{Im}}\,\lambda_{{{hidden}}}$",
         "the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
         all(abs(each.omega / float(place) - 1) >= 0.2 for each in peaks),
-        filled(
-            """
-            a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their
-            size, and takes the peak away
-            """,
-            apart=apart,
-            share=100 * apart / abs(pole),
-        ),
+        """
+        a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their size,
+        and takes the peak away
+        """,
+        numbers={"apart": apart, "share": 100 * apart / abs(pole)},
         method="all local maxima of the gain",
         second=so("the gain falls from 0.99 to 1.01 times that frequency", falls),
     )
     *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
-    yield text(
-        """
+    yield text("""
         One resonance is hidden, as the text says, because zeros all but cancel its poles. Two others stand
         within [[ others | f1 ]] % of the imaginary parts, but the one near 1397 rad/s, next to a valley, has
         its peak [[ last | f1 ]] % higher. A further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no
         eigenvalue at all.
 
         Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.
-        """,
-        others=max(map(abs, others)),
-        last=last,
-        stray=stray,
-    )
+    """).given(others=max(map(abs, others)), last=last, stray=stray)
 
 
 @claim("txt-5.1.3-first-resonance", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
@@ -140,20 +128,15 @@ def first_resonance(known: Evidence) -> Record:
         "what follows for the drive",
         "the resonances do not matter, as the drive is far below the first one",
         max(fifth, fifth_measured) < 1,
-        filled(
-            """
-            the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at
-            100 Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
-            """,
-            fifth=fifth,
-            fifth_measured=fifth_measured,
-            measured=MEASURED_DRIVE_FREQUENCY,
-        ),
-        method="frequency response at multiples of the drive",
-        second=close("exact coefficients, 40 digits", exact_ratio(numbers, measured, 5), fifth_measured),
-    )
-    yield text(
         """
+        the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at 100
+        Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
+        """,
+        numbers={"fifth": fifth, "fifth_measured": fifth_measured, "measured": MEASURED_DRIVE_FREQUENCY},
+        method="frequency response at multiples of the drive",
+        second=close(EXACTLY, gain_ratio(numbers, measured, 5), fifth_measured),
+    )
+    yield text("""
         The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
         holds for a purely sinusoidal motion only, since play and friction make harmonics. The fifth of
         [[ measured ]] Hz, the drive that was measured, lies at [[ fifth | f1 ]] Hz, on the highest peak of
@@ -162,7 +145,7 @@ def first_resonance(known: Evidence) -> Record:
         A peak near 550 Hz in a driven spectrum of this trimmer needs no limit cycle: a harmonic of the drive
         is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for a fifth
         harmonic too.
-        """,
+    """).given(
         ratio=frequency / DRIVE_FREQUENCY,
         measured=MEASURED_DRIVE_FREQUENCY,
         fifth=5 * MEASURED_DRIVE_FREQUENCY,
@@ -184,30 +167,23 @@ def output_matrix(known: Evidence) -> Record:
         second=small("the numeric model with each displacement as an output", float(difference)),
         slip=made_here("the four rows are added up into one", added),
     )
-    system = lightly_damped_trimmer(parameters)
+    system = lightly_damped_response(parameters)
     highest = known.numbers.undamped[-1].omega
     beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
-    yield text(
-        """
+    yield text("""
         To track four positions takes four rows. The printed row gives one output, the sum $x_1 + x_2 + x_3 +
         x_4$, in which motions of opposite sign cancel.
 
         Figure 5.4 shows the sum; its four peaks are those of the modes all the same. With a thousandth of the
         damping $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
-        """,
-        spike=20 * math.log10(spike.magnitude / float(beside.max())),
-    )
-
-
-def lightly_damped_trimmer(parameters: TrimmerParameters) -> control.TransferFunction:
-    return transfer_function(lightly_damped(parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+    """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
 
 
 @claim("txt-5.1.3-damping", source=MODES, impact=Impact.LOCAL)
 def damping(known: Evidence) -> Record:
     numbers, parameters = known.numbers, known.numbers.parameters
-    systems = numbers.displacement_only, lightly_damped_trimmer(parameters)
+    systems = numbers.displacement_only, lightly_damped_response(parameters)
     damped, light = (
         [nearest(resonance_peaks(system), mode.omega) for mode in numbers.undamped[:VISIBLE]]
         for system in systems
@@ -215,8 +191,8 @@ def damping(known: Evidence) -> Record:
     ratios = [each.magnitude / other.magnitude for each, other in zip(light, damped, strict=True)]
     least, most = min(ratios), max(ratios)
     solved = [
-        gain_of_state_space(lightly_damped(parameters), each.omega)
-        / gain_of_state_space(parameters, other.omega)
+        abs(matrix_formula(lightly_damped(parameters), 1j * each.omega))
+        / abs(matrix_formula(parameters, 1j * other.omega))
         for each, other in zip(light, damped, strict=True)
     ]
     yield assertion(
@@ -241,18 +217,14 @@ def damping(known: Evidence) -> Record:
         method=f"peaks with {DAMPING_FACTOR:g} of the damping against peaks with all of it; {PLOT_READ}",
         second=close(EXACT_SLOPE, peak(numbers, first), first, 1e-7),
     )
-    yield text(
-        """
+    yield text("""
         Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by
         [[ largest | f1 ]] % for the peak near 1400 rad/s, and by [[ highest | f2 ]] % for the highest
         eigenfrequency. On the scale of a Bode plot most of that cannot be seen.
 
         Small. Chapter 7 sums this up as an increase of the magnitude by damping, and puts the resonances
         below the operating frequency; neither is so.
-        """,
-        largest=max(map(abs, shifts)),
-        highest=-of_modes[3],
-    )
+    """).given(largest=max(map(abs, shifts)), highest=-of_modes[3])
 
 
 @claim("fig-5.4", source=MODES)
@@ -264,14 +236,11 @@ def bode_plot_without_damping(known: Evidence) -> Record:
         farthest = max(farthest, abs(omega / float(printed) - 1))
         second = close("the undamped eigenvalue problem", omega, mode.omega, 1e-4)
         yield peak_part(index, printed, omega, second)
-    yield text(
-        """
+    yield text("""
         With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
         frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %, as
         well as a plot shows. The thesis does not say how small its damping was.
-        """,
-        farthest=100 * farthest,
-    )
+    """).given(farthest=100 * farthest)
 
 
 @claim("txt-5.1.3-antiresonances", source=DAMPING, impact=Impact.LOCAL)
@@ -279,7 +248,7 @@ def valleys(known: Evidence) -> Record:
     parameters = known.numbers.parameters
     first = antiresonances(known.numbers.displacement_only)
     other = antiresonances(sum_of_displacements(lightly_damped(parameters)))
-    undamped = antiresonances(lightly_damped_trimmer(parameters))
+    undamped = antiresonances(lightly_damped_response(parameters))
     free = "frequencies where a constrained system without damping is free to swing"
     of_sum, of_output = (antiresonances_without_damping(parameters, weights)[1] for weights in (SUM, OUTPUT))
     in_5_2, in_5_4 = (", ".join(f"{omega:.0f}" for omega in omegas) for omegas in (first, other))
@@ -300,15 +269,11 @@ def valleys(known: Evidence) -> Record:
         method="zeros with all and with a thousandth of the damping",
         second=close(free, of_output, undamped[1], 1e-4),
     )
-    yield text(
-        """
+    yield text("""
         Resonances belong to the system, antiresonances to the output that is looked at. Figure 5.4 shows the
         sum of all displacements, figure 5.2 a difference of two, so their valleys may not be compared: the
         one near [[ first | f0 ]] rad/s is at [[ other | f0 ]] rad/s there. That damping hardly moves them is
         right, but only for one and the same output.
 
         None: no later number uses an antiresonance.
-        """,
-        first=first[1],
-        other=other[1],
-    )
+    """).given(first=first[1], other=other[1])

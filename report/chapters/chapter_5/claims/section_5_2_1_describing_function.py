@@ -8,17 +8,16 @@ import control
 import sympy
 
 from derivations.elements.backlash import GAP, friction_waveform
-from derivations.elements.waveform import THETA, describing_function
+from derivations.elements.waveform import describing_function
 from derivations.symbols import A
 from report.claim import Impact
 from report.comparisons.printed import power_of
-from report.comparisons.quadrature import coefficient
 from report.evidence import Evidence
-from report.numbers.independent.friction_contact import least_amplitude_with_contact
+from report.numbers.independent.symbolic import least_amplitude_with_contact
+from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, close, digits, expression, made_here
 from report.record import Record, claim, text
-from report.text import filled
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash
 
 SOURCE = "trimmer/elements/friction_backlash.py"
 OURS = FrictionBacklash(1.0)
@@ -31,8 +30,7 @@ def domain(known: Evidence) -> Record:
     second = close("the contact angle exists", least_amplitude_with_contact(), edge)
     slip = made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge)
     yield digits("edge of the domain over the gap $b$ of this section", "1.0", edge, second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         In section 2.3.4 $b$ is half of the gap and the condition is right. In this section, its listings and
         its tables $b$ is the whole gap, and the pin reaches the bridge as soon as $A > b/2$ (a thousandth
         above that the real part of $N$ is [[ above | power1 ]]). Table 5.1 itself has a limit cycle at $A =
@@ -40,10 +38,7 @@ def domain(known: Evidence) -> Record:
 
         Half of the range of amplitudes with contact below $b$ is declared empty; the second limit cycle lies
         in it.
-        """,
-        above=float(OURS.describing_function(1.001 * edge).real),
-        cycle=known.cycles.friction.unstable,
-    )
+    """).given(above=float(OURS.describing_function(1.001 * edge).real), cycle=known.cycles.friction.unstable)
 
 
 @claim("eq-5.5", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -55,15 +50,15 @@ def proportionality(_: Evidence) -> Record:
         "",
         "$N$ is proportional to $b/A$, so $-1/N$ is proportional to $-A/b$",
         abs(at_one - at_ten) < 1e-9,
-        filled(
-            r"""
-            $NA/b$ is [[ at_one | f2 ]] in size at $A = b$ and [[ at_ten | f2 ]] at $A = 10b$; for large
-            amplitudes $N \to [[ limit | latex ]]$
-            """,
-            at_one=abs(at_one),
-            at_ten=abs(at_ten),
-            limit=sympy.limit(function.subs(GAP, 1), A, sympy.oo),
-        ),
+        r"""
+        $NA/b$ is [[ at_one | f2 ]] in size at $A = b$ and [[ at_ten | f2 ]] at $A = 10b$; for large
+        amplitudes $N \to [[ limit | latex ]]$
+        """,
+        numbers={
+            "at_one": abs(at_one),
+            "at_ten": abs(at_ten),
+            "limit": sympy.limit(function.subs(GAP, 1), A, sympy.oo),
+        },
         method="the derived describing function at two amplitudes, and its limit",
         second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
     )
@@ -108,14 +103,11 @@ def locus_directions(_: Evidence) -> Record:
         "with growing gap at fixed amplitude",
         r"$-1/N$ tends to $(-\infty, -\infty j)$",
         nearer.real < near.real < 0 and nearer.imag < near.imag < 0,
-        filled(
-            """
-            it runs from [[ near.real | f0 ]] [[ near.imag | signed0 ]] j to [[ nearer.real | f0 ]]
-            [[ nearer.imag | signed0 ]] j as the gap comes from 1 % to 0.01 % below twice the amplitude
-            """,
-            near=near,
-            nearer=nearer,
-        ),
+        """
+        it runs from [[ near.real | f0 ]] [[ near.imag | signed0 ]] j to [[ nearer.real | f0 ]]
+        [[ nearer.imag | signed0 ]] j as the gap comes from 1 % to 0.01 % below twice the amplitude
+        """,
+        numbers={"near": near, "nearer": nearer},
         method="the describing function near the edge of the dead band",
         second=close(means, nearer_by_library, nearer, 1e-6),
     )
@@ -131,8 +123,7 @@ def library(_: Evidence) -> Record:
         for a in (0.51, 0.7, 1.0, 4.0, 90.0)
     )
     values = {A: sympy.Integer(4), GAP: sympy.Integer(1)}
-    sine, cosine = (coefficient(friction_waveform(), wave(THETA), values) for wave in (sympy.sin, sympy.cos))
-    quadrature, theirs = (sine + 1j * cosine) / 4, LIBRARY.describing_function(4.0)
+    quadrature, theirs = quadrature_gain(friction_waveform(), A, values), LIBRARY.describing_function(4.0)
     yield assertion(
         "agreement",
         "the library's describing function of backlash agrees with the listing's",

@@ -15,13 +15,12 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
 )
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.reference_loop import GAP
 from report.numbers.time_stepping import lines_in_steps, steps
 from report.parts import assertion, close, small
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 
-SOURCE = "report/numbers/reference_loop.py"
+SOURCE = "report/numbers/drive_amplitudes.py"
 UNALTERED = 0.05
 """Share by which an amplitude may change and still be called unaltered."""
 
@@ -39,8 +38,7 @@ def output(known: Evidence) -> Record:
         method="harmonics of the settled open loop",
         second=harmonic_in_open_loop(known, orders[0]),
     )
-    yield text(
-        """
+    yield text("""
         Behind backlash of 40 µm the open loop passes a drive of 1.5 mm nearly unchanged, with harmonics of
         [[ ripple | f0 ]] µm that are hardly seen in it. The loop with the output fed back has [[ base | f2 ]]
         mm at 100 Hz and on it the limit cycle with [[ line | f2 ]] mm: the output that the text describes.
@@ -48,11 +46,7 @@ def output(known: Evidence) -> Record:
         ±1 mm correspond to the drive's amplitude is not so either: it is 1.5 mm.
 
         Figures 5.11 and 5.12b then say nothing on the open loop, nor on the experiment.
-        """,
-        ripple=1e6 * opened.ripple,
-        base=1e3 * closed.base,
-        line=1e3 * closed.line,
-    )
+    """).given(ripple=1e6 * opened.ripple, base=1e3 * closed.base, line=1e3 * closed.line)
 
 
 @claim("txt-5.2.1-open-loop-peak", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -84,7 +78,7 @@ def drive_amplitude(known: Evidence) -> Record:
     lines = [run.line for run in runs]
     references = [steps(run.amplitude, DRIVE_FREQUENCY) for run in runs]
     frequencies = [run.frequency if run.line else orbit.frequency for run in runs]
-    in_steps = lines_in_steps(orbit, GAP, references, frequencies)
+    in_steps = lines_in_steps(orbit, LARGE_GAP, references, frequencies)
     seen = [f"{1e6 * run.line:.1f} µm" if run.line else "none" for run in runs]
     yield assertion(
         "open loop",
@@ -114,16 +108,13 @@ def drive_amplitude(known: Evidence) -> Record:
         method=method,
         second=close(means, in_steps[2], lines[2], 0.005),
     )
-    yield text(
-        """
+    yield text("""
         In the open loop there is no limit cycle. Where the drive is a reference of the closed loop, it hardly
         alters the limit cycle up to 1.5 mm, [[ gaps | f1 ]] gaps, and puts it out altogether at 15 mm. A
         drive smaller than half of the gap cannot start it from rest either.
 
         The conclusion of chapter 7 holds for weak drives of a closed loop, not for the trimmer's.
-        """,
-        gaps=DRIVE_AMPLITUDE / GAP,
-    )
+    """).given(gaps=DRIVE_AMPLITUDE / LARGE_GAP)
 
 
 def _unaltered(lines: Sequence[float]) -> bool:

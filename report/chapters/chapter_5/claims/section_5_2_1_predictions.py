@@ -8,20 +8,16 @@ from dataclasses import dataclass, replace
 
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power
-from report.comparisons.second_ways import by_floquet, by_waveform
+from report.comparisons.second_ways import LOEB, NEWTON, by_floquet, by_waveform
 from report.evidence import Evidence
-from report.numbers.limit_cycle_numbers import LimitCycleNumbers, friction_exactly
+from report.numbers.independent.limit_cycles import friction_exactly
+from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.parts import assertion, close, digits, made_here, repeated
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 
 SOURCE = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
-LOEB = "Loeb's criterion, from analytic derivatives of both curves"
 SCALING = "scaling of the describing function in the gap"
 TINY_GAP = 2e-11
 TABLE_5_2 = {
@@ -86,8 +82,7 @@ def prediction(known: Evidence) -> Record:
     _, stable = predicted(known)
     right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
     yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"))
-    yield text(
-        """
+    yield text("""
         With exact coefficients the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz.
         The printed numbers come out with the coefficients that Listing A.9 has rounded to four digits; that
         moves the amplitude by [[ shift | f2 ]] %, because the loop passes close to $-1$.
@@ -95,7 +90,7 @@ def prediction(known: Evidence) -> Record:
         Every prediction of section 5.2.1 carries this shift. The velocity of the pin, which the loop leaves
         out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] % less, at
         [[ both.frequency | f2 ]] Hz.
-        """,
+    """).given(
         amplitude=1e6 * SMALL_GAP * right.amplitude,
         frequency=right.frequency,
         shift=100 * (listing.amplitude / right.amplitude - 1),
@@ -120,25 +115,19 @@ def stability(known: Evidence) -> Record:
         "in the exact loop",
         statement,
         orbit.stable,
-        filled(
-            """
-            no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
-            [[ orbit.frequency | f2 ]] Hz
-            """,
-            largest=largest,
-            orbit=orbit,
-        ),
+        """
+        no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
+        [[ orbit.frequency | f2 ]] Hz
+        """,
+        numbers={"largest": largest, "orbit": orbit},
         method="Floquet multipliers of the exact orbit",
         second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
     )
-    yield text(
-        """
+    yield text("""
         A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again, and a smaller one
         the other way. That is the thesis's own argument, a statement of the describing function; the
         multipliers of the exact limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
-        """,
-        decay=-math.log(largest) / orbit.period,
-    )
+    """).given(decay=-math.log(largest) / orbit.period)
 
 
 @claim("txt-5.2.1-second-limit-cycle", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -158,8 +147,7 @@ def second_limit_cycle(known: Evidence) -> Record:
         method=SCALING,
         second=at_the_tiny_gap(known, right),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles exist
         for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$. The
         locus that Listing A.9 plots starts at $b/2 + 10^{-6}$ m and reaches it only for gaps above
@@ -168,9 +156,7 @@ def second_limit_cycle(known: Evidence) -> Record:
 
         A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
         unstable one is the threshold: what starts below it decays.
-        """,
-        seen_from=PLOT_OFFSET / (right.amplitude - 0.5),
-    )
+    """).given(seen_from=PLOT_OFFSET / (right.amplitude - 0.5))
 
 
 @claim("tab-5.1", source=SOURCE, impact=Impact.LOCAL)
@@ -184,17 +170,14 @@ def two_limit_cycles(known: Evidence) -> Record:
     yield digits("first: frequency", "733.33", stable.exact.frequency, "Hz", second=second, slip=slip)
     yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable)
     yield second_frequency("second: frequency", unstable)
-    yield text(
-        """
+    yield text("""
         With exact coefficients the second limit cycle lies at [[ unstable.exact.frequency | f2 ]] Hz, with
         those of Listing A.9 at [[ unstable.listing.frequency | f2 ]] Hz; the printed 533.22 Hz has one digit
         wrong. The other cells come out with the rounded coefficients. Only 733.33 Hz takes a second slip, a
         number cut off: the percent error of the section has it rounded, as 733.34 Hz.
 
         The text repeats 533.22 Hz. The first limit cycle, on which the comparisons rest, is not touched.
-        """,
-        unstable=unstable,
-    )
+    """).given(unstable=unstable)
 
 
 @claim("tab-5.2", source=SOURCE, impact=Impact.LOCAL)
@@ -202,8 +185,7 @@ def ten_gaps(known: Evidence) -> Record:
     _, stable = predicted(known)
     for gap, printed in TABLE_5_2.items():
         yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"))
-    yield text(
-        r"""
+    yield text(r"""
         Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
         [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
         [[ listing.amplitude | f4 ]] and [[ listing.frequency | f2 ]] Hz, which gives all printed cells; with
@@ -211,10 +193,7 @@ def ten_gaps(known: Evidence) -> Record:
         last digit.
 
         None beyond the last digit. The ten rows hold one result, since nothing but the scale changes.
-        """,
-        exact=stable.exact,
-        listing=stable.listing,
-    )
+    """).given(exact=stable.exact, listing=stable.listing)
 
 
 def at_the_tiny_gap(known: Evidence, cycle: LimitCycle) -> Confirmation:
@@ -258,8 +237,7 @@ def smallest_gap(known: Evidence) -> Record:
     means = "the scaling law, at a gap of a thousandth of that"
     second = close(means, stable_at_the_tiny_gap(known.cycles), listed)
     yield digits("smallest gap with a limit cycle", "2e-8", 0.0, "m", second=second)
-    yield text(
-        """
+    yield text("""
         There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle every gap has one,
         with an amplitude in proportion: at $b = 10^{-8}$ m it is [[ at_1e_8 | power2 ]] m. A locus that is
         plotted from an amplitude of $b/2 + 10^{-6}$ m on, as Listing A.9 does, meets $G$ only for gaps above
@@ -268,10 +246,7 @@ def smallest_gap(known: Evidence) -> Record:
         Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small enough to
         exclude the predicted limit cycle; what remains is its size, 8.3 times the gap, and whether friction
         and drive let it start.
-        """,
-        at_1e_8=stable * 1e-8,
-        seen_from=PLOT_OFFSET / (stable - 0.5),
-    )
+    """).given(at_1e_8=stable * 1e-8, seen_from=PLOT_OFFSET / (stable - 0.5))
 
 
 threshold = claim("txt-5.2.1-threshold", source=SOURCE, impact=Impact.DOWNSTREAM)(smallest_gap)

@@ -9,16 +9,15 @@ import numpy as np
 
 from report.claim import Impact, Part
 from report.comparisons.printed import power_of
+from report.comparisons.second_ways import TWO_DURATIONS
 from report.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.impulse_response import ABOVE, CHECKED
 from report.numbers.record import Record as Samples
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import LARGE_GAP, ROUNDED, SMALL_GAP
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/numbers/exact_orbits.py"
 STATED = Samples(0.1, 1_000_231)
@@ -30,13 +29,12 @@ THIRD_OF_A_SECOND = Samples(0.3, 1_000_231)
 PEAK = "734.00"
 EDGE = 2e-8
 """Gap that the section takes for the smallest with a limit cycle, m."""
-SECOND_WAY = "the state at the impact and two durations, solved for with SciPy's matrix exponential"
 
 
 def peak_part(orbits: ExactOrbits, label: str) -> Part:
     """Return the part on the peak of figure 5.9b."""
     exact = orbits.friction.stable.frequency
-    second = close(SECOND_WAY, orbits.friction_by_durations[1], exact)
+    second = close(TWO_DURATIONS, orbits.friction_by_durations[1], exact)
     name = "the nearest bin of a spectrum over one second is read, of which bins are 1 Hz apart"
     return digits(label, PEAK, exact, "Hz", second=second, slip=repeated(name, ONE_SECOND.nearest(exact)))
 
@@ -44,7 +42,7 @@ def peak_part(orbits: ExactOrbits, label: str) -> Part:
 def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> Part:
     """Return the part on a simulated amplitude."""
     exact = gap * orbits.friction.stable.amplitude
-    second = close(SECOND_WAY, gap * orbits.friction_by_durations[0], exact)
+    second = close(TWO_DURATIONS, gap * orbits.friction_by_durations[0], exact)
     return digits(label, printed, exact, "m", second=second)
 
 
@@ -57,15 +55,14 @@ def amplitude(known: Evidence) -> Record:
     second = close("exact fractions", in_fractions, half)
     yield digits("half of the difference of the readings", "3.2995e-05", half, "m", second=second)
     yield amplitude_part(orbits, "amplitude of the limit cycle", "3.2995e-05", SMALL_GAP)
-    yield text(
-        """
+    yield text("""
         Half of peak to peak of the two readings is [[ half | power6 ]] m, printed without its last digit. The
         exact limit cycle has [[ exact | power4 ]] m, [[ more | f2 ]] % more; with the rounded coefficients of
         Listing A.9 it has [[ rounded | power4 ]] m. It reaches equally far both ways, so the unequal readings
         hold something else too: steps of the solver, or a start that had not died out.
 
         The error of the prediction is smaller than the section finds.
-        """,
+    """).given(
         half=half,
         exact=exact,
         more=100 * (exact / half - 1),
@@ -83,20 +80,16 @@ def amplitude_error(known: Evidence) -> Record:
     other = known.cycles.inertia.unstable.amplitude / orbits.inertia.unstable.amplitude - 1
     by_fractions = close("exact fractions", in_fractions, quotient)
     yield digits("arithmetic", "0.4334", 100 * quotient, "%", second=by_fractions)
-    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    by_durations = close(TWO_DURATIONS, second, error, 1e-6)
     yield digits("error of the prediction", "0.4334", error, "%", second=by_durations)
-    yield text(
-        """
+    yield text("""
         The quotient of the printed numbers is right. Prediction and exact limit cycle of one and the same
         loop differ by [[ error | f2 ]] %: the describing function is better here than its comparison with a
         simulation. It is not so everywhere; the unstable limit cycle of inertia-controlled backlash it puts
         [[ other | f0 ]] % too high.
 
         The prediction is better than the section finds.
-        """,
-        error=error,
-        other=100 * other,
-    )
+    """).given(error=error, other=100 * other)
 
 
 @claim("txt-5.2.1-simulated-frequency", source=SOURCE, impact=Impact.LOCAL)
@@ -104,15 +97,14 @@ def frequency(known: Evidence) -> Record:
     orbits = known.orbits
     exact = orbits.friction.stable.frequency
     yield peak_part(orbits, "frequency of the limit cycle")
-    yield text(
-        """
+    yield text("""
         The exact limit cycle has [[ exact | f3 ]] Hz ([[ rounded | f3 ]] Hz with the rounded coefficients,
         [[ both | f3 ]] Hz with both channels of the pin). A whole number of hertz is what a spectrum over one
         second shows: 734 Hz, or 733 Hz with rounded coefficients, which is the number that the printed error
         of 0.046 % belongs to. In bins of 10 Hz, as the section has them, it would be [[ coarse | f2 ]] Hz.
 
         The error of the prediction that is taken from it is that of reading a bin.
-        """,
+    """).given(
         exact=exact,
         rounded=orbits.friction_listing.stable.frequency,
         both=orbits.friction_both_channels.stable.frequency,
@@ -133,21 +125,17 @@ def frequency_error(known: Evidence) -> Record:
     name = "733.00 Hz is used for the simulated frequency, printed as 734.00"
     slip = made_here(name, 100 * abs(listing - 733.00) / 733.00)
     yield digits("arithmetic", "0.046", quoted, "%", second=by_logarithms, slip=slip)
-    by_durations = close(SECOND_WAY, second, error, 1e-6)
+    by_durations = close(TWO_DURATIONS, second, error, 1e-6)
     name = f"{ROUNDED}, and the simulated frequency is the nearest bin of 1 Hz"
     slip = repeated(name, 100 * (listing / ONE_SECOND.nearest(orbits.friction_listing.stable.frequency) - 1))
     yield digits("error of the prediction", "0.046", error, "%", second=by_durations, slip=slip)
-    yield text(
-        """
+    yield text("""
         From the two printed frequencies the error is [[ quoted | f3 ]] %, twice what is printed; with a
         simulated 733.00 Hz, which the text does not have, it is the printed 0.046 %. That is the bin in which
         the loop with rounded coefficients shows. The error of the prediction itself is [[ error | f4 ]] %.
 
         The agreement in frequency is better than a bin can show.
-        """,
-        quoted=quoted,
-        error=error,
-    )
+    """).given(quoted=quoted, error=error)
 
 
 @claim("txt-5.2.1-sampling", source="report/numbers/record.py")
@@ -174,15 +162,12 @@ def peak_width(known: Evidence) -> Record:
         method="multiples of the sample rate over the number of samples",
         second=close("NumPy's bins", float(bins[np.argmin(np.abs(bins - peak))]), nearest),
     )
-    yield text(
-        """
+    yield text("""
         No line of such a spectrum lies within 3 Hz of 734 Hz, and a peak placed between lines would be at
         [[ exact | f2 ]] Hz. The spectrum of the figure is one over a second.
 
         The width of the peak is a tenth of what the text says.
-        """,
-        exact=known.orbits.friction.stable.frequency,
-    )
+    """).given(exact=known.orbits.friction.stable.frequency)
 
 
 @claim("txt-5.2.1-touching", source="trimmer/balance/solve.py", impact=Impact.DOWNSTREAM)
@@ -196,15 +181,15 @@ def touching(known: Evidence) -> Record:
         r"the curves for $2\times10^{-8}$ m",
         "they just touch, so that no limit cycle is predicted",
         all(cycle.near_tangency for cycle in predicted),
-        filled(
-            """
-            they cross [[ times ]] times, at [[ angle | f0 ]] degrees for the stable one, with
-            [[ amplitude | f1 ]] nm
-            """,
-            times=len(predicted),
-            angle=math.degrees(stable.crossing_angle),
-            amplitude=1e9 * stable.amplitude,
-        ),
+        """
+        they cross [[ times ]] times, at [[ angle | f0 ]] degrees for the stable one, with
+        [[ amplitude | f1 ]] nm
+        """,
+        numbers={
+            "times": len(predicted),
+            "angle": math.degrees(stable.crossing_angle),
+            "amplitude": 1e9 * stable.amplitude,
+        },
         method="all solutions of harmonic balance for that gap",
         second=equal("the coefficients of Listing A.9", len(listed), len(predicted)),
     )
@@ -235,15 +220,12 @@ def one_impulse_part(known: Evidence) -> Part:
         "one impulse for all gaps",
         r"there is one after which the loop dies out for $10^{-8}$ m and goes on for $3\times10^{-8}$ m",
         not numbers.one_threshold,
-        filled(
-            r"""
-            impulse over gap alone decides: of [[ count ]] impulses over nine decades those below
-            [[ threshold | f2 ]] µs die out and those above go on, so $10^{-8}$ m goes on wherever
-            $3\times10^{-8}$ m does
-            """,
-            count=len(numbers.impulses),
-            threshold=1e6 * numbers.threshold,
-        ),
+        r"""
+        impulse over gap alone decides: of [[ count ]] impulses over nine decades those below
+        [[ threshold | f2 ]] µs die out and those above go on, so $10^{-8}$ m goes on wherever
+        $3\times10^{-8}$ m does
+        """,
+        numbers={"count": len(numbers.impulses), "threshold": 1e6 * numbers.threshold},
         method="scaling of the model; exact simulation over the whole range",
         second=equal(means, *numbers.counted),
     )
@@ -260,20 +242,19 @@ def impulse(known: Evidence) -> Record:
         r"what is left for $10^{-8}$ m after an impulse that $3\times10^{-8}$ m goes on after",
         "no oscillation",
         smallest.amplitude < smallest.gap / 2,
-        filled(
-            r"""
-            [[ smallest | f1 ]] nm, beside [[ middle | f1 ]] nm for $2\times10^{-8}$ m and [[ largest | f1 ]]
-            nm for $3\times10^{-8}$ m
-            """,
-            smallest=1e9 * smallest.amplitude,
-            middle=1e9 * middle.amplitude,
-            largest=1e9 * largest.amplitude,
-        ),
+        r"""
+        [[ smallest | f1 ]] nm, beside [[ middle | f1 ]] nm for $2\times10^{-8}$ m and [[ largest | f1 ]] nm
+        for $3\times10^{-8}$ m
+        """,
+        numbers={
+            "smallest": 1e9 * smallest.amplitude,
+            "middle": 1e9 * middle.amplitude,
+            "largest": 1e9 * largest.amplitude,
+        },
         method=f"exact simulation of the three gaps with {power_of(strongest)} m s",
         second=close("the exact orbit for $10^{-8}$ m, by shooting", exact, smallest.amplitude, 1e-4),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Impulse, gap and motion times one factor are again a motion, so with one impulse it is the larger gap
         that dies out, if any: $3\times10^{-8}$ m does below [[ threshold | power2 ]] m s, $10^{-8}$ m below a
         third of that. Printed is the opposite order. Where all go on, they oscillate as 1 : 2 : 3, beside a
@@ -281,10 +262,7 @@ def impulse(known: Evidence) -> Record:
 
         The simulation does not support a threshold in the gap, which chapters 6 and 7 quote: what matters is
         how hard the loop is struck.
-        """,
-        threshold=3e-8 * numbers.threshold,
-        peak=numbers.peak,
-    )
+    """).given(threshold=3e-8 * numbers.threshold, peak=numbers.peak)
 
 
 @claim("txt-5.2.1-simulated-4e-5", source=SOURCE, impact=Impact.LOCAL)
@@ -293,7 +271,7 @@ def larger_gap(known: Evidence) -> Record:
     inner, outer = orbits.friction.unstable, orbits.friction.stable
     stable, unstable = (abs(orbit.nontrivial_multipliers).max() for orbit in (outer, inner))
     yield amplitude_part(orbits, "amplitude", "3.2995e-04", LARGE_GAP)
-    second = close(SECOND_WAY, orbits.friction_by_durations[1], outer.frequency)
+    second = close(TWO_DURATIONS, orbits.friction_by_durations[1], outer.frequency)
     name = "the nearest bin of a spectrum over 0.3 s is read, of which bins are 3.33 Hz apart"
     slip = repeated(name, THIRD_OF_A_SECOND.nearest(outer.frequency))
     yield digits("frequency", "733.33", outer.frequency, "Hz", second=second, slip=slip)
@@ -316,8 +294,7 @@ def larger_gap(known: Evidence) -> Record:
         method="exact simulation of both",
         second=so(means, len(outward) == 1 and outward[0].imag == 0 and outward[0].real > 1),
     )
-    yield text(
-        r"""
+    yield text(r"""
         Ten times the gap gives ten times the motion at the same frequency, so this simulation repeats the one
         for $4\times10^{-6}$ m. Its two readings, 734.00 and 733.33 Hz, are the nearest bins of one second and
         of 0.3 s, if 733.33 Hz is not the prediction of table 5.1 copied. The exact multipliers agree that
@@ -326,7 +303,4 @@ def larger_gap(known: Evidence) -> Record:
         starts on.
 
         The inner limit cycle is the edge of what dies out: a weak disturbance leaves the loop at rest.
-        """,
-        stable=stable,
-        unstable=unstable,
-    )
+    """).given(stable=stable, unstable=unstable)

@@ -12,18 +12,17 @@ from derivations.identity import UnprovenError
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
-from report.comparisons.second_ways import by_division_back, by_floquet, by_waveform
+from report.comparisons.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
 from report.evidence import Evidence
-from report.numbers.independent.backlash_loci import lies_between_the_limits
-from report.numbers.limit_cycle_numbers import TIME_CONSTANTS, friction_exactly, inertia_by_newton
+from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
+from report.numbers.independent.loci import lies_between_the_limits
+from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.parts import assertion, close, digits, expression, repeated
 from report.record import Record, claim, text
 from report.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
 SOLVER = "trimmer/balance/solve.py"
-NEWTON = "Newton's method in 30 digits"
-ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
@@ -31,7 +30,7 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
     """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
-    by_inertia = close(NEWTON, inertia_by_newton(known.numbers, high)[1], high.omega)
+    by_inertia = close(NEWTON, inertia_exactly(known.numbers, high)[1], high.omega)
     slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
     return (
         digits("lower end", "733", low.frequency, "Hz", second=by_friction, slip=slip),
@@ -43,15 +42,14 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
 def band(known: Evidence) -> Record:
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     yield from band_parts(known)
-    yield text(
-        """
+    yield text("""
         The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
         [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong prediction of section
         5.2.2.
 
         The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
         from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
-        """,
+    """).given(
         low=low,
         high=high,
         width=high.frequency - low.frequency,
@@ -106,23 +104,18 @@ def only_between(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=by_waveform(system, list(zip(loads, stable, strict=True))),
     )
-    yield text(
-        """
+    yield text("""
         For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies
         between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by them: it
         reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and [[ inertia | f2 ]].
-        """,
-        largest=cycles.largest_viscous.amplitude,
-        friction=low.amplitude,
-        inertia=high.amplitude,
-    )
+    """).given(largest=cycles.largest_viscous.amplitude, friction=low.amplitude, inertia=high.amplitude)
 
 
 @claim("txt-5.2.3-identify-760", source=SOLVER, impact=Impact.LOCAL)
 def identify(known: Evidence) -> Record:
     limit = known.cycles.inertia.stable
     highest = max(cycle.frequency for each in known.cycles.viscous for cycle in each if cycle.stable)
-    by_newton = inertia_by_newton(known.numbers, limit)[1]
+    by_newton = inertia_exactly(known.numbers, limit)[1]
     yield digits("conversion", "4775", 760 * TURN, "rad/s", second=by_division_back(760 * TURN, 760))
     yield assertion(
         "a ratio M/D for 760 Hz",
@@ -168,7 +161,7 @@ def proven(*steps: ProvenStep) -> bool:
     """Return whether every equation of the steps is proven."""
     try:
         for step in steps:
-            step.tell()
+            step.proven()
     except UnprovenError:
         return False
     return True

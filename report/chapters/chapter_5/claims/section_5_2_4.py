@@ -9,12 +9,15 @@ import sympy
 from derivations.dimensions import FORCE as DIMENSION_OF_FORCE
 from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
-from derivations.elements.waveform import THETA, describing_function
+from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power_of
-from report.comparisons.quadrature import coefficient, confirm
-from report.comparisons.second_ways import by_grid, by_harmonics
+from report.comparisons.second_ways import (
+    by_grid,
+    by_harmonics,
+    by_quadrature,
+)
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import (
     difference_of_scaled,
@@ -22,11 +25,11 @@ from report.numbers.independent.relay_and_friction import (
     highest_phase,
     on_the_imaginary_axis,
 )
+from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
 from report.numbers.time_stepping import FINE_STEP
 from report.parts import assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer import real_axis_crossings
 
 SIMULATED = "report/numbers/relay_loop.py"
@@ -53,15 +56,14 @@ def limit_of_response(known: Evidence) -> Record:
 @claim("eq-5.13", source="derivations/elements/friction.py", impact=Impact.DOWNSTREAM)
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
-    for_friction, wave = sympy.simplify(-1 / FRICTION), friction_waveform()
-    sine, cosine = (coefficient(wave, weight(THETA), VALUES) for weight in (sympy.sin, sympy.cos))
+    for_friction, gain = sympy.simplify(-1 / FRICTION), quadrature_gain(friction_waveform(), A, VALUES)
     yield expression("for a relay on the loop's signal", printed, -1 / RELAY, left)
     yield expression(
         "for friction, in a loop whose signal is a displacement",
         printed,
         for_friction,
         left,
-        second=confirm(for_friction, -float(VALUES[A]) / (sine + 1j * cosine), VALUES),
+        second=by_quadrature(for_friction, -1 / gain, VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", -1 / RELAY),
     )
     yield text(r"""
@@ -83,52 +85,45 @@ def no_crossing(known: Evidence) -> Record:
     highest = highest_phase(system)
     second = by_grid(system, negative)
     yield digits("crossings of the negative real axis", "0", negative, second=second)
-    evidence = filled(
-        """
-        with the right operator $G$ would have to cross the positive imaginary axis; where it is imaginary, at
-        [[ frequencies ]] frequencies, it lies on the negative one
-        """,
-        frequencies=len(on_the_axis),
-    )
     means = f"the phase on a grid, which rises to {math.degrees(highest):.1f} degrees"
     yield assertion(
         "what follows for friction",
         "harmonic balance predicts no limit cycle from Coulomb friction",
         max(on_the_axis) < 0,
-        evidence,
+        """
+        with the right operator $G$ would have to cross the positive imaginary axis; where it is imaginary, at
+        [[ frequencies ]] frequencies, it lies on the negative one
+        """,
+        numbers={"frequencies": len(on_the_axis)},
         method="all roots of the real part, from exact coefficients",
         second=so(means, highest < math.pi / 2),
     )
-    yield text(
-        """
+    yield text("""
         $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The reason given
         looks at the wrong axis, but the conclusion stands: friction between parts at rest otherwise only
         takes energy, so it cannot keep anything moving.
-        """,
-        crossings=len(crossings),
-    )
+    """).given(crossings=len(crossings))
 
 
 def relay_part(numbers: RelayNumbers, label: str) -> Part:
     """Return the part on the oscillation of the loop with an ideal relay."""
     growth = [run.growth for run in numbers.runs]
-    evidence = filled(
-        r"""
-        the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
-        [[ strongest | g ]] s per unit of the relay the frequency grows as $e^{[[ growth | f2 ]]\,t}$ and the
-        swings fall as $e^{[[ fall | f1 ]]\,t}$
-        """,
-        weakest=numbers.runs[0].impulse,
-        strongest=numbers.runs[-1].impulse,
-        growth=growth[0],
-        fall=-2 * growth[0],
-    )
     means = "a third of the damping that G has at high frequency"
     return assertion(
         label,
         "an oscillation of one high frequency remains",
         min(growth) < STEADY,
-        evidence,
+        r"""
+        the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
+        [[ strongest | g ]] s per unit of the relay the frequency grows as $e^{[[ growth | f2 ]]\,t}$ and the
+        swings fall as $e^{[[ fall | f1 ]]\,t}$
+        """,
+        numbers={
+            "weakest": numbers.runs[0].impulse,
+            "strongest": numbers.runs[-1].impulse,
+            "growth": growth[0],
+            "fall": -2 * growth[0],
+        },
         method="exact simulation of the loop with an ideal relay",
         second=close(means, numbers.damping / 3, growth[0], 1e-3),
     )
@@ -137,20 +132,16 @@ def relay_part(numbers: RelayNumbers, label: str) -> Part:
 def friction_part(numbers: RelayNumbers, label: str) -> Part:
     """Return the part on the loop with friction and viscous friction of the output's velocity."""
     last = max(run.last_turn for run in numbers.friction)
-    evidence = filled(
-        """
-        it turns for the last time within [[ last | f0 ]] µs, and then sticks or creeps one way for the rest
-        of [[ duration | f0 ]] ms
-        """,
-        last=1e6 * last,
-        duration=1e3 * DURATION,
-    )
     means = f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event"
     return assertion(
         label,
         "an oscillation remains",
         last > DURATION / 2,
-        evidence,
+        """
+        it turns for the last time within [[ last | f0 ]] µs, and then sticks or creeps one way for the rest
+        of [[ duration | f0 ]] ms
+        """,
+        numbers={"last": 1e6 * last, "duration": 1e3 * DURATION},
         method="exact simulation with true stick, impulses over six decades",
         second=close(means, max(numbers.last_turn_in_steps), last, 0.02),
     )
@@ -158,18 +149,26 @@ def friction_part(numbers: RelayNumbers, label: str) -> Part:
 
 def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation) -> Part:
     """Return the part on periodic motions with all harmonics."""
-    evidence = filled(
-        """
-        from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave returns with zeros at its jumps at
-        [[ frequencies ]] Hz only, and there in phase with itself, so the relay would work against it
-        """,
-        low=0.5 / HALF_PERIODS[-1],
-        high=0.5 / HALF_PERIODS[0],
-        frequencies=" and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies),
-    )
     method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
     derived = not all(candidates.in_phase)
-    return assertion(label, statement, derived, evidence, method=method, second=second)
+    return assertion(
+        label,
+        statement,
+        derived,
+        """
+                                                from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave
+                                                returns with zeros at its jumps at [[ frequencies ]] Hz only,
+                                                and there in phase with itself, so the relay would work
+                                                against it
+                                                """,
+        numbers={
+            "low": 0.5 / HALF_PERIODS[-1],
+            "high": 0.5 / HALF_PERIODS[0],
+            "frequencies": " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies),
+        },
+        method=method,
+        second=second,
+    )
 
 
 @claim("txt-5.2.4-high-frequency", source=SIMULATED, impact=Impact.DOWNSTREAM)
@@ -184,8 +183,7 @@ def high_frequency(known: Evidence) -> Record:
         by_harmonics(known.numbers.displacement_only, numbers.alone.frequencies),
     )
     yield friction_part(numbers, "friction, which acts on velocity")
-    yield text(
-        """
+    yield text("""
         What is seen is the end of a motion, not a limit cycle: near the origin $G$ is a double integrator
         with a little damping, on which a relay oscillates ever faster and smaller. A simulation cannot follow
         that; one that looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz with
@@ -194,11 +192,7 @@ def high_frequency(known: Evidence) -> Record:
 
         That Coulomb friction may be neglected because its limit cycles are small has no ground: there are
         none, and in the trimmer friction decides whether backlash has one (chapter 7).
-        """,
-        step=1e6 * STEP,
-        frequency=frequency,
-        amplitude=amplitude,
-    )
+    """).given(step=1e6 * STEP, frequency=frequency, amplitude=amplitude)
 
 
 @claim("txt-5.2.4-linear-in-fc", source=SIMULATED)

@@ -12,29 +12,31 @@ from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.expression import SameExpression
+from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import FORCE, GAP, OMEGA, EquivalentNumbers, printed_function
-from report.numbers.independent.listing_a6 import (
+from report.numbers.equivalent_nonlinearity import (
+    FORCE,
+    EquivalentNumbers,
+    Point,
+    printed_function,
+)
+from report.numbers.independent.limit_cycles import (
+    equivalent_as_listed,
     frequency_of_strong_friction,
-    listing_by_newton,
-    listing_function,
     loop_at_merger,
 )
+from report.numbers.listed_functions import equivalent_listing
 from report.numbers.released_bodies import RECORD
-from report.parts import assertion, close, digits, equal, expression, made_here, so
+from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, TURN
-from trimmer import response_at
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP, TURN
+from trimmer import LimitCycle, response_at
 
 OPERATOR, BODIES = "derivations/elements/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 LINE_18 = "line 18 of Listing A.6 is used for the friction term"
 BY_LISTING = "all solutions of harmonic balance with the listing's function"
-PEAKS = ("221.989", "369.996", "736.993")
-"""Hz."""
 DIED_OUT = 1e-9
 """Share of the start that may be left of a motion that has died out."""
 
@@ -47,7 +49,7 @@ def coulomb_part() -> Part:
         "Coulomb term",
         PRINTED_TERM,
         FRICTION,
-        second=Confirmation(means, SameExpression(by_velocity, FRICTION)),
+        second=same(means, by_velocity, FRICTION),
         slip=made_here(r"the gain for a displacement is divided by $j\omega$", RELAY / (sympy.I * omega)),
     )
 
@@ -81,12 +83,11 @@ def coulomb_term(_: Evidence) -> Record:
 @claim("txt-5.2.5-omega-limit", source=OPERATOR, impact=Impact.DOWNSTREAM)
 def large_frequency(_: Evidence) -> Record:
     printed, right = (sympy.limit(term, omega, sympy.oo) for term in (PRINTED_TERM, FRICTION))
-    free = SameExpression(FRICTION.diff(omega), sympy.Integer(0))
     yield expression(
         "limit of the Coulomb term",
         printed,
         right,
-        second=Confirmation(r"the term does not contain $\omega$", free),
+        second=same(r"the term does not contain $\omega$", FRICTION.diff(omega), sympy.Integer(0)),
         slip=made_here(r"the term is divided by $\omega$", printed),
     )
     yield text("""
@@ -120,7 +121,7 @@ def difference(_: Evidence) -> Record:
 
 def intersections_part(numbers: EquivalentNumbers) -> Part:
     """Return the part on the number of limit cycles, which the figure and the text share."""
-    found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / GAP)
+    found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / SMALL_GAP)
     return digits(
         "limit cycles with the right friction term, over $k_2$",
         "1",
@@ -133,16 +134,21 @@ def intersections_part(numbers: EquivalentNumbers) -> Part:
 def frequency_part(numbers: EquivalentNumbers) -> Part:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
-    _, by_newton = listing_by_newton(cycle, FORCE, GAP, OMEGA)
+    _, by_newton = equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
     slip = "0.15 N, the force of figure 5.21, is used instead of 0.6 N, and the last digit is cut off"
     return digits(
         "frequency by Listing A.6 with the coefficients of Listing A.9",
         PRINTED,
         cycle.frequency,
         "Hz",
-        second=close("Newton's method in 30 digits", by_newton, cycle.omega),
+        second=close(NEWTON, by_newton, cycle.omega),
         slip=made_here(slip, math.floor(1000 * less_force.frequency) / 1000),
     )
+
+
+def by_listing_a6(solution: LimitCycle | Point, turning: float) -> complex:
+    """Return N of Listing A.6 at a solution, with an angular frequency (rad/s) in its friction term."""
+    return equivalent_listing(solution.amplitude, FORCE, SMALL_GAP, turning)
 
 
 def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmation:
@@ -163,14 +169,13 @@ def prediction(known: Evidence) -> Record:
     own, as_printed = numbers.own_frequency, numbers.as_printed
     yield intersections_part(numbers)
     yield frequency_part(numbers)
-    exact, free = listing_function(listing.amplitude, OMEGA), listing_function(own.amplitude, own.omega)
+    exact, free = by_listing_a6(listing, DRIVE_OMEGA), by_listing_a6(own, own.omega)
     yield solution_part(known, "frequency by Listing A.6 with exact coefficients", listing.omega, exact)
     label = "the same, with the loop's frequency in the friction term instead of the drive's"
     yield solution_part(known, label, own.omega, free)
     by_equation = printed_function(as_printed.amplitude, FORCE)
     yield solution_part(known, "frequency by equation 5.14 as printed", as_printed.omega, by_equation)
-    yield text(
-        r"""
+    yield text(r"""
         With the right friction term there is no limit cycle at [[ force ]] N: friction between cutter and
         guard ends it at [[ most | f4 ]] N for this gap. A limit cycle near 737.5 Hz comes from line 18 of
         Listing A.6, whose term has the wrong sign and feeds the oscillation (with the pin's velocity too
@@ -183,7 +188,7 @@ def prediction(known: Evidence) -> Record:
         The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken for this
         limit cycle lose their ground. Its amplitude of [[ amplitude | f1 ]] mm, which the text does not give,
         would have shown it.
-        """,
+    """).given(
         force=FORCE,
         most=numbers.force_of_merger,
         both=both.frequency,
@@ -203,46 +208,43 @@ def at_the_merger(known: Evidence) -> Confirmation:
 def amplitude(known: Evidence) -> Record:
     numbers, friction = known.cycles.equivalent, known.cycles.friction.stable
     (listing,) = numbers.listing
-    without = GAP * friction.amplitude
+    without = SMALL_GAP * friction.amplitude
     growth, shift = listing.amplitude / without, listing.frequency / friction.frequency - 1
-    by_listing = filled(
-        """
-        from [[ without | f1 ]] µm without friction to [[ amplitude | f1 ]] mm at [[ force ]] N,
-        [[ growth | f0 ]] times; the frequency rises by [[ shift | f2 ]] %
-        """,
-        without=1e6 * without,
-        amplitude=1e3 * listing.amplitude,
-        force=FORCE,
-        growth=growth,
-        shift=100 * shift,
-    )
     yield assertion(
         "by Listing A.6",
         "the amplitude changes much, the frequency little",
         growth > 10 and abs(shift) < 0.01,
-        by_listing,
-        method=BY_LISTING,
-        second=loop_closes(known, listing.omega, listing_function(listing.amplitude, OMEGA)),
-    )
-    in_place = filled(
         """
-        the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
-        force there is no limit cycle
+        from [[ without | f1 ]] µm without friction to [[ amplitude | f1 ]] mm at [[ force ]] N,
+        [[ growth | f0 ]] times; the frequency rises by [[ shift | f2 ]] %
         """,
-        without=1e6 * without,
-        last=1e6 * GAP * numbers.in_place.merger.amplitude,
-        most=numbers.force_of_merger,
+        numbers={
+            "without": 1e6 * without,
+            "amplitude": 1e3 * listing.amplitude,
+            "force": FORCE,
+            "growth": growth,
+            "shift": 100 * shift,
+        },
+        method=BY_LISTING,
+        second=loop_closes(known, listing.omega, by_listing_a6(listing, DRIVE_OMEGA)),
     )
     yield assertion(
         "with friction as the stiffness that it is",
         "a limit cycle with another amplitude is left at 0.6 N",
-        numbers.in_place.limit_cycles(FORCE / GAP) > 0,
-        in_place,
+        numbers.in_place.limit_cycles(FORCE / SMALL_GAP) > 0,
+        """
+        the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
+        force there is no limit cycle
+        """,
+        numbers={
+            "without": 1e6 * without,
+            "last": 1e6 * SMALL_GAP * numbers.in_place.merger.amplitude,
+            "most": numbers.force_of_merger,
+        },
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
     )
-    yield text(
-        """
+    yield text("""
         The text gives no amplitude. Its own function gives [[ times | f0 ]] times the amplitude of the pin,
         and the more the stronger the friction is; it is set by the friction term and would be nearly the same
         without a gap. The right term acts the other way: friction makes the oscillation smaller and then ends
@@ -250,9 +252,7 @@ def amplitude(known: Evidence) -> Record:
 
         The section's model contradicts the conclusion of section 3.3 and chapter 7 that friction suppresses
         the limit cycle; the right one supports it.
-        """,
-        times=listing.amplitude / DRIVE_AMPLITUDE,
-    )
+    """).given(times=listing.amplitude / DRIVE_AMPLITUDE)
 
 
 def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
@@ -260,30 +260,25 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
     numbers, branch = known.motion.closed.released_bodies, known.cycles.equivalent.in_place
     read = [RECORD.frequency(number) for number in numbers.runs[0].peaks]
     parts = []
-    for number, printed, frequency, mode in zip((1, 2, 3), PEAKS, read, numbers.modes, strict=False):
+    for number, printed, frequency, mode in zip((1, 2, 3), RELEASED_PEAKS, read, numbers.modes, strict=False):
         label = f"{prefix}peak {number} of {RECORD.duration:.0f} s, all bodies released alike"
         second = close(f"natural mode {number} of the loop without play and friction", mode, frequency, 2e-3)
         shown = f"{frequency:.3f}"
         slip = made_here("the last two digits are exchanged", float(shown[:-2] + shown[-1] + shown[-2]))
         parts.append(digits(label, printed, frequency, "Hz", second=second, slip=slip))
     left = max(run.left / run.displacement for run in numbers.runs)
-    evidence = filled(
+    reading = assertion(
+        f"{prefix}what the peak at {RELEASED_PEAKS[2]} Hz is",
+        f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
+        left > DIED_OUT,
         """
         the motion dies out: at the end of the record [[ left | power0 ]] of the start is left at most. A gap
         of 4 µm bears [[ most | f3 ]] N at most; the peak is the third natural mode of the loop,
         [[ mode | f2 ]] Hz
         """,
-        left=left,
-        most=known.cycles.equivalent.force_of_merger,
-        mode=numbers.modes[2],
-    )
-    reading = assertion(
-        f"{prefix}what the peak at {PEAKS[2]} Hz is",
-        f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
-        left > DIED_OUT,
-        evidence,
+        numbers={"left": left, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
         method="exact simulation with true stick",
-        second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / GAP) == 0),
+        second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / SMALL_GAP) == 0),
     )
     return (*parts, reading)
 
@@ -291,28 +286,22 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
 @claim("txt-5.2.5-fft", source=BODIES, impact=Impact.DOWNSTREAM)
 def peaks(known: Evidence) -> Record:
     numbers = known.motion.closed.released_bodies
-    modes, (_, second, third) = numbers.modes, map(float, PEAKS)
+    modes, (_, second, third) = numbers.modes, map(float, RELEASED_PEAKS)
     apart = abs(2 * second - third) / RECORD.bin_width
-    evidence = filled(
+    yield from peak_parts(known)
+    yield assertion(
+        f"what the peak at {RELEASED_PEAKS[1]} Hz is",
+        f"it is a harmonic of the one at {RELEASED_PEAKS[2]} Hz",
+        apart < 1,
         """
         twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
         odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
         """,
-        peaks=PEAKS,
-        apart=apart,
-        mode=modes[1],
-    )
-    yield from peak_parts(known)
-    yield assertion(
-        f"what the peak at {PEAKS[1]} Hz is",
-        f"it is a harmonic of the one at {PEAKS[2]} Hz",
-        apart < 1,
-        evidence,
+        numbers={"peaks": RELEASED_PEAKS, "apart": apart, "mode": modes[1]},
         method="the printed frequencies and bins",
         second=close("the natural modes of the loop", modes[1], second, 2e-3),
     )
-    yield text(
-        """
+    yield text("""
         All three are free vibrations of the closed loop without play and friction, at [[ modes[0] | f2 ]],
         [[ modes[1] | f2 ]] and [[ modes[2] | f2 ]] Hz. Released with all four bodies displaced alike, which
         is our guess of the start, the thesis's loop with 4 µm and 0.6 N has its largest peaks in exactly
@@ -322,8 +311,4 @@ def peaks(known: Evidence) -> Record:
 
         The agreement of 736.993 with the predicted 737.514 Hz is no evidence for the equivalent nonlinearity:
         both are nearly the frequency at which $G$ passes by $-1$.
-        """,
-        modes=modes,
-        least=numbers.runs[0].displacement,
-        most=numbers.runs[-1].displacement,
-    )
+    """).given(modes=modes, least=numbers.runs[0].displacement, most=numbers.runs[-1].displacement)

@@ -12,21 +12,17 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.claim import Impact
-from report.comparisons.quadrature import coefficient
+from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
-from report.numbers.impedance import BY_FRICTION, BY_THE_PIN, displacements
-from report.numbers.independent.listed_blocks import inertia_block
+from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
+from report.numbers.independent.waveforms import coefficient
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
+from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import response_at
-from trimmer.balance.leakage import harmonic_leakage
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage, response_at
 
 LITTLE = 0.05
 """Share of the fundamental below which a harmonic that comes back is taken as filtered."""
@@ -66,15 +62,12 @@ def _single(known: Evidence) -> Record:
         "1: one nonlinearity, for backlash with friction",
         "both act at one place of the loop, so that one element stands for them",
         bool(np.abs(quotients - 1).max() < 1e-6),
-        filled(
-            """
-            a force between cutter and guard moves them [[ sizes[0] | f3 ]] times as far at
-            [[ pair.unstable.frequency | f0 ]] Hz and [[ sizes[1] | f3 ]] times as far at
-            [[ pair.stable.frequency | f0 ]] Hz as a force by the pin's spring does
-            """,
-            sizes=abs(quotients),
-            pair=pair,
-        ),
+        """
+        a force between cutter and guard moves them [[ sizes[0] | f3 ]] times as far at
+        [[ pair.unstable.frequency | f0 ]] Hz and [[ sizes[1] | f3 ]] times as far at
+        [[ pair.stable.frequency | f0 ]] Hz as a force by the pin's spring does
+        """,
+        numbers={"sizes": abs(quotients), "pair": pair},
         method="responses of $q_2 - q_4$ to both",
         second=close("the matrices of figure 2.1, solved at both frequencies", solved, quotients.sum()),
     )
@@ -90,13 +83,11 @@ def _static_and_time_invariant() -> Record:
         "2: $y(t) = f(x(t))$, for backlash",
         "the output follows from the input at the same instant",
         difference == 0,
-        filled(
-            """
-            where the pin falls the load is $[[ gap | latex ]]$, a whole gap, farther than where the pin rises
-            through the same place
-            """,
-            gap=difference,
-        ),
+        """
+        where the pin falls the load is $[[ gap | latex ]]$, a whole gap, farther than where the pin rises
+        through the same place
+        """,
+        numbers={"gap": difference},
         method="two pieces of the derived waveform at one value of the input",
         second=close(means, from_above - from_below, GAP),
     )
@@ -113,7 +104,7 @@ def _static_and_time_invariant() -> Record:
         "a delayed input gives the same output, delayed",
         distance < 1e-3 * DRIVE_AMPLITUDE,
         f"for a delay of a quarter period the output is off by up to {off} mm at a stroke of 1.5 mm",
-        method="the listing, repeated line by line",
+        method=REPEATED,
         second=so(means, at_rest > DRIVE_AMPLITUDE),
     )
 
@@ -143,11 +134,11 @@ def _filtered(known: Evidence) -> Record:
         "3: filtering, at every predicted limit cycle",
         f"the third harmonic comes back with less than {100 * LITTLE:.0f} % of the fundamental",
         largest < LITTLE,
-        filled(
-            "it is [[ limits ]], and at most [[ largest | f2 ]] % for any $M/D$ between",
-            limits=", ".join(f"{100 * share:.2f} % ({name})" for name, share in limits.items()),
-            largest=100 * largest,
-        ),
+        "it is [[ limits ]], and at most [[ largest | f2 ]] % for any $M/D$ between",
+        numbers={
+            "limits": ", ".join(f"{100 * share:.2f} % ({name})" for name, share in limits.items()),
+            "largest": 100 * largest,
+        },
         method="the element's third harmonic with the response of $G$",
         second=so(means, exact < LITTLE),
     )

@@ -6,19 +6,18 @@ import math
 
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
+from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
 from report.inventory import read_inventory
-from report.numbers.limit_cycle_numbers import LISTING_DENOMINATOR, LISTING_NUMERATOR, friction_by_newton
+from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits, repeated
 from report.record import Record, claim, text
 from report.sections import read_sections
-from report.text import filled
 from report.thesis import SMALL_GAP, TURN
 
 SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
 QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 and section 5.2.5": "733.33"}
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
-NEWTON = "Newton's method in 30 digits"
 
 
 def refers(label: str, named: str, meant: str, what: str) -> Part:
@@ -45,14 +44,11 @@ def to_the_models(_: Evidence) -> Record:
         "where the models in open loop stand",
         "the models in open loop are those of section 3.1",
         place.number == named.number,
-        filled(
-            """
-            section 3.1 is “[[ named.title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in
-            section [[ place.number ]]
-            """,
-            named=named,
-            place=place,
-        ),
+        """
+        section 3.1 is “[[ named.title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in section
+        [[ place.number ]]
+        """,
+        numbers={"named": named, "place": place},
         method="read in the headings of the sections and the places of their figures",
     )
     yield text("""
@@ -92,7 +88,7 @@ def of_zero_force(_: Evidence) -> Record:
 def quoted_prediction(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.frequency
-    _, omega = friction_by_newton(LISTING_NUMERATOR, LISTING_DENOMINATOR, cycle)
+    _, omega = friction_as_listed(cycle)
     cut_off = [
         printed for printed in QUOTED.values() if not PrintedDigits(printed, predicted).compare().agrees
     ]
@@ -111,17 +107,14 @@ def quoted_prediction(known: Evidence) -> Record:
     second = close("the difference of logarithms", by_logarithms, difference)
     slip = repeated("733.33 Hz, cut off, is used for the rounded 733.34 Hz", from_cut_off)
     yield digits("the difference to 737.514 Hz", "0.5705", difference, "%", second=second, slip=slip)
-    yield text(
-        r"""
+    yield text(r"""
         Listing A.9's coefficients give [[ predicted | f4 ]] Hz, so 733.3 and 733.34 Hz are right roundings of
         one number and 733.33 Hz is not. The amplitude fares alike: $3.3138\times10^{-5}$ m becomes
         $3.313\times10^{-5}$ m in section 5.2.5. The percentage of that section follows from the number that
         is cut off.
 
         The difference is 0.5692 % from the rounded number; it compares with a wrong term in any case.
-        """,
-        predicted=predicted,
-    )
+    """).given(predicted=predicted)
 
 
 @claim("txt-5.2.1-amplitude-symbols", source=SOURCE, impact=Impact.NOTATION)
@@ -129,27 +122,23 @@ def amplitude_symbols(known: Evidence) -> Record:
     under_the_symbol, simulated = "3.2995e-5", 3.2995e-5
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.amplitude * SMALL_GAP
-    ratio, _ = friction_by_newton(LISTING_NUMERATOR, LISTING_DENOMINATOR, cycle)
+    ratio, _ = friction_as_listed(cycle)
     readings = (3.303e-5 - -3.2961e-5) / 2
     yield assertion(
         "nomenclature: the value that section 5.2.1 calls $A_{lcs}$",
         "it is the one predicted by the condition for harmonic balance",
         PrintedDigits(under_the_symbol, predicted).compare().agrees,
-        filled(
-            """
-            [[ printed | power ]] m is half of the distance of two readings from a simulation; harmonic
-            balance gives [[ predicted | power4 ]] m, which is called $A_{lch}$
-            """,
-            printed=under_the_symbol,
-            predicted=predicted,
-        ),
+        """
+        [[ printed | power ]] m is half of the distance of two readings from a simulation; harmonic balance
+        gives [[ predicted | power4 ]] m, which is called $A_{lch}$
+        """,
+        numbers={"printed": under_the_symbol, "predicted": predicted},
         method="both values of section 5.2.1 against harmonic balance with Listing A.9",
         second=close("half of the distance of the two readings", readings, simulated, 2e-5),
     )
     second = close(NEWTON, SMALL_GAP * ratio, predicted)
     yield digits("footnote 4: $A_{lch}$ is the predicted one", "3.3138e-5", predicted, "m", second=second)
-    yield text(
-        """
+    yield text("""
         The nomenclature gives $A_{lcs}$ as the amplitude predicted by the condition for harmonic balance.
         Footnotes 4 and 5 and the numbers of section 5.2.1 have it the other way round: s stands for the
         simulation, h for harmonic balance. Section 5.2.5 writes $f_{lcs}$ for both, a frequency read from an
@@ -157,7 +146,7 @@ def amplitude_symbols(known: Evidence) -> Record:
 
         Read with the nomenclature, the error of section 5.2.1 would be relative to the prediction,
         [[ of_predicted | f4 ]] % instead of [[ of_simulated | f4 ]] %.
-        """,
+    """).given(
         of_predicted=100 * (predicted - simulated) / predicted,
         of_simulated=100 * (predicted - simulated) / simulated,
     )

@@ -13,15 +13,10 @@ from report.drawing.marks import beside
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, Look, panels
 from report.evidence import Evidence
-from report.numbers.heavy_loads import cycles_of_constant_gamma
-from report.numbers.independent.listed_describing_functions import friction_listing
-from report.numbers.limit_cycle_numbers import Pair
-from report.numbers.viscous_listing import listing_contour
+from report.numbers.limit_cycle_numbers import Pair, cycles_of_constant_gamma
+from report.numbers.listed_functions import friction_listing, listing_contour
 from report.record import figure
-from trimmer import response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, response_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

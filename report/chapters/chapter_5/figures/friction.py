@@ -11,13 +11,12 @@ from report.drawing.plane import curve, element_curve, frame, locus, mark
 from report.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.numbers import equivalent_nonlinearity as model
-from report.numbers.printed_peaks import RELEASED_PEAKS
 from report.numbers.record import line_amplitudes
 from report.numbers.relay_loop import HALF_PERIODS, IMPULSES, STEP, VISCOUS, friction_motion, output_at_jump
 from report.numbers.released_bodies import RECORD
 from report.record import figure
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.model import InputChannels, pin_model
+from report.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
+from trimmer import FrictionBacklash, InputChannels, pin_model
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -104,11 +103,11 @@ def friction_and_condition(known: Evidence) -> Figure:
     the lower right; a fourth in which they bend to the left and upwards, until they no longer meet G.""",
 )
 def three_panels(known: Evidence) -> Figure:
-    k2, force, gap = known.numbers.parameters.k2, model.OTHER_FORCE, model.OTHER_GAP
+    k2, force, gap = known.numbers.parameters.k2, model.OTHER_FORCE, LARGER_GAP
     listing, right = model.listing_element, model.right_element
     families = {
         r"a: Listing A.6, change in $\omega$": {
-            f"{omega:.0f} rad/s": listing(force, gap, omega) for omega in (30.0, model.OMEGA, 6000.0)
+            f"{omega:.0f} rad/s": listing(force, gap, omega) for omega in (30.0, DRIVE_OMEGA, 6000.0)
         },
         "b: Listing A.6, change in $F_c$": {f"{each:g} N": listing(each, gap) for each in (0.03, force, 0.6)},
         "c: Listing A.6, change in $b$": {
@@ -139,13 +138,13 @@ def three_panels(known: Evidence) -> Figure:
 def without_force(known: Evidence) -> Figure:
     system, friction = known.numbers.displacement_only, known.cycles.friction
     cycles = (friction.unstable, friction.stable)
-    texts = [f"{1e6 * model.GAP * each.amplitude:.2f} µm" for each in cycles]
-    amplitudes = model.GAP + np.geomspace(1e-9, 40, 500)
+    texts = [f"{1e6 * SMALL_GAP * each.amplitude:.2f} µm" for each in cycles]
+    amplitudes = SMALL_GAP + np.geomspace(1e-9, 40, 500)
     printed = np.array([-1 / model.printed_function(float(a), 0.0) for a in amplitudes])
     figure, (whole, near) = panels(3.6, 1, 2)
     for axes in (whole, near):
         locus(axes, system)
-        element_curve(axes, FrictionBacklash(model.GAP), "$-1/N$, Listing A.6", LINES[1])
+        element_curve(axes, FrictionBacklash(SMALL_GAP), "$-1/N$, Listing A.6", LINES[1])
         curve(axes, printed, "$-1/N$, equation 5.14", LINES[2])
         mark(axes, system, cycles, texts, ((9, 6), (7, -14)))
     frame(whole, "$b$ = 4 µm, $F_c$ = 0", (-9, 3), (-20, 8))
@@ -209,7 +208,7 @@ def several_forces(known: Evidence) -> Figure:
     numbers, system = known.cycles.equivalent, known.numbers.displacement_only
     figure, (near, branches) = panels(3.8, 1, 2)
     locus(near, system)
-    element_curve(near, FrictionBacklash(model.GAP), "no friction", LINES[5])
+    element_curve(near, FrictionBacklash(SMALL_GAP), "no friction", LINES[5])
     for force, line in zip(model.FORCES, LINES[1:], strict=False):
         element_curve(near, model.listing_element(force), f"{force:g} N", line)
     mark(near, system, numbers.by_force, [""] * len(model.FORCES), [(1, 1)] * len(model.FORCES))

@@ -11,8 +11,7 @@ from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
-from report.numbers.light_damping import lightly_damped, sum_of_displacements
-from report.numbers.start_from_rest import pin_and_output
+from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
 from report.record import figure
 from trimmer import bandwidth_crossings, gain_crossings, resonance_peaks, response_at
 

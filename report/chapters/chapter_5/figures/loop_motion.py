@@ -10,17 +10,13 @@ from report.drawing import plane
 from report.drawing.marks import beside
 from report.drawing.style import DOTTED, LINES, panels
 from report.evidence import Evidence
-from report.numbers.drive_amplitudes import AmplitudeRun
+from report.numbers.drive_amplitudes import RECORD, SAMPLE_RATE, SETTLING, AmplitudeRun
 from report.numbers.impulse_response import GAPS, SHOWN
 from report.numbers.record import Record, line_amplitudes
-from report.numbers.reference_loop import RECORD, SAMPLE_RATE, SETTLING
-from report.numbers.spectral_lines import largest_other_line
 from report.numbers.timed_block import RECORD as SHORT
 from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer import FrictionBacklash, Window, amplitude_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -238,7 +234,7 @@ def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
 )
 def inertia(known: Evidence) -> Figure:
     block = known.motion.closed.timed_block
-    frequency, size = largest_other_line(block)
+    frequency, size = block.largest_other_line
     shown = block.times <= 0.03
     figure, grid = panels(4.8, 2, 2, sharex="col", sharey="col")
     rows = ((block.open_loop, "open loop"), (block.block_in_loop, "Listing A.8 in the loop"))

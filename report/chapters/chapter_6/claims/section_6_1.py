@@ -18,14 +18,10 @@ from derivations.elements.waveform import THETA, Segment, Waveform, describing_f
 from derivations.symbols import A
 from report.claim import Impact
 from report.evidence import Evidence
-from report.numbers.independent import cubic_spring
+from report.numbers.independent import examples
 from report.parts import assertion, close, expression
 from report.record import Record, claim, text
-from report.text import filled
-from trimmer.balance.leakage import harmonic_leakage
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage
 
 GAP_HERE, TIME_CONSTANT = 0.2, 1.0
 """Gap over amplitude, and M/D in s, for which the numeric elements are looked at."""
@@ -72,8 +68,7 @@ def piecewise_linear(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     (friction,) = harmonic_leakage(system, FrictionBacklash(1.0), cycles.friction.stable, (3,))
     (inertia,) = harmonic_leakage(system, InertiaBacklash(1.0), cycles.inertia.stable, (3,))
-    yield text(
-        """
+    yield text("""
         Friction-controlled backlash is piecewise linear, as the text says, and so are the other two: in
         contact the load follows the pin with slope one whatever it weighs, and only the flight differs. A
         describing function needs no piecewise linear element, only a periodic output; how good it is depends
@@ -82,10 +77,7 @@ def piecewise_linear(known: Evidence) -> Record:
         backlash.
 
         Linearity is no reason for preferring the friction-controlled kind.
-        """,
-        inertia=100 * inertia,
-        friction=100 * friction,
-    )
+    """).given(inertia=100 * inertia, friction=100 * friction)
 
 
 def slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
@@ -101,22 +93,18 @@ def hard_nonlinearities(_: Evidence) -> Record:
     period = Segment(sympy.Integer(0), 2 * sympy.pi, (A * sympy.sin(THETA)) ** 3)
     gain = describing_function(Waveform((period,)), A)
     at_one = float(gain.subs(A, 1))
-    predicted, exact = math.sqrt(at_one), cubic_spring.exact_frequency()
+    predicted, exact = math.sqrt(at_one), examples.cubic_frequency()
     yield assertion(
         "",
         "a describing function can be derived only for hard nonlinearities",
         abs(predicted / exact - 1) > WELL_PREDICTED,
-        filled(
-            r"""
-            the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
-            [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
-            """,
-            gain=gain,
-            predicted=predicted,
-            exact=exact,
-        ),
+        r"""
+        the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
+        [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
+        """,
+        numbers={"gain": gain, "predicted": predicted, "exact": exact},
         method="Fourier integral of a smooth odd nonlinearity",
-        second=close("quadrature", cubic_spring.sampled_gain(), at_one),
+        second=close("quadrature", examples.cubic_gain(), at_one),
     )
     yield text("""
         All that the derivation in section 2.3.3 asks for is an output of the input's period; a corner or a
@@ -126,5 +114,3 @@ def hard_nonlinearities(_: Evidence) -> Record:
         None for backlash. Smooth springs and friction that grows with speed may be treated in the same way,
         as a refined model of the trimmer would need.
     """)
-
-# change 26

@@ -9,17 +9,15 @@ import sympy
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
 from report.claim import Impact
-from report.comparisons.quadrature import coefficient, confirm
+from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
 from report.numbers.independent import loci
+from report.numbers.independent.exact_response import gain_ratio
+from report.numbers.independent.waveforms import coefficient
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
-from report.text import filled
-from trimmer import asymptotic_roll_off
-from trimmer.balance.leakage import harmonic_leakage
+from trimmer import FrictionBacklash, asymptotic_roll_off, harmonic_leakage
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
-from trimmer.elements.friction_backlash import FrictionBacklash
 
 HIGH_OMEGA = 1e8
 
@@ -27,7 +25,7 @@ HIGH_OMEGA = 1e8
 @claim("txt-6.2-filter-order", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
 def filter_order(known: Evidence) -> Record:
     order = -asymptotic_roll_off(known.numbers.displacement_only) / 20
-    slope = -math.log10(float(gain(known.numbers, 10 * HIGH_OMEGA) / gain(known.numbers, HIGH_OMEGA)))
+    slope = -math.log10(gain_ratio(known.numbers, HIGH_OMEGA, 10))
     second = close("the slope of the exact gain at $10^{8}$ rad/s", slope, order, 1e-6)
     yield digits("", "1", order, second=second)
     yield text("""
@@ -49,7 +47,7 @@ def higher_terms(known: Evidence) -> Record:
         any(sympy.simplify(each) != 0 for each in zero) or sympy.simplify(b_3) == 0,
         f"a relay's square wave has all of these zero and $b_3 = {sympy.latex(b_3)}$",
         method="Fourier coefficients of the relay's waveform",
-        second=confirm(b_3, coefficient(wave, sympy.sin(3 * THETA), values), values),
+        second=by_quadrature(b_3, coefficient(wave, sympy.sin(3 * THETA), values), values),
     )
     cycle, exact = known.cycles.friction.stable, known.orbits.friction.stable.amplitude
     element = FrictionBacklash(1.0)
@@ -60,29 +58,22 @@ def higher_terms(known: Evidence) -> Record:
         "what accuracy asks for",
         "harmonic balance is accurate only if the element's higher terms vanish",
         third <= 0.01 or error >= 0.01,
-        filled(
-            """
-            at the stable limit cycle the third has [[ third | f1 ]] % of the input, the second
-            [[ even | f0 ]] %; the amplitude is predicted to [[ error | f2 ]] %
-            """,
-            third=100 * third,
-            even=100 * even,
-            error=100 * error,
-        ),
+        """
+        at the stable limit cycle the third has [[ third | f1 ]] % of the input, the second [[ even | f0 ]] %;
+        the amplitude is predicted to [[ error | f2 ]] %
+        """,
+        numbers={"third": 100 * third, "even": 100 * even, "error": 100 * error},
         method="harmonics of friction-controlled backlash, and the exact orbit",
         second=close("the exact orbit by two durations", known.orbits.friction_by_durations[0], exact, 1e-6),
     )
-    yield text(
-        """
+    yield text("""
         The index of the sine terms has slipped: $b_2 = 0$ is printed where $b_n = 0$ is meant. Nor do these
         coefficients, which are the element's own, vanish or need to: the linear part takes care of them, so
         that [[ leak | f2 ]] % of the fundamental come back as third harmonic, and that is what the error
         follows.
 
         None: the filtering hypothesis of equation 2.26 is stated rightly in section 2.3.2.
-        """,
-        leak=100 * leak,
-    )
+    """).given(leak=100 * leak)
 
 
 @claim("txt-6.2-tangency", source="trimmer/balance/limit_cycle.py")
@@ -100,14 +91,11 @@ def tangency(known: Evidence) -> Record:
         "",
         "the curves are nowhere nearly tangent where a limit cycle is predicted",
         min(angles) > NEAR_TANGENCY,
-        filled(
-            """
-            they cross at [[ smallest | f0 ]] degrees or more, over [[ count ]] limit cycles of backlash of
-            every kind
-            """,
-            smallest=math.degrees(min(angles)),
-            count=len(angles),
-        ),
+        """
+        they cross at [[ smallest | f0 ]] degrees or more, over [[ count ]] limit cycles of backlash of every
+        kind
+        """,
+        numbers={"smallest": math.degrees(min(angles)), "count": len(angles)},
         method="angle of $N$ and $-1/G$ at each solution of harmonic balance",
         second=close(differences, by_differences, stable.crossing_angle, 1e-5),
     )

@@ -5,10 +5,9 @@ from __future__ import annotations
 from report.claim import Impact
 from report.comparisons.printed import power
 from report.evidence import Evidence
-from report.numbers.independent.let_go_load import LetGoLoad
+from report.numbers.independent.load_in_play import LetGoLoad
 from report.parts import assertion, close
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
 
 LARGEST_FORCE = 1.0
@@ -27,14 +26,11 @@ def dominant_friction(known: Evidence) -> Record:
         "force that holds the load when the pin turns back",
         "friction exceeds the load's inertia, so that the load stops with the pin",
         needed < LARGEST_FORCE,
-        filled(
-            r"""
-            $m_2A\omega^2$ is [[ needed | f2 ]] N under the drive, 3 g at 1.5 mm and 100 Hz; friction is
-            assumed below [[ bound | f1 ]] N
-            """,
-            needed=needed,
-            bound=LARGEST_FORCE,
-        ),
+        r"""
+        $m_2A\omega^2$ is [[ needed | f2 ]] N under the drive, 3 g at 1.5 mm and 100 Hz; friction is assumed
+        below [[ bound | f1 ]] N
+        """,
+        numbers={"needed": needed, "bound": LARGEST_FORCE},
         method="the thesis's mass, drive and bound of the force",
         second=close("second differences of the pin's sampled motion", sampled, needed, 1e-5),
     )
@@ -42,21 +38,16 @@ def dominant_friction(known: Evidence) -> Record:
         "a load of 3 g with 1.0 N of friction, let go by the pin",
         "it stays within the gap until the pin comes back for it",
         ahead < EXPERIMENT_GAP,
-        filled(
-            """
-            it would run [[ ahead | f2 ]] mm ahead of the pin before it stops, so it crosses the gap of
-            [[ gap | f0 ]] µm, and one of [[ wider | f0 ]] µm too
-            """,
-            ahead=1e3 * ahead,
-            gap=1e6 * LARGE_GAP,
-            wider=1e6 * EXPERIMENT_GAP,
-        ),
+        """
+        it would run [[ ahead | f2 ]] mm ahead of the pin before it stops, so it crosses the gap of
+        [[ gap | f0 ]] µm, and one of [[ wider | f0 ]] µm too
+        """,
+        numbers={"ahead": 1e3 * ahead, "gap": 1e6 * LARGE_GAP, "wider": 1e6 * EXPERIMENT_GAP},
         method="deceleration by a constant force, beside the pin's sine",
         second=close("SciPy's integration of the flight", load.ahead_by_integration(), ahead, 1e-6),
     )
     cycle = known.cycles.friction.stable
-    yield text(
-        """
+    yield text("""
         Sections 2.3.4, 5.2.1 and 6.3 take friction for dominant because the spring presses hard; none gives a
         number, and 6.3 says that there is no evidence. With the thesis's own mass, drive and bound the load's
         inertia is the larger force, and at the predicted limit cycle for [[ gap | f0 ]] µm it is
@@ -64,10 +55,7 @@ def dominant_friction(known: Evidence) -> Record:
 
         The recommendation of chapter 7 may rest on ease, not on physics. Its frequency suffers little, 733.6
         to 750.6 Hz between the limits; its amplitude by a third.
-        """,
-        gap=1e6 * LARGE_GAP,
-        inertia=mass * LARGE_GAP * cycle.amplitude * cycle.omega**2,
-    )
+    """).given(gap=1e6 * LARGE_GAP, inertia=mass * LARGE_GAP * cycle.amplitude * cycle.omega**2)
 
 
 @claim("txt-6-gap-quoted", source=SOURCE, impact=Impact.LOCAL)

@@ -16,7 +16,6 @@ from report.claim import Impact
 from report.evidence import Evidence
 from report.parts import assertion, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import EXPERIMENT_GAP
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
@@ -32,15 +31,11 @@ def coulomb_friction(known: Evidence) -> Record:
         "amplitude",
         "friction between cutter and guard makes the limit cycle smaller",
         bool(np.all(np.diff(stable.amplitude) < 0)),
-        filled(
-            """
-            from [[ without | f3 ]] gaps without friction to [[ last | f3 ]] gaps at $F_c/b$ =
-            [[ force | f0 ]] N/m
-            """,
-            without=stable.amplitude[0],
-            last=merger.amplitude,
-            force=merger.force_per_gap,
-        ),
+        """
+        from [[ without | f3 ]] gaps without friction to [[ last | f3 ]] gaps at $F_c/b$ = [[ force | f0 ]]
+        N/m
+        """,
+        numbers={"without": stable.amplitude[0], "last": merger.amplitude, "force": merger.force_per_gap},
         method=BRANCH_METHOD,
         second=so("exact simulation of both channels", becomes_smaller),
     )
@@ -52,22 +47,19 @@ def coulomb_friction(known: Evidence) -> Record:
         "existence",
         "enough friction ends it",
         all(np.all(np.diff(each.force_per_gap) > 0) for each in (stable, branch.unstable)),
-        filled(
-            "at $F_c$ = [[ share | f4 ]] $k_2 b$ it meets the unstable one, and beyond there is none",
-            share=merger.force_per_gap / known.numbers.parameters.k2,
-        ),
+        "at $F_c$ = [[ share | f4 ]] $k_2 b$ it meets the unstable one, and beyond there is none",
+        numbers={"share": merger.force_per_gap / known.numbers.parameters.k2},
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),
     )
-    yield text(
-        """
+    yield text("""
         With friction in its place, between cutter and guard, and with its right sign, the conclusion holds,
         with a number: it takes [[ per_gap | f0 ]] N per metre of gap, [[ force | f2 ]] N for [[ gap | f0 ]]
         µm; with both channels of the pin [[ per_gap_both | f0 ]] N/m and [[ force_both | f2 ]] N. Section
         5.2.5 says the opposite: with Listing A.6 the amplitude grows with the force, to [[ listing | f0 ]] mm
         at 0.6 N. The rest position stays stable, as the text has it; the more friction, the larger a
         disturbance it survives, and beyond that force any.
-        """,
+    """).given(
         per_gap=merger.force_per_gap,
         force=force,
         gap=1e6 * EXPERIMENT_GAP,

@@ -21,22 +21,27 @@ from report.chapters.chapter_5.claims.driven_open_loop import (
     REPEATS,
     line_part,
     open_loop,
+    open_loop_harmonic,
     open_loop_repeats,
 )
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.claim import Impact
+from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
-from report.numbers.independent.waveforms import inertia_contact_angle
-from report.numbers.record import line_amplitudes
+from report.numbers.listed_blocks import contact_angle
+from report.numbers.record import change, line_amplitudes
 from report.parts import assertion, close, expression, small, so
 from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    DRIVE_OMEGA,
+    LARGE_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    MEASURED_DRIVE_OMEGA,
+)
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
 FIFTH = 5
@@ -44,28 +49,19 @@ SIMULATED = "exact simulation with 1.5 mm and 100 Hz"
 BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 
-def fifth_harmonic(known: Evidence, amplitude: float, frequency: float) -> float:
-    """Return the amplitude of the fifth harmonic behind backlash and linear part in open loop, m."""
-    gain = FrictionBacklash(LARGE_GAP).describing_function(amplitude, harmonic=FIFTH)
-    response = response_at(known.numbers.displacement_only, TURN * FIFTH * frequency)
-    return float(amplitude * abs(gain * response))
-
-
 @claim("txt-7-input-amplitude", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
 def input_amplitude(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
-    fifth = [fifth_harmonic(known, amplitude, DRIVE_FREQUENCY) for amplitude in DRIVE_AMPLITUDES]
+    fifth = [open_loop_harmonic(known, FIFTH, amplitude) for amplitude in DRIVE_AMPLITUDES]
     yield assertion(
         "what oscillates in open loop",
         "besides the drive and its harmonics a limit cycle goes on",
         decay >= 0,
-        filled(
-            r"""
-            the backlash repeats with the drive's period, and behind it every free motion of the linear part
-            decays as $e^{[[ decay | f1 ]]\,t}$ or faster
-            """,
-            decay=decay,
-        ),
+        r"""
+        the backlash repeats with the drive's period, and behind it every free motion of the linear part
+        decays as $e^{[[ decay | f1 ]]\,t}$ or faster
+        """,
+        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=open_loop_repeats(known),
     )
@@ -74,19 +70,18 @@ def input_amplitude(known: Evidence) -> Record:
         "what it depends on",
         "the amplitude of the input has no effect on the oscillation that is left",
         max(fifth) / min(fifth) < 1.001 and not np.isnan(below),
-        filled(
-            """
-            for a gap of 40 µm the fifth harmonic of the output is [[ outputs ]] for inputs of [[ inputs ]];
-            below half of the gap there is no output at all
-            """,
-            outputs=", ".join(f"{1e6 * each:.2f} µm" for each in fifth),
-            inputs=", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES),
-        ),
+        """
+        for a gap of 40 µm the fifth harmonic of the output is [[ outputs ]] for inputs of [[ inputs ]]; below
+        half of the gap there is no output at all
+        """,
+        numbers={
+            "outputs": ", ".join(f"{1e6 * each:.2f} µm" for each in fifth),
+            "inputs": ", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES),
+        },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth[1], 1e-4),
     )
-    yield text(
-        """
+    yield text("""
         In open loop nothing is fed back, so there is no limit cycle that could keep its amplitude: what is
         seen are harmonics of the drive. Scaling shows what they may depend on: input and gap times one factor
         give the output times that factor, so an output that did not depend on the input would be proportional
@@ -96,9 +91,7 @@ def input_amplitude(known: Evidence) -> Record:
 
         The answer holds as an approximation for wide strokes. It says nothing on a limit cycle under a drive
         in closed loop, which this method with one sinusoid does not reach.
-        """,
-        growth=100 * (fifth[2] / fifth[1] - 1),
-    )
+    """).given(growth=100 * (fifth[2] / fifth[1] - 1))
 
 
 @claim("txt-7-input-frequency", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
@@ -117,22 +110,22 @@ def input_frequency(known: Evidence) -> Record:
         second=so(general, max(changes) < 1e-4),
     )
     fifth, measured = (
-        fifth_harmonic(known, DRIVE_AMPLITUDE, each) for each in (DRIVE_FREQUENCY, MEASURED_DRIVE_FREQUENCY)
+        open_loop_harmonic(known, FIFTH, omega=each) for each in (DRIVE_OMEGA, MEASURED_DRIVE_OMEGA)
     )
     yield assertion(
         "what follows for the output",
         "for friction-controlled backlash the input frequency changes nothing",
         abs(measured / fifth - 1) < 0.1,
-        filled(
-            """
-            behind a gap of 40 µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive of [[ drive | f0 ]] Hz
-            and [[ measured | f0 ]] µm for one of [[ measured_drive ]] Hz
-            """,
-            fifth=1e6 * fifth,
-            drive=DRIVE_FREQUENCY,
-            measured=1e6 * measured,
-            measured_drive=MEASURED_DRIVE_FREQUENCY,
-        ),
+        """
+        behind a gap of 40 µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive of [[ drive | f0 ]] Hz and
+        [[ measured | f0 ]] µm for one of [[ measured_drive ]] Hz
+        """,
+        numbers={
+            "fifth": 1e6 * fifth,
+            "drive": DRIVE_FREQUENCY,
+            "measured": 1e6 * measured,
+            "measured_drive": MEASURED_DRIVE_FREQUENCY,
+        },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth, 1e-4),
     )
@@ -145,14 +138,11 @@ def input_frequency(known: Evidence) -> Record:
         "condition of harmonic balance",
         "the frequency follows from the transfer function alone",
         abs(ratio - 1) < 1e-6,
-        filled(
-            """
-            with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
-            inertia-controlled backlash
-            """,
-            friction=without_inertia,
-            inertia=without_friction,
-        ),
+        """
+        with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
+        inertia-controlled backlash
+        """,
+        numbers={"friction": without_inertia, "inertia": without_friction},
         method="all solutions of harmonic balance for both elements",
         second=close(by_orbits, exact_ratio, ratio, 0.005),
     )
@@ -166,21 +156,17 @@ def input_frequency(known: Evidence) -> Record:
         second=small("its size at $10^{12}$ rad/s, raised by one", far_up),
     )
     slow = complex(sympy.limit(-1 / LISTING.subs({A: GAP}), omega, 0))
-    at_gap = complex((-1 / inertia).subs(CONTACT, inertia_contact_angle(1)).evalf())
+    at_gap = complex((-1 / inertia).subs(CONTACT, contact_angle(1.0)).evalf())
     element = -1 / complex(InertiaBacklash(1.0).describing_function(1.0))
     yield assertion(
         "equivalent nonlinearity, with falling frequency",
         "the contour of Listing A.6 tends to that of inertia-controlled backlash",
         abs(slow - at_gap) < 1e-3,
-        filled(
-            """
-            at $A = b$ the listing's $-1/N$ tends to [[ slow | f0 ]], that of inertia is $[[ real | f2 ]]
-            [[ imaginary | signed2 ]]j$
-            """,
-            slow=slow.real,
-            real=at_gap.real,
-            imaginary=at_gap.imag,
-        ),
+        """
+        at $A = b$ the listing's $-1/N$ tends to [[ slow | f0 ]], that of inertia is $[[ real | f2 ]]
+        [[ imaginary | signed2 ]]j$
+        """,
+        numbers={"slow": slow.real, "real": at_gap.real, "imaginary": at_gap.imag},
         method="limit of the listing's function",
         second=close("the inertia-controlled element", element, at_gap),
     )
@@ -191,11 +177,10 @@ def input_frequency(known: Evidence) -> Record:
         "stable limit cycles have nearly one frequency whatever $M/D$ is",
         highest / lowest < 1.03,
         f"from {lowest:.1f} to {highest:.1f} Hz",
-        method="all solutions of harmonic balance, $M/D$ from 1 µs to 1 s",
+        method=ALL_LOADS,
         second=close(by_orbits, exact_ratio, highest / lowest, 0.005),
     )
-    yield text(
-        """
+    yield text("""
         That two of the functions do not depend on frequency is right, and does not make the system
         independent of it: $G$ does depend. The frequency in the others is that of the limit cycle, not that
         of the input. The function of Listing A.6 tends to backlash at high frequency because of its wrong
@@ -205,32 +190,30 @@ def input_frequency(known: Evidence) -> Record:
 
         At the measured 109.945 Hz the fifth harmonic meets a resonance, which matters more than anything in
         this answer.
-        """,
-        fall=100 * (1 - cycles.inertia.stable.amplitude / max(cycle.amplitude for cycle in stable)),
-    )
+    """).given(fall=100 * (1 - cycles.inertia.stable.amplitude / max(cycle.amplitude for cycle in stable)))
 
 
 @claim("txt-7-subharmonics", source="report/numbers/drive_amplitudes.py", impact=Impact.LOCAL)
 def subharmonics(known: Evidence) -> Record:
     run, orbit = open_loop(known), known.orbits.friction.stable
     first, second = run.output[:SAMPLES], run.output[SAMPLES:]
-    change = float(abs(second - first).max() / abs(second).max())
-    fifth = fifth_harmonic(known, DRIVE_AMPLITUDE, DRIVE_FREQUENCY)
+    between_periods = change(first, second)
+    fifth = open_loop_harmonic(known, FIFTH)
     by_response = "the fifth harmonic by describing function and frequency response"
     yield assertion(
         "open loop: what the peaks are",
         "they are subharmonics of the drive",
-        change > REPEATS,
-        filled(
-            """
-            two periods differ by [[ change | power0 ]] of the output, and at half of the [[ drive | f0 ]] Hz
-            there are [[ half | power0 ]] of the first harmonic; the lines are at three, five and seven times
-            the drive
-            """,
-            change=change,
-            drive=DRIVE_FREQUENCY,
-            half=float(line_amplitudes(run.output)[1]) / run.harmonics[1],
-        ),
+        between_periods > REPEATS,
+        """
+        two periods differ by [[ change | power0 ]] of the output, and at half of the [[ drive | f0 ]] Hz
+        there are [[ half | power0 ]] of the first harmonic; the lines are at three, five and seven times the
+        drive
+        """,
+        numbers={
+            "change": between_periods,
+            "drive": DRIVE_FREQUENCY,
+            "half": float(line_amplitudes(run.output)[1]) / run.harmonics[1],
+        },
         method="exact simulation; two periods of the settled open loop",
         second=close(by_response, fifth, run.harmonics[FIFTH], 1e-4),
     )

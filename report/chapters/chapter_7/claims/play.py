@@ -5,14 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from report.claim import Impact
-from report.comparisons.second_ways import by_floquet
+from report.comparisons.second_ways import ALL_LOADS, by_floquet
 from report.evidence import Evidence
-from report.numbers.independent.closed_linear_loop import slowest_growth
-from report.numbers.independent.loci import phase_range
+from report.numbers.independent.loci import feedback_poles, phase_range
 from report.numbers.independent.relay_and_friction import on_the_imaginary_axis
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
-from report.text import filled
 from trimmer import real_axis_crossings
 
 SOURCE = "report/numbers/exact_orbits.py"
@@ -22,7 +20,6 @@ ALIKE = 0.1
 """Share by which frequencies may differ and still be called approximately equal."""
 BELOW = 0.05
 """Share by which the recommended model's amplitude may stay below another's and still stand for it."""
-ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 
 
 @claim("txt-7-only-stable", source=SOURCE, impact=Impact.LOCAL)
@@ -32,47 +29,38 @@ def only_stable(known: Evidence) -> Record:
         "",
         "all predicted limit cycles are stable",
         cycle.stable,
-        filled(
-            """
-            besides the stable one each gap $b$ has one of [[ amplitude | f4 ]] $b$ at [[ frequency | f2 ]]
-            Hz, which is not
-            """,
-            amplitude=cycle.amplitude,
-            frequency=cycle.frequency,
-        ),
+        """
+        besides the stable one each gap $b$ has one of [[ amplitude | f4 ]] $b$ at [[ frequency | f2 ]] Hz,
+        which is not
+        """,
+        numbers={"amplitude": cycle.amplitude, "frequency": cycle.frequency},
         method="all solutions of harmonic balance, Loeb's criterion",
         second=so("a Floquet multiplier of the exact orbit outside of the unit circle", not orbit.stable),
     )
-    yield text(
-        """
+    yield text("""
         Harmonic balance has two solutions for every gap, and the smaller one is unstable: a deviation from
         the exact orbit grows [[ growth | f1 ]] times in each period. Table 5.1 lists it, and the answers of
         this chapter speak of unstable limit cycles, so the summary contradicts both.
 
         The unstable one decides whether the stable one is reached: what starts inside of it comes to rest.
-        """,
-        growth=abs(orbit.nontrivial_multipliers).max(),
-    )
+    """).given(growth=abs(orbit.nontrivial_multipliers).max())
 
 
 @claim("txt-7-play-stability", source=SOURCE, impact=Impact.DOWNSTREAM)
 def play_and_stability(known: Evidence) -> Record:
     stable, unstable = known.orbits.friction.stable, known.orbits.friction.unstable
     inside, outside = known.orbits.left_by
-    slowest = slowest_growth(known.numbers.displacement_only)
+    slowest = float(feedback_poles(known.numbers.displacement_only).real.max())
     from_outside = "a motion from 0.1 % outside of the unstable orbit, which ends on it"
     yield assertion(
         "the loop without play and with it",
         "play does not alter whether the loop comes to rest from every start",
         (slowest < 0) == (not stable.stable),
-        filled(
-            r"""
-            without play every motion decays, as $e^{[[ slowest | f1 ]]\,t}$ or faster; with play there is a
-            stable limit cycle of [[ amplitude | f4 ]] gaps
-            """,
-            slowest=slowest,
-            amplitude=stable.amplitude,
-        ),
+        r"""
+        without play every motion decays, as $e^{[[ slowest | f1 ]]\,t}$ or faster; with play there is a
+        stable limit cycle of [[ amplitude | f4 ]] gaps
+        """,
+        numbers={"slowest": slowest, "amplitude": stable.amplitude},
         method="eigenvalues of the closed linear loop; Floquet multipliers of the exact orbit",
         second=close(from_outside, outside, stable.amplitude, 1e-5),
     )
@@ -87,8 +75,7 @@ def play_and_stability(known: Evidence) -> Record:
         method="exact simulation",
         second=so(one_multiplier, to_either_side),
     )
-    yield text(
-        """
+    yield text("""
         The rest position stays stable, in that the text is right. But a loop that without play comes to rest
         from any start, with play does so only from small ones: beyond the unstable limit cycle it goes on for
         ever. The unstable one does not shift towards the stable one; it is left on either side, as section
@@ -96,10 +83,7 @@ def play_and_stability(known: Evidence) -> Record:
 
         The answer to the second sub-question has to read: an oscillation smaller than the unstable limit
         cycle, [[ unstable | f2 ]] gaps, dies out, a larger one ends at [[ stable | f2 ]] gaps.
-        """,
-        unstable=unstable.amplitude,
-        stable=stable.amplitude,
-    )
+    """).given(unstable=unstable.amplitude, stable=stable.amplitude)
 
 
 @claim("txt-7-models", source="report/numbers/limit_cycle_numbers.py", impact=Impact.LOCAL)
@@ -123,14 +107,11 @@ def models(known: Evidence) -> Record:
         "Coulomb friction",
         "it has a stable limit cycle",
         lowest_phase <= -180 or highest_phase >= 90,
-        filled(
-            """
-            the phase of $G$ stays between [[ lowest | f1 ]] and [[ highest | f1 ]] degrees; a relay for
-            displacement asks for -180, friction for 90
-            """,
-            lowest=lowest_phase,
-            highest=highest_phase,
-        ),
+        """
+        the phase of $G$ stays between [[ lowest | f1 ]] and [[ highest | f1 ]] degrees; a relay for
+        displacement asks for -180, friction for 90
+        """,
+        numbers={"lowest": lowest_phase, "highest": highest_phase},
         method="phase of the frequency response",
         second=so(by_roots, max(on_the_imaginary_axis(known.numbers)) < 0 < min(on_the_real_axis)),
     )
@@ -140,15 +121,11 @@ def models(known: Evidence) -> Record:
         "frequencies",
         "they are approximately equal",
         highest < (1 + ALIKE) * min(lowest, merger),
-        filled(
-            """
-            [[ lowest | f1 ]] to [[ highest | f1 ]] Hz with play alone, down to [[ merger | f1 ]] Hz with as
-            much friction as leaves a limit cycle
-            """,
-            lowest=lowest,
-            highest=highest,
-            merger=merger,
-        ),
+        """
+        [[ lowest | f1 ]] to [[ highest | f1 ]] Hz with play alone, down to [[ merger | f1 ]] Hz with as much
+        friction as leaves a limit cycle
+        """,
+        numbers={"lowest": lowest, "highest": highest, "merger": merger},
         method="all solutions of harmonic balance for every load and every force",
         second=close("the exact orbit with inertia alone", inertia.frequency, by_balance, 0.02),
     )
@@ -162,8 +139,7 @@ def models(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=close("the exact orbit without inertia", friction.amplitude, simplest, 0.005),
     )
-    yield text(
-        """
+    yield text("""
         Every kind of play has one stable limit cycle, and their frequencies lie closer together than the
         thesis's own, which are 11 % apart. Coulomb friction alone has none, as section 5.2.4 says; if all
         models with play are meant, the sentence is right. The recommendation to use friction-controlled
@@ -171,7 +147,4 @@ def models(known: Evidence) -> Record:
         [[ too_small | f1 ]] % too small and, for a load of inertia alone, [[ too_large | f0 ]] % too large.
 
         A designer may use the simplest model: but for a few percent it is on the safe side.
-        """,
-        too_small=100 * (largest / simplest - 1),
-        too_large=100 * (simplest / smallest - 1),
-    )
+    """).given(too_small=100 * (largest / simplest - 1), too_large=100 * (simplest / smallest - 1))

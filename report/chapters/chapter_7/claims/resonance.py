@@ -5,24 +5,23 @@ from __future__ import annotations
 import math
 
 from report.claim import Impact
+from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
-from report.numbers.exact_response import gain
-from report.numbers.light_damping import lightly_damped
+from report.numbers.independent.exact_response import gain, gain_ratio
+from report.numbers.linear_numbers import lightly_damped_response
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
-from report.text import filled
 from report.thesis import DRIVE_FREQUENCY, TURN
-from trimmer import InputChannels, resonance_peaks, response_at, transfer_function
+from trimmer import resonance_peaks, response_at
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
-EXACTLY = "exact coefficients, 40 digits"
 
 
 @claim("txt-7-damping", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
 def damping(known: Evidence) -> Record:
     numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
-    light = transfer_function(lightly_damped(numbers.parameters), channels=InputChannels.DISPLACEMENT_ONLY)
+    light = lightly_damped_response(numbers.parameters)
     highest, without = (max(peak.magnitude for peak in peaks) for peaks in (damped, resonance_peaks(light)))
     exact = max(float(gain(numbers, peak.omega)) for peak in damped)
     yield assertion(
@@ -75,33 +74,26 @@ def resonance(known: Evidence) -> Record:
         "where the limit cycles lie",
         "no limit cycle lies at a resonance",
         away,
-        filled(
-            """
-            the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak,
-            which is [[ width | f1 ]] Hz wide
-            """,
-            frequency=pair.unstable.frequency,
-            distance=distance / TURN,
-            width=width / TURN,
-        ),
+        """
+        the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak, which
+        is [[ width | f1 ]] Hz wide
+        """,
+        numbers={"frequency": pair.unstable.frequency, "distance": distance / TURN, "width": width / TURN},
         method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
         second=so(means, (height > math.sqrt(0.5)) == (not away)),
     )
     shares = {peak.omega: share_of_third(known, peak.omega) for peak in peaks}
     at_peaks = ", ".join(f"{share:.2g} at {omega / TURN:.1f} Hz" for omega, share in shares.items())
-    exact = float(gain(numbers, THIRD * highest) / gain(numbers, highest))
+    exact = gain_ratio(numbers, highest, THIRD)
     yield assertion(
         "what a resonance would do",
         "at a resonance the harmonics are not attenuated",
         min(shares.values()) > 1,
-        filled(
-            """
-            against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
-            [[ stable | g2 ]]
-            """,
-            at_peaks=at_peaks,
-            stable=share_of_third(known, pair.stable.omega),
-        ),
+        """
+        against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
+        [[ stable | g2 ]]
+        """,
+        numbers={"at_peaks": at_peaks, "stable": share_of_third(known, pair.stable.omega)},
         method="gain at three times each peak's frequency over the peak",
         second=close(EXACTLY, exact, shares[highest]),
     )

@@ -1,6 +1,9 @@
-"""Frequency response from the exact coefficients in many digits: the second way for claims of chapter 5."""
+"""Frequency response from the exact coefficients in many digits."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
 
 import mpmath
 
@@ -9,22 +12,32 @@ from report.numbers.linear_numbers import LinearNumbers
 DIGITS = 40
 
 
+def quotient(
+    numerator: Sequence[Fraction], denominator: Sequence[Fraction], omega: float | mpmath.mpf
+) -> mpmath.mpc:
+    """Return the quotient of two polynomials in jω, ω in rad/s, to as many digits as mpmath is set to."""
+    above, below = (
+        mpmath.polyval([mpmath.mpf(c.numerator) / c.denominator for c in each], mpmath.mpc(0, omega))
+        for each in (numerator, denominator)
+    )
+    return above / below
+
+
 def response(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpc:
     """Return G(jω) from the pin's displacement alone, with 40 digits."""
     with mpmath.workdps(DIGITS):
-        numerator, denominator = (
-            mpmath.polyval(
-                [mpmath.mpf(c.numerator) / c.denominator for c in coefficients], mpmath.mpc(0, omega)
-            )
-            for coefficients in (numbers.numerator, numbers.denominator)
-        )
-        return numerator / denominator
+        return quotient(numbers.numerator, numbers.denominator, omega)
 
 
 def gain(numbers: LinearNumbers, omega: float | mpmath.mpf) -> mpmath.mpf:
     """Return |G(jω)| from the pin's displacement alone, with 40 digits."""
     with mpmath.workdps(DIGITS):
         return abs(response(numbers, omega))
+
+
+def gain_ratio(numbers: LinearNumbers, omega: float, harmonic: int) -> float:
+    """Return how well a harmonic of ω (rad/s) passes over the fundamental."""
+    return float(gain(numbers, harmonic * omega) / gain(numbers, omega))
 
 
 def gain_crossing(numbers: LinearNumbers, level: float, near: float) -> float:
@@ -44,7 +57,7 @@ def peak(numbers: LinearNumbers, near: float) -> float:
 
 
 def eigenvalues(numbers: LinearNumbers) -> list[complex]:
-    """Return the roots of the exact denominator."""
+    """Return the roots of the exact denominator, 1/s."""
     with mpmath.workdps(DIGITS):
         coefficients = [mpmath.mpf(c.numerator) / c.denominator for c in numbers.denominator]
         return [complex(root) for root in mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)]

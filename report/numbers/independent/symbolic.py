@@ -1,7 +1,8 @@
-"""Energies of the bodies and motion of the pin, from work and forces instead of from the Lagrangian."""
+"""Short symbolic derivations: energies and forces of the bodies, motion of the pin, roots and transforms."""
 
 from __future__ import annotations
 
+import mpmath
 import sympy
 
 from derivations.equations_of_motion import euler_lagrange
@@ -32,3 +33,25 @@ def pin_from_acceleration() -> sympy.Expr:
     start = {displaced(0): 0, displaced(t).diff(t).subs(t, 0): A * rate}
     equation = sympy.Eq(displaced(t).diff(t, 2), -(rate**2) * displaced(t))
     return sympy.dsolve(equation, displaced(t), ics=start).rhs
+
+
+def first_root(expression: sympy.Expr, unknown: sympy.Symbol) -> sympy.Expr:
+    """Return the root of an expression in a symbol; the first one, if there are several."""
+    return sympy.solve(expression, unknown)[0]
+
+
+def zeros_in_turn(expression: sympy.Expr, phase: sympy.Symbol) -> set[sympy.Expr]:
+    """Return the phases in [0, 2π) at which an expression is zero, rad."""
+    return set(sympy.solveset(expression, phase, sympy.Interval.Ropen(0, 2 * sympy.pi)))
+
+
+def least_amplitude_with_contact() -> float:
+    """Return the amplitude over the gap from which there is a phase of contact, where 1 - b/A is a sine."""
+    amplitude = sympy.Symbol("a", positive=True)
+    return float(sympy.solve(sympy.Eq(1 - 1 / amplitude, -1), amplitude)[0])
+
+
+def laplace_integral(function: sympy.Expr, place: float) -> float:
+    """Return the integral of a function of t times exp(−s t) over t from 0 at s = ``place`` (1/s)."""
+    integrand = sympy.lambdify(t, function * sympy.exp(-place * t), "mpmath")
+    return float(mpmath.quad(integrand, [0, mpmath.inf]))

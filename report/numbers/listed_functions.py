@@ -1,7 +1,8 @@
-"""What Listing A.5 computes for viscous-controlled backlash, with the sign of its sixth line as printed.
+"""Listings A.3 to A.6, describing functions, repeated line by line.
 
-For γ > 1 its equation has complex roots only. The listing leaves the choice among them to MATLAB's vpasolve;
-taken here is the one that begins next to half a turn, where contact is made with a narrow gap.
+Listing A.5 has the sign of its sixth line as printed: for γ > 1 its equation has complex roots only. It
+leaves the choice among them to MATLAB's vpasolve; taken here is the one that begins next to half a turn,
+where contact is made with a narrow gap.
 """
 
 from __future__ import annotations
@@ -10,15 +11,44 @@ import math
 
 import control
 import numpy as np
+from scipy.optimize import brentq
 
+from report.thesis import TURN
 from trimmer import response_at
 from trimmer.arrays import Complexes, Reals
 
 STEPS = 60
 START = complex(math.pi, -0.3)
+"""Most steps of Newton's method to a contact angle of Listing A.5, and where the first begin, rad."""
 RATIOS = np.linspace(0.005, 2.0, 200)
 """b/A over the range that section 5.2.3 states."""
-RESPONSE_OMEGA = 2 * math.pi * np.linspace(200.0, 1000.0, 1601)
+RESPONSE_OMEGA = TURN * np.linspace(200.0, 1000.0, 1601)
+"""rad/s."""
+
+
+def friction_listing(amplitude: complex, width: float) -> complex:
+    """Return what Listing A.3 returns: its last line overwrites the zeros that its sixth line has set."""
+    ratio = np.complex128(1 - width / amplitude)
+    real = 0.5 + ratio * np.sqrt(1 - ratio**2) / np.pi + np.arcsin(ratio) / np.pi
+    return complex(real - 1j * (1 - ratio**2) / np.pi)
+
+
+def equivalent_listing(amplitude: float, force: float, gap: float, omega: float) -> complex:
+    """Return what Listing A.6 returns for an amplitude (m), a force (N), a gap (m) and ω (rad/s)."""
+    return friction_listing(amplitude, gap) - 4j * force / (math.pi * amplitude * omega)
+
+
+def inertia_listing(ratio: float, scale: float) -> complex:
+    """Return what Listing A.4 returns for its arguments Beta and w, with the root of its equation."""
+    root = brentq(lambda x: scale * x - ratio - np.sin(scale * x), 0.0, 10.0 / scale)
+    return inertia_formula(root, ratio)
+
+
+def inertia_formula(angle: float, ratio: float) -> complex:
+    """Return what the lines of Listing A.4 after its search make of the root that it found."""
+    nested = np.sin(angle) + ratio
+    real = (np.pi + 2 * np.sin(nested) - angle - np.sin(nested) * np.cos(nested)) / np.pi
+    return complex(real, -((1 - np.cos(nested)) ** 2) / np.pi)
 
 
 class NoRootError(ArithmeticError):
