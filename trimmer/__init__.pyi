@@ -71,6 +71,7 @@ from .linear.time_response import time_response as time_response
 from .linear.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
 from .motion.energy import EnergyBalance as EnergyBalance
 from .motion.energy import energy_balance as energy_balance
+from .motion.loop_signal import LoopSignal as LoopSignal
 from .motion.loops import ClosedLoop as ClosedLoop
 from .motion.loops import Drive as Drive
 from .motion.loops import OpenLoop as OpenLoop
@@ -84,6 +85,7 @@ from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .orbits.forced_orbit import forced_orbit as forced_orbit
 from .orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
+from .orbits.orbit_measures import Impact as Impact
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .parameters import ParameterError as ParameterError

@@ -84,7 +84,7 @@ def finite_number(name: str, value: object, unit: str = "") -> float:
     """
     number = real_number(name, value, unit)
     if not math.isfinite(number):
-        raise ValueError(f"{name} must be finite{f' ({unit})' if unit else ''}, not {value!r}")
+        raise ValueError(f"{name} must be finite, not {value!r}")
     return number
 
 

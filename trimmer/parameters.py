@@ -8,6 +8,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, Self
 
+from trimmer.arguments import require_instance
 from trimmer.errors import TrimmerError
 
 
@@ -126,6 +127,16 @@ class TrimmerParameters:
     def values(self) -> tuple[float, ...]:
         """Return the thirteen values, SI units, as the generated functions take them: m1-m4, k1-k5, c1-c4."""
         return tuple(getattr(self, parameter.symbol) for parameter in parameter_table())
+
+
+def require_parameters(parameters: object) -> None:
+    """Check that the parameters of a trimmer were given.
+
+    Raises:
+        WrongTypeError: if they were not.
+    """
+    wanted = "the trimmer.TrimmerParameters of a trimmer, such as TrimmerParameters.thesis()"
+    require_instance("parameters", parameters, TrimmerParameters, wanted)
 
 
 def parameter_table() -> tuple[Parameter, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -92,6 +92,24 @@ class Motion:
     def event_times(self) -> Reals:
         """Times of ``events``, s, shape (number of events,)."""
         return np.array([event.time for event in self.events])
+
+    @property
+    def success(self) -> bool:
+        """Whether the motion reached the end that was asked for."""
+        return self.outcome is Outcome.COMPLETED
+
+    @property
+    def message(self) -> str:
+        """How the simulation ended, in words."""
+        return self.outcome.value
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled, and tabulate again the modes that the motion goes through."""
+        vars(self).update(state)
+        modes = self.loop.modes
+        for number in np.unique(self.log.mode).tolist():
+            if not modes.tables.known[number]:
+                modes.tabulate(number)
 
     @property
     def touches(self) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -57,6 +57,11 @@ class Signal:
                 f"a signal cannot have the name {self.name!r} and the unit {self.unit!r}: both are one line "
                 "of printable signs with single spaces and no brackets at the end; the name is not empty"
             )
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled; the values are not writable again."""
+        vars(self).update(state)
+        self.values.flags.writeable = False
 
     @property
     def heading(self) -> str:
