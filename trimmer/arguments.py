@@ -5,6 +5,9 @@ from __future__ import annotations
 import inspect
 import math
 import operator
+import os
+from numbers import Real
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from trimmer.errors import WrongTypeError
@@ -64,12 +67,11 @@ def real_number(name: str, value: object, unit: str = "") -> float:
         WrongTypeError: if it is none.
     """
     of_unit = f" ({unit})" if unit else ""
-    unlike = (bool, str, bytes, complex)
-    if not isinstance(value, unlike) and hasattr(value, "__float__") and not getattr(value, "ndim", 0):
+    # An array of NumPy without dimensions counts as a number, as its scalars do.
+    scalar = value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
+    if not isinstance(scalar, bool) and isinstance(scalar, Real):
         try:
-            return float(value)
-        except (TypeError, ValueError):
-            pass
+            return float(scalar)
         except OverflowError:
             return math.inf
     raise WrongTypeError(f"{name} must be a real number{of_unit}, not {shown(value)}")
@@ -101,22 +103,38 @@ def positive_number(name: str, value: object, unit: str = "") -> float:
     return number
 
 
-def whole_number(name: str, value: object, least: int) -> int:
+def whole_number(name: str, value: object, least: int | None = None) -> int:
     """Return a whole number as an int.
+
+    Args:
+        name: Name of the argument.
+        value: What was given.
+        least: The smallest that will do; None if any will.
 
     Raises:
         WrongTypeError: if it is no integer.
         ValueError: if it is less than the least one.
     """
+    wanted = "a whole number" if least is None else f"a whole number from {least} on"
     try:
         number = None if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
     except TypeError:
         number = None
     if number is None:
-        raise WrongTypeError(f"{name} must be a whole number from {least} on, not {shown(value)}")
-    if number < least:
-        raise ValueError(f"{name} must be a whole number from {least} on, not {value!r}")
+        raise WrongTypeError(f"{name} must be {wanted}, not {shown(value)}")
+    if least is not None and number < least:
+        raise ValueError(f"{name} must be {wanted}, not {value!r}")
     return number
+
+
+def file_path(name: str, path: object) -> Path:
+    """Return the path of a file.
+
+    Raises:
+        WrongTypeError: if it is no path.
+    """
+    require_instance(name, path, (str, os.PathLike), "the path of a file")
+    return Path(path)  # type: ignore[arg-type]
 
 
 def real_array(name: str, values: ArrayLike) -> Reals:
@@ -152,4 +170,4 @@ def _array(name: str, values: ArrayLike) -> Reals:
         array = np.asarray(None)
     if array.dtype.kind not in "fiu" and array.size:
         raise WrongTypeError(f"{name} must be a real number or an array of such, not {shown(values)}")
-    return array.astype(float)
+    return array.astype(float, copy=False)

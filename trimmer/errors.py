@@ -7,8 +7,11 @@ class TrimmerError(Exception):
     """An input of the user cannot be used; the message is complete in itself and says what to do."""
 
 
-class WrongTypeError(TrimmerError, TypeError):
-    """An argument of another type than the one that is needed; the message names argument and value."""
+class WrongTypeError(TrimmerError, TypeError, ValueError):
+    """An argument of another type than the one that is needed; the message names argument and value.
+
+    It is a ``ValueError`` as well, so that what catches unusable values catches it too.
+    """
 
 
 class FrequencyRangeError(TrimmerError, ValueError):

@@ -8,7 +8,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, Self
 
-from trimmer.arguments import require_instance
+from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
 
 
@@ -116,7 +116,7 @@ class TrimmerParameters:
         """
         from trimmer.parameter_files import read_parameters
 
-        return read_parameters(Path(path))
+        return read_parameters(file_path("path", path))
 
     def to_toml(self) -> str:
         """Return the parameters as TOML text, each with its meaning and unit; it reads back equal."""

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import positive_number, real_number
+from trimmer.arguments import positive_number, real_number, real_values, shown
+from trimmer.errors import WrongTypeError
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -73,9 +74,11 @@ def positive_omegas(omega: ArrayLike) -> Reals:
 
 
 def _positive(name: str, values: ArrayLike, unit: str) -> Reals:
-    array = np.asarray(values)
+    array = np.asarray(values) if isinstance(values, np.ndarray | float) else real_values(name, values)
     if array.dtype.kind not in "fiu":
-        raise ValueError(f"{name} must be a real number or an array of such ({unit}), not {values!r}")
+        raise WrongTypeError(
+            f"{name} must be a real number or an array of such ({unit}), not {shown(values)}"
+        )
     array = array.astype(float, copy=False)
     wrong = array <= 0
     if np.count_nonzero(wrong):

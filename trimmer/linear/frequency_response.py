@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
-from trimmer.arguments import shown
+from trimmer.arguments import real_values, shown
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def require_siso(system: control.lti.LTI) -> None:
     """
     if not isinstance(system, control.StateSpace | control.TransferFunction):
         raise UnsupportedSystemError(
-            f"as the system {type(system).__name__} is not accepted: give a control.StateSpace or "
+            f"as the system (G) {type(system).__name__} is not accepted: give a control.StateSpace or "
             f"control.TransferFunction, not {shown(system)}"
         )
     if not system.isctime():
@@ -58,6 +58,6 @@ def response_at(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
         UnsupportedSystemError: see ``require_siso``.
     """
     require_siso(system)
-    frequencies = np.asarray(omega, dtype=float)
+    frequencies = real_values("omega", omega)
     response = system(1j * frequencies.ravel(), squeeze=True)
     return np.asarray(response, dtype=complex).reshape(frequencies.shape)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import finite_number
+from trimmer.arguments import finite_number, real_values, whole_number
 from trimmer.linear.crossings import gain_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -88,7 +88,7 @@ def local_slope(system: control.lti.LTI, omega: ArrayLike) -> Reals:
         UnsupportedSystemError: see ``require_siso``.
     """
     factored = ZeroPoleGain.of(system)
-    frequencies = np.asarray(omega, dtype=float)
+    frequencies = real_values("omega", omega)
     slopes = [each * factored.log_gain_slope_terms(each).sum() for each in frequencies.ravel()]
     return DECIBELS_PER_DECADE * np.reshape(slopes, frequencies.shape)
 
@@ -108,8 +108,8 @@ def filtering_ratio(system: control.lti.LTI, omega: ArrayLike, harmonic: int) ->
         ValueError: if the harmonic is less than 2.
         UnsupportedSystemError: see ``require_siso``.
     """
-    if harmonic < 2:
+    if whole_number("harmonic", harmonic) < 2:
         raise ValueError(f"harmonics above the fundamental start at 2, not {harmonic!r}")
-    fundamental = np.asarray(omega, dtype=float)
+    fundamental = real_values("omega", omega)
     passed = response_at(system, harmonic * fundamental) / response_at(system, fundamental)
     return np.asarray(np.abs(passed))

@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
-from trimmer.parameters import ParameterError
+from trimmer.parameters import ParameterError, require_parameters
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -55,6 +55,7 @@ def linear_model(
     outputs = (output,) if isinstance(output, Displacement) else tuple(output)
     if not outputs:
         raise ValueError("a linear model needs at least one output displacement")
+    require_parameters(parameters)
     values = parameters.values()
     return control.ss(
         np.array(linear_trimmer.state_matrix(*values)),
@@ -132,6 +133,7 @@ def transfer_function(
     Raises:
         ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
+    require_parameters(parameters)
     values = parameters.values()
     weights = np.array(output.row)
     denominator = np.array(linear_trimmer.characteristic_polynomial(*values))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
-from trimmer.arguments import real_array
+from trimmer.arguments import positive_number, real_array, real_number, real_values
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class SteadyState:
 
     def at(self, times: ArrayLike) -> Reals:
         """Evaluate the output at instants (s), in the shape of ``times``."""
-        return np.asarray(self.amplitude * np.sin(self.omega * np.asarray(times) + self.phase))
+        return np.asarray(self.amplitude * np.sin(self.omega * real_values("times", times) + self.phase))
 
 
 def time_response(
@@ -160,5 +160,6 @@ def steady_state(system: control.lti.LTI, omega: float, amplitude: float = 1.0) 
         raise UnsupportedSystemError(
             f"the system has a pole with real part {slowest:g} 1/s: it does not settle into a steady state"
         )
-    gain = complex(response_at(system, omega))
-    return SteadyState(omega, amplitude * abs(gain), cmath.phase(gain))
+    frequency = positive_number("omega", omega, "rad/s")
+    gain = complex(response_at(system, frequency))
+    return SteadyState(frequency, real_number("amplitude", amplitude) * abs(gain), cmath.phase(gain))

@@ -114,6 +114,15 @@ class Loop(ABC):
         vars(self).update((name, restored(value)) for name, value in state.items())
 
 
+def require_loop(loop: object) -> None:
+    """Check that a loop was given.
+
+    Raises:
+        WrongTypeError: if it was not.
+    """
+    require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop or TrimmerLoop")
+
+
 @final
 @dataclass(frozen=True, eq=False)
 class ClosedLoop(Loop):

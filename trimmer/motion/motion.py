@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import real_values
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
 from trimmer.motion.tables import Log
@@ -188,7 +189,7 @@ class Motion:
         Raises:
             ValueError: if a time lies outside the motion, or is NaN.
         """
-        instants = np.asarray(times, dtype=float)
+        instants = real_values("times", times)
         if not ((instants >= 0) & (instants <= self.duration)).all():
             raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
         flat = instants.ravel().copy() if not instants.flags.writeable else instants.ravel()

@@ -9,9 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import real_number, whole_number
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from trimmer.arrays import Reals
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
@@ -50,7 +53,8 @@ class Signal:
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", checked_samples(self.values))
         object.__setattr__(self, "sample_rate", checked_rate(self.sample_rate))
-        if not math.isfinite(self.start):
+        whole_number("interpolated", self.interpolated, 0)
+        if not math.isfinite(real_number("start", self.start, "s")):
             raise SignalError(f"start is {self.start!r}: the time of the first sample must be finite")
         if split_heading(self.heading) != (self.name, self.unit) or not self.name:
             raise SignalError(
@@ -92,7 +96,7 @@ def split_heading(heading: str) -> tuple[str, str]:
     return (match["name"], unit.strip()) if match["name"] else (text, "")
 
 
-def checked_samples(values: Reals) -> Reals:
+def checked_samples(values: ArrayLike) -> Reals:
     """Copy samples into an array, shape (n,), that cannot be written to.
 
     Raises:
@@ -124,6 +128,6 @@ def checked_rate(sample_rate: float) -> float:
     Raises:
         SignalError: if it is not a positive and finite number.
     """
-    if isinstance(sample_rate, bool) or not 0 < sample_rate < math.inf:
+    if isinstance(sample_rate, bool) or not 0 < real_number("sample_rate", sample_rate, "Hz") < math.inf:
         raise SignalError(f"the sample rate must be a positive number of hertz, not {sample_rate!r}")
     return float(sample_rate)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import file_path
 from trimmer.files import write_atomically
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 
@@ -103,7 +104,7 @@ def write_wav(
             or nothing of it could be heard (shorter than ``SHORTEST``, or slower than ``LOWEST_AUDIBLE``).
         FileWriteError: if the file cannot be written.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     if not 0 < peak <= 1:
         raise SignalError(f"peak is {peak!r}: it must be above 0 and at most 1, which is full scale")
@@ -119,7 +120,7 @@ def write_wav(
     sound = _resampled(vibration, used)
     loudest = float(np.abs(sound).max())
     samples = np.rint(sound * (peak * bit_depth.full_scale / loudest if loudest else 0.0)).astype("<i4")
-    write_atomically(Path(path), _content(samples, wav_rate, bit_depth))
+    write_atomically(file_path("path", path), _content(samples, wav_rate, bit_depth))
     return WavFile(
         sample_rate=wav_rate,
         samples=samples.size,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from trimmer.arguments import require_instance
 from trimmer.signals.signal import Signal
-from trimmer.spectra.classification import OPEN_LOOP, ClassifiedPeak, classify
+from trimmer.spectra.classification import OPEN_LOOP, ClassifiedPeak, classify, frequencies_of
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -63,7 +63,8 @@ def analyse_signal(
         WrongTypeError: if an argument is of another type.
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
-    left_out = drive_frequency is not None and not closed_loop and len(limit_cycle_frequencies) > 0
+    predicted = frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies)
+    left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
     return SpectrumAnalysis(
         signal=signal,

@@ -87,7 +87,7 @@ def fit_harmonics(
             the window's main lobe has bins (1 rectangular, 2 Hann), or a harmonic is nearer to half the
             sample rate than half of that.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     real_number("drive_frequency", drive_frequency, "Hz")
     if count is not None:

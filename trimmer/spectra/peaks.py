@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.noise import noise_threshold
+from trimmer.spectra.spectrum import Spectrum
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.spectra.spectrum import Spectrum
 
 MOST_PEAKS = 200
 """Most peaks that are looked for, the largest; it bounds the time."""
@@ -84,6 +85,7 @@ def peaks(
     Raises:
         SignalError: if limit, smallest or false_alarm is out of its range.
     """
+    require_instance("spectrum", spectrum, Spectrum, "a trimmer.Spectrum")
     _check(limit, smallest, false_alarm)
     candidates, thresholds = _candidates(spectrum, smallest, false_alarm)
     lines = _Lines(np.empty(0, np.intp), np.empty(0), np.empty(0, np.complex128))
@@ -103,11 +105,11 @@ def peaks(
 
 
 def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
-    if limit is not None and limit < 1:
+    if limit is not None and whole_number("limit", limit) < 1:
         raise SignalError(f"limit is {limit}: ask for one peak or more")
-    if not 0 <= smallest < 1:
+    if not 0 <= real_number("smallest", smallest) < 1:
         raise SignalError(f"smallest is {smallest}: it is relative to the largest bin, 0 <= smallest < 1")
-    if not 0 < false_alarm < 1:
+    if not 0 < real_number("false_alarm", false_alarm) < 1:
         raise SignalError(f"false_alarm is {false_alarm}: it is a probability, 0 < false_alarm < 1")
 
 

@@ -66,7 +66,7 @@ def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window = W
     Raises:
         SignalError: if samples or sample rate cannot be used, or there are too few samples.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     if values.size < FEWEST_SAMPLES:
         raise SignalError(
