@@ -107,9 +107,22 @@ class Identification:
     nearest: IdentifiedTimeConstant | None
 
     @property
-    def feasible(self) -> bool:
+    def success(self) -> bool:
         """Whether some M/D gives a limit cycle within the uncertainty of the frequency."""
         return bool(self.intervals)
+
+    @property
+    def message(self) -> str:
+        """What came out, in words."""
+        if self.success:
+            ranges = (f"{each.lowest:.6g} to {each.highest:.6g} s" for each in self.intervals)
+            return f"M/D within the uncertainty: {', '.join(ranges)}"
+        if self.nearest is None:
+            return "no M/D gives a limit cycle at any frequency"
+        return (
+            "no M/D gives a limit cycle within the uncertainty; the nearest one has "
+            f"{self.nearest.limit_cycle.frequency:.9g} Hz with M/D = {self.nearest.time_constant:.6g} s"
+        )
 
 
 def identify_time_constant(

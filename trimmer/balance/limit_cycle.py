@@ -112,3 +112,19 @@ class HarmonicBalance:
         if self.certificate.winding_number is None:
             return None
         return self.certificate.winding_number == sum(cycle.index for cycle in self.limit_cycles)
+
+    @property
+    def success(self) -> bool:
+        """Whether every part of the range is decided, and the winding number contradicts nothing."""
+        return self.certificate.complete and self.confirmed is not False
+
+    @property
+    def message(self) -> str:
+        """What came out, in words."""
+        found = f"{len(self.limit_cycles)} limit cycle{'' if len(self.limit_cycles) == 1 else 's'} found"
+        if self.confirmed is False:
+            return f"{found}, which the winding number contradicts: do not rely on it"
+        undecided = len(self.certificate.undecided)
+        if undecided:
+            return f"{found}; others may lie in {undecided} undecided region{'' if undecided == 1 else 's'}"
+        return f"{found}, and no other is in the range that was searched"

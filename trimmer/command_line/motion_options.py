@@ -30,7 +30,13 @@ def add_motion_options(parser: ArgumentParser) -> None:
         metavar="DISPLACEMENT=N",
         help="Coulomb friction between two bodies, such as q2-q4=0.5; may be given several times",
     )
-    parser.add_argument("--drive", type=float, metavar="HZ", help="drive the pin at a frequency (open loop)")
+    parser.add_argument(
+        "--drive",
+        "--drive-frequency",
+        type=float,
+        metavar="HZ",
+        help="drive the pin at a frequency, Hz (open loop)",
+    )
     parser.add_argument("--amplitude", type=float, metavar="M", help="amplitude of the drive, m")
     parser.add_argument(
         "--impulse", type=float, metavar="M*S", help="impulse that sets the closed loop in motion, m s"
@@ -87,7 +93,7 @@ def _drive(arguments: Namespace) -> Drive | None:
     if arguments.drive is None:
         return None
     try:
-        return Drive(arguments.amplitude, 2.0 * math.pi * arguments.drive)
+        return Drive(arguments.amplitude, frequency=arguments.drive)
     except ValueError as error:
         raise OptionError(f"--drive {arguments.drive} --amplitude {arguments.amplitude}: {error}") from error
 

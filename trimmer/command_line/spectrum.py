@@ -25,6 +25,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
     parser.add_argument(
         "--drive",
+        "--drive-frequency",
         type=positive,
         metavar="HZ",
         help="frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",

@@ -76,6 +76,7 @@ def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wa
         "harmonics": None if fit is None else _fit(fit),
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
+        "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
         "notes": analysis.notes,
         "peaks": [_peak(classified) for classified in analysis.peaks],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},

@@ -100,7 +100,8 @@ def test_two_millihertz_beside_the_limit_the_nearest_load_is_told() -> None:
     beside = identify_time_constant(system, GAP, limit - 0.002)
     assert beside.time_constants == ()
     assert beside.intervals == ()
-    assert not beside.feasible
+    assert not beside.success
+    assert beside.message.startswith("no M/D gives a limit cycle within the uncertainty; the nearest")
     assert beside.nearest is not None
     assert beside.nearest.time_constant == 0.0
     assert beside.nearest.limit_cycle.frequency == limit
@@ -109,7 +110,8 @@ def test_two_millihertz_beside_the_limit_the_nearest_load_is_told() -> None:
     (at_the_end,) = identify_time_constant(system, GAP, limit - 0.002 + 0.33 / 2).time_constants
     assert (interval.lowest, interval.frequencies[0]) == (0.0, limit)
     assert interval.highest == pytest.approx(at_the_end.time_constant, rel=1e-9)
-    assert within.feasible
+    assert within.success
+    assert within.message == f"M/D within the uncertainty: 0 to {interval.highest:.6g} s"
 
 
 @settings(max_examples=15, deadline=None)
@@ -136,6 +138,12 @@ def test_a_measured_range_over_a_whole_band_takes_every_load() -> None:
     assert (interval.lowest, interval.highest) == (0.0, math.inf)
     assert interval.frequencies == told.bands[-1].frequencies
     assert told.nearest is None
+
+
+def test_a_loop_that_never_oscillates_has_no_nearest_load() -> None:
+    told = identify_time_constant(LOOPS["that never oscillates"], GAP, 1.0, frequency_uncertainty=0.5)
+    assert (told.success, told.bands, told.nearest) == (False, (), None)
+    assert told.message == "no M/D gives a limit cycle at any frequency"
 
 
 @pytest.mark.parametrize("uncertainty", [-1.0, math.nan, 700.0, math.inf])

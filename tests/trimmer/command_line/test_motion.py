@@ -74,7 +74,7 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
         ([*CLOSED, "--sample-rate", "1e15"], "samples; give 2 to"),
         (["simulate", "--drive", "110"], "--amplitude (m) is missing"),
         (["simulate", "--amplitude", "1"], "--drive (Hz) is missing"),
-        (["simulate", "--drive", "-1", "--amplitude", "1"], "omega of the drive must be positive"),
+        (["simulate", "--drive", "-1", "--amplitude", "1"], "frequency of the drive must be positive"),
         ([*DRIVEN, "--friction", "q2"], "such as q2-q4=0.5"),
         ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x: 'x' is not a number (N)"),
         ([*DRIVEN, "--friction", "q2-q2=1"], "--friction q2-q2=1"),
