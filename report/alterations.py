@@ -18,7 +18,7 @@ class Alterations:
     noticed: int = 0
 
     def __add__(self, other: Self) -> Self:
-        """Count both."""
+        """Return the counts of both together."""
         return type(self)(self.tried + other.tried, self.noticed + other.noticed)
 
 

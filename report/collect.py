@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pkgutil import walk_packages
@@ -11,10 +10,11 @@ from pkgutil import walk_packages
 from report import chapters
 from report.claim import Entry
 from report.record import ClaimRecord, FigureRecord
+from report.text import RecordError
 
 
-class ClaimIdError(ValueError):
-    """An id that the inventory does not know, or that two records of one kind share."""
+class ClaimIdError(RecordError):
+    """An id that the inventory does not know, that two records of one kind share, or that has no claim."""
 
 
 @dataclass(frozen=True)
@@ -39,28 +39,59 @@ def collect(inventory: Mapping[str, Entry]) -> Records:
     """Import all modules of the chapters and return the records that they make.
 
     Raises:
-        ClaimIdError: if the inventory lacks an id, or if one stands twice.
+        ClaimIdError: if the inventory lacks an id, if one stands twice, or if a statement has no claim.
     """
-    claims, figures = {}, []
+    found = list(_found())
+    claims = by_id([each for each in found if isinstance(each[1], ClaimRecord)], inventory)
+    figures = by_id([each for each in found if isinstance(each[1], FigureRecord)], inventory)
+    if lacking := [claim_id for claim_id in inventory if claim_id not in claims]:
+        raise ClaimIdError(
+            f"{', '.join(lacking)}: in the inventory, but without a record; write one in report/chapters "
+            "(of two functions with one name only the second is left)"
+        )
+    groups: dict[str, list[ClaimRecord]] = {}
+    for module, record in found:
+        if isinstance(record, ClaimRecord):
+            groups.setdefault(module, []).append(record)
+    drawn = (figures[claim_id] for claim_id in inventory if claim_id in figures)
+    return Records(
+        {module: tuple(group) for module, group in groups.items()},
+        tuple(record for record in drawn if isinstance(record, FigureRecord)),
+    )
+
+
+AnyRecord = ClaimRecord | FigureRecord
+
+
+def _found() -> Iterator[tuple[str, AnyRecord]]:
+    """Yield each record with the module that makes it; one that is imported elsewhere only once."""
+    seen: set[int] = set()
     for module in walk_packages(chapters.__path__, f"{chapters.__name__}."):
-        values = vars(import_module(module.name)).values()
-        if made := tuple(value for value in values if isinstance(value, ClaimRecord)):
-            claims[module.name] = made
-        figures += [value for value in values if isinstance(value, FigureRecord)]
-    require_known_once((record.id for group in claims.values() for record in group), inventory)
-    require_known_once((figure.id for figure in figures), inventory)
-    place = {claim_id: index for index, claim_id in enumerate(inventory)}
-    return Records(claims, tuple(sorted(figures, key=lambda figure: place[figure.id])))
+        for value in vars(import_module(module.name)).values():
+            if isinstance(value, AnyRecord) and id(value) not in seen:
+                seen.add(id(value))
+                yield module.name, value
 
 
-def require_known_once(ids: Iterable[str], inventory: Mapping[str, Entry]) -> None:
-    """Raise for an id that the inventory lacks, or that stands twice.
+def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Entry]) -> dict[str, AnyRecord]:
+    """Return records of one kind by their ids.
+
+    Args:
+        found: The records, each with the name of its module.
+        inventory: The statements by their ids.
 
     Raises:
-        ClaimIdError: naming the id.
+        ClaimIdError: naming id and modules, if the inventory lacks an id or two records share one.
     """
-    for claim_id, count in Counter(ids).items():
-        if claim_id not in inventory:
-            raise ClaimIdError(f"claim {claim_id} is not in the inventory")
-        if count > 1:
-            raise ClaimIdError(f"claim {claim_id} stands {count} times")
+    records: dict[str, AnyRecord] = {}
+    homes: dict[str, str] = {}
+    for module, record in found:
+        if record.id not in inventory:
+            raise ClaimIdError(
+                f"{module}: {record.id} is not in the inventory; add a line to "
+                "report/data/further_statements.csv"
+            )
+        if record.id in records:
+            raise ClaimIdError(f"{record.id} stands twice, in {homes[record.id]} and {module}; keep one")
+        records[record.id], homes[record.id] = record, module
+    return records

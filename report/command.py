@@ -8,13 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
-from trimmer import TrimmerError
 from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import add_overwrite_option
+from trimmer.command_line.parser import refuse_unused
+from trimmer.errors import TrimmerError
+from trimmer.files import HTML, JSON, PDF, check_replaceable
 
 if TYPE_CHECKING:
     from report.building.build import Built
 
 DIRECTORY = Path("build") / "report"
+KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON}
 
 
 class NothingToOpenError(TrimmerError, ValueError):
@@ -31,29 +35,38 @@ def _configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--only",
+        action="extend",
         nargs="+",
         metavar="CHAPTER",
         default=[],
-        help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone",
+        help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone; may "
+        "be given several times",
     )
     parser.add_argument(
         "--format",
+        action="extend",
         nargs="+",
-        choices=[form.value for form in Format],
-        default=[form.value for form in Format],
-        help="forms to write (default: all)",
+        choices=[form.word for form in Format],
+        default=[],
+        help="forms to write (default: all); may be given several times",
     )
     parser.add_argument(
         "--paper",
-        choices=[paper.value for paper in Paper],
-        default=Paper.A4.value,
+        choices=[paper.word for paper in Paper],
+        default=Paper.A4.word,
         help="size of the pages of the PDF (default: %(default)s)",
     )
     parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
+    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
     request = _request(arguments)
+    from report.rendering.render import NAMES
+
+    if not request.overwrite:
+        for form in request.formats:
+            check_replaceable(arguments.directory / NAMES[form], KINDS[form])
     from report.building.build import build
 
     built = build(arguments.directory, request)
@@ -68,16 +81,19 @@ def _request(arguments: Namespace) -> Request:
 
     Raises:
         NothingToOpenError: if the HTML is to be opened and not to be written.
+        OptionError: if a paper is chosen and no PDF is to be written.
         UnknownChapterError: if the thesis has no such chapter.
     """
     from report.inventory import read_inventory
     from report.rendering.selection import chapter_numbers
 
     chapter_numbers(arguments.only, {entry.chapter for entry in read_inventory().values()})
-    formats = frozenset(Format(name) for name in arguments.format)
+    formats = frozenset(map(Format, arguments.format)) or frozenset(Format)
     if arguments.open and Format.HTML not in formats:
         raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
-    return Request(tuple(arguments.only), formats, Paper(arguments.paper))
+    if Format.PDF not in formats:
+        refuse_unused(arguments, ["paper"], "pdf among --format")
+    return Request(tuple(arguments.only), formats, Paper(arguments.paper), arguments.overwrite)
 
 
 def _summary(built: Built) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from report.claim import Entry, Kind
+from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent / "data" / "inventory.csv"
 """The statements that were handed over with the thesis."""
@@ -14,7 +15,7 @@ FURTHER = PATH.with_name("further_statements.csv")
 """Statements that the inventory lacks, found by reading the thesis again; same columns."""
 
 
-class InventoryError(ValueError):
+class InventoryError(TrimmerError, ValueError):
     """The inventory holds an id twice, or a kind that is not known."""
 
 
@@ -39,6 +40,8 @@ def read_inventory(*paths: Path) -> Mapping[str, Entry]:
 def _entries(path: Path) -> Iterator[tuple[int, Entry]]:
     with path.open(encoding="utf-8", newline="") as file:
         for line, row in enumerate(csv.DictReader(file), start=2):
+            if None in row or None in row.values():
+                raise InventoryError(f"{path.name}, line {line}: not four columns; quote a comma")
             if row["kind"] not in {kind.value for kind in Kind}:
                 raise InventoryError(f"{path.name}, line {line}: unknown kind {row['kind']!r}")
             yield line, Entry(row["id"], Kind(row["kind"]), row["section"], row["subject"])

@@ -1,10 +1,14 @@
 """Parts of claims, each in one call: what is printed, what is derived, a second way, and a slip.
 
+Second ways: ``close`` for numbers, ``equal`` for counts and what is exactly the same, ``small`` for what has
+to vanish, ``same`` for expressions and matrices, ``so`` for a finding of which is known whether it holds.
+
 ``second`` confirms the derived side independently; ``slip`` gives the printed side when it is repeated.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
@@ -15,7 +19,9 @@ from report.claim import Comparison, Confirmation, Mathematics, Part, Shown, Sli
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.comparisons.expression import SameExpression, SameMatrix
-from report.text import filled
+from report.text import RecordError, filled
+
+DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
 
 
 class More(TypedDict, total=False):
@@ -35,7 +41,13 @@ class More(TypedDict, total=False):
 
 
 def digits(label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]) -> Part:
-    """Hold printed digits against a number; half a unit of the last printed place is the tolerance."""
+    """Hold printed digits against a number; half a unit of the last printed place is the tolerance.
+
+    Raises:
+        RecordError: if what is printed is no string of digits.
+    """
+    if not (isinstance(printed, str) and DECIMAL.fullmatch(printed)):
+        raise RecordError(f"part {label!r}: {printed!r} is no string of digits such as '8.28' or '2.1e-8'")
     return part(label, PrintedDigits(printed, derived, unit), **more)
 
 

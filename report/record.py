@@ -1,6 +1,6 @@
 """A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
 
-    @claim("eq-5.6", source="report/chapters/chapter_5/claims/loci.py")
+    @claim("eq-5.6", source="derivations/mechanism.py")
     def external_input(known: Evidence) -> Record:
         yield expression("", printed, derived, left=r)
         yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
@@ -20,7 +20,7 @@ from report.document import Figure
 from report.drawing.style import style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence
-from report.text import TextError, filled
+from report.text import RecordError, filled
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -31,10 +31,6 @@ if TYPE_CHECKING:
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
 MARK = "\0"
 MOST_PARAGRAPHS = 2
-
-
-class RecordError(ValueError):
-    """A record is not complete, or its text asks for what the record does not give."""
 
 
 @final
@@ -108,7 +104,7 @@ class ClaimRecord:
         try:
             items = tuple(self.items(known))
             texts = [item.paragraphs for item in items if isinstance(item, Text)]
-        except (RecordError, TextError) as error:
+        except RecordError as error:
             raise RecordError(f"claim {self.id}: {error}") from error
         if len(texts) != 1:
             raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
@@ -135,12 +131,18 @@ def claim(
     severity: Severity | None = None,
     certainty: Certainty | None = None,
 ) -> Callable[[Callable[[Evidence], Record]], ClaimRecord]:
-    """Make a claim of a function that yields what it consists of; for the arguments see ``ClaimRecord``."""
+    """Make a claim of a function that yields what it consists of, and give it the function's name.
+
+    For the arguments see ``ClaimRecord``.
+    """
     return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty)
 
 
 def text(prose: str) -> Text:
-    """Return the text of a claim; a text with numbers goes on with ``given``."""
+    """Return the text of a claim; one with numbers goes on with ``given``.
+
+    For the places and filters of the numbers see ``report.text.filled``.
+    """
     return Text(prose)
 
 
@@ -156,7 +158,7 @@ class FigureRecord:
     draw: Draw = field(repr=False)
 
     def finished(self, known: Evidence) -> Figure:
-        """Draw it."""
+        """Draw the figure; it is then an SVG with its words."""
         svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
         return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
 

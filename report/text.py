@@ -15,13 +15,19 @@ import sympy
 from jinja2 import Environment, StrictUndefined, Template, TemplateError, meta, nodes
 
 from report.comparisons.printed import power, power_of
+from trimmer.errors import TrimmerError
 
 SPACE = re.compile(r"[ \n]+")
 """Spaces that may be one; not a no-break space."""
 MOST_PLACES = 12
+CALCULATING = (nodes.BinExpr, nodes.UnaryExpr, nodes.Call, nodes.Getattr, nodes.Getitem)
 
 
-class TextError(ValueError):
+class RecordError(TrimmerError, ValueError):
+    """A record of a claim or a figure cannot be used; the message says which one, and what to do."""
+
+
+class TextError(RecordError):
     """A text lacks a number that it asks for, is given one it does not ask for, or is malformed."""
 
 
@@ -63,7 +69,7 @@ def _compiled(prose: str) -> tuple[Template | str, frozenset[str]]:
     if "[[" not in prose:
         return prose, frozenset()
     parsed = _environment().parse(prose)
-    if any(parsed.find(kind) for kind in (nodes.BinExpr, nodes.UnaryExpr, nodes.Call)):
+    if any(parsed.find(kind) for kind in CALCULATING):
         raise TextError(f"the text {prose[:60]!r} calculates; give it the number under a name")
     asked = frozenset(meta.find_undeclared_variables(parsed))
     environment = _environment()

@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 TURN: Final = 2 * math.pi
-"""rad."""
+"""A full turn, rad."""
 DRIVE_FREQUENCY: Final = 100.0
 """Of the models of chapters 4 and 5, Hz."""
 DRIVE_OMEGA: Final = TURN * DRIVE_FREQUENCY
@@ -23,6 +23,10 @@ LISTED_CONTACT, LISTED_OFFSET = "0.00190662", "0.0049"
 """Constants of Listing A.8: time of contact (line 8), s, and offset of line 12, m."""
 EXPERIMENT_GAP: Final = 2e-4
 """Gap of the experiment and the simulations with play of chapter 3."""
+TIME_CONSTANT: Final = 1 / 99
+"""M/D of section 4.2.3, s."""
+RELAY_LEVEL: Final = 0.015
+"""Coulomb force, or level of a relay, of figures 5.18 and 5.19; the thesis gives no unit."""
 LARGER_GAP, LARGEST_GAP = 2e-3, 2e-2
 """The two other gaps that chapter 3 simulates."""
 SAMPLE_RATE: Final = 20_000

@@ -13,6 +13,8 @@ from .balance.limit_cycle import LimitCycle as LimitCycle
 from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
+from .choices import Choice as Choice
+from .choices import ChoiceError as ChoiceError
 from .displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD
 from .displacement import Body as Body
 from .displacement import Displacement as Displacement
@@ -88,6 +90,12 @@ from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmo
 from .orbits.orbit_measures import Impact as Impact
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
+from .orbits.search import OrbitSearch as OrbitSearch
+from .orbits.search import OrbitSearched as OrbitSearched
+from .orbits.search import PeriodicOrbits as PeriodicOrbits
+from .orbits.search import RelaySearch as RelaySearch
+from .orbits.search import Simulations as Simulations
+from .orbits.search import SimulationSearch as SimulationSearch
 from .parameters import ParameterError as ParameterError
 from .parameters import TrimmerParameters as TrimmerParameters
 from .parameters import parameter_table as parameter_table

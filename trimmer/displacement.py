@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from enum import Enum
-from typing import Self
 
+from trimmer.choices import Choice
 from trimmer.errors import TrimmerError
 
 
@@ -14,13 +13,18 @@ class DisplacementError(TrimmerError, ValueError):
     """A displacement that does not exist, with what to write instead."""
 
 
-class Body(Enum):
+class Body(Choice):
     """A body of the trimmer; the value is the number of its coordinate, as in q1."""
 
     MOTOR = 1
     CUTTER = 2
     HOUSING = 3
     GUARD = 4
+
+    @property
+    def word(self) -> str:
+        """The coordinate: q1 to q4."""
+        return self.coordinate
 
     @property
     def coordinate(self) -> str:
@@ -41,7 +45,10 @@ class Displacement:
         of: The body.
         relative_to: The body from which it is measured; None for the ground.
 
+    A body may also be given by its coordinate, such as ``q2``.
+
     Raises:
+        ChoiceError: if there is no such body.
         DisplacementError: if both bodies are the same.
     """
 
@@ -49,19 +56,27 @@ class Displacement:
     relative_to: Body | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "of", Body.chosen(self.of, "body"))
+        if self.relative_to is not None:
+            object.__setattr__(self, "relative_to", Body.chosen(self.relative_to, "body"))
         if self.of is self.relative_to:
             raise DisplacementError(
                 f"{self.label} is zero: a displacement relative to a body needs another body"
             )
 
     @classmethod
-    def parse(cls, text: str) -> Self:
+    def parse(cls, text: Displacement | str) -> Displacement:
         """Read a displacement such as ``q2`` or ``q2-q4``; spaces and capitals do not matter.
+
+        What is a displacement already is returned as it is.
 
         Raises:
             DisplacementError: if the text is neither.
         """
-        match = re.fullmatch(r"\s*[qQ]([1-4])\s*(?:-\s*[qQ]([1-4])\s*)?", text, flags=re.ASCII)
+        if isinstance(text, Displacement):
+            return text
+        pattern = r"\s*[qQ]([1-4])\s*(?:-\s*[qQ]([1-4])\s*)?"
+        match = re.fullmatch(pattern, text, flags=re.ASCII) if isinstance(text, str) else None
         if match is None:
             meanings = ", ".join(f"{body.coordinate} {body.name.lower()}" for body in Body)
             raise DisplacementError(

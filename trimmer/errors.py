@@ -30,6 +30,10 @@ class UndecidedWarning(UserWarning):
     """Part of the frequency range is undecided: it may hold limit cycles that are not in the list."""
 
 
+class SignalWarning(UserWarning):
+    """A record is clipped, or too short for what is asked, so that its spectrum is doubtful."""
+
+
 class IllPosedLoopError(TrimmerError, ValueError):
     """The motion is not determined, because an output acts without delay on the input of its own element."""
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from trimmer.files import read_content
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
 
 _TEMPLATE_HEAD = """\
@@ -53,7 +54,7 @@ def parameters_as_toml(parameters: TrimmerParameters) -> str:
 
 def _parsed(path: Path) -> dict[str, Any]:
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # some editors begin a file with a byte order mark
+        text = read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
     except FileNotFoundError:
         raise ParameterError(
             f"{path}: no such file; 'trimmer parameters --output FILE' writes one to start from"

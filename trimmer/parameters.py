@@ -110,6 +110,8 @@ class TrimmerParameters:
     def from_toml(cls, path: Path | str) -> TrimmerParameters:
         """Read parameters from a TOML file with one key per parameter; ``to_toml`` gives such a file.
 
+        The path ``-`` is standard input.
+
         Raises:
             ParameterError: if the file cannot be read or is not TOML, or for unknown keys, missing keys and
                 unusable values. Every problem is named, with the file, the key, the value and the reason.

@@ -33,11 +33,11 @@ class Assertion:
         return replace(self, derived=derived)
 
     def corrected(self) -> Self:
-        """Assert what was found."""
+        """Return the assertion that what was found is so."""
         return replace(self, asserted=self.derived)
 
     def mutations(self) -> Iterator[tuple[str, Self]]:
-        """Assert the opposite."""
+        """Yield the opposite assertion."""
         yield "negated", replace(self, asserted=not self.asserted)
 
     @property
@@ -47,5 +47,5 @@ class Assertion:
 
     @property
     def derived_shown(self) -> Words:
-        """What was found."""
+        """Whether the property holds, and what shows it."""
         return Words(f"{'Yes' if self.derived else 'No'}: {self.evidence}")

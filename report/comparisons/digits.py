@@ -65,7 +65,7 @@ class PrintedDigits:
 
     @property
     def printed_shown(self) -> Number:
-        """The printed digits."""
+        """The digits as printed, with their unit."""
         return Number(self.printed, self.unit)
 
     @property
@@ -100,7 +100,7 @@ class CloseNumbers:
         return replace(self, derived=derived)
 
     def corrected(self) -> Self:
-        """Make both the same."""
+        """Put the second number in the place of the first."""
         return replace(self, printed=self.derived)
 
     def mutations(self) -> Iterator[tuple[str, Self]]:
@@ -110,12 +110,12 @@ class CloseNumbers:
 
     @property
     def printed_shown(self) -> Number:
-        """The first number."""
+        """The first number, to ten digits."""
         return Number(f"{self.printed:.10g}")
 
     @property
     def derived_shown(self) -> Number:
-        """The second number."""
+        """The second number, to ten digits."""
         return Number(f"{self.derived:.10g}")
 
 
@@ -128,7 +128,7 @@ class Equal:
     second: object
 
     def compare(self) -> Outcome:
-        """Compare them."""
+        """Compare the two as Python does."""
         return Outcome(self.first == self.second, "the same")
 
 

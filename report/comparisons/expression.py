@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Self, final
+from typing import Any, Self, final
 
 import sympy
 
@@ -14,67 +14,64 @@ from report.claim import Mathematics, Outcome
 from report.comparisons.mutation import mutated_expressions
 
 
+@dataclass(frozen=True)
+class _TwoSides:
+    """A printed and a derived side; ``left`` is what both are said to equal, shown before them."""
+
+    printed: Any
+    derived: Any
+    left: sympy.Basic | str | None = None
+
+    def with_derived(self, derived: Any) -> Self:
+        """Hold the same printed side against another derived one."""
+        return replace(self, derived=derived)
+
+    def corrected(self) -> Self:
+        """Put the derived side in the place of the printed one."""
+        return replace(self, printed=self.derived)
+
+    @property
+    def printed_shown(self) -> Mathematics:
+        """The printed side as an equation, if there is a left side."""
+        return self._equation(self.printed)
+
+    @property
+    def derived_shown(self) -> Mathematics:
+        """The derived side in the same way."""
+        return self._equation(self.derived)
+
+    def _equation(self, right: sympy.Basic) -> Mathematics:
+        if self.left is None:
+            return Mathematics(latex(right))
+        shown = self.left if isinstance(self.left, str) else latex(self.left)
+        return Mathematics(f"{shown} = {latex(right)}")
+
+
 @final
 @dataclass(frozen=True)
-class SameExpression:
-    """Whether two expressions are equal for all values of their symbols.
+class SameExpression(_TwoSides):
+    """Whether two expressions are equal for all values of their symbols; ``assume`` limits these."""
 
-    ``left`` is what both are said to equal, shown before them; ``assume`` limits the symbols' values.
-    """
-
-    printed: sympy.Expr
-    derived: sympy.Expr
-    left: sympy.Basic | str | None = None
     assume: sympy.Basic = sympy.true
 
     def compare(self) -> Outcome:
         """Prove or disprove that printed minus derived is zero."""
         return _outcome(prove_equal(self.printed, self.derived, self.assume))
 
-    def with_derived(self, derived: sympy.Expr) -> Self:
-        """Hold the same printed expression against another one."""
-        return replace(self, derived=derived)
-
-    def corrected(self) -> Self:
-        """Print what was derived."""
-        return replace(self, printed=self.derived)
-
     def mutations(self) -> Iterator[tuple[str, Self]]:
         """Change signs, factors and symbols of the printed expression."""
         for description, changed in mutated_expressions(self.printed):
             yield description, replace(self, printed=changed)
 
-    @property
-    def printed_shown(self) -> Mathematics:
-        """The printed equation."""
-        return _equation(self.left, self.printed)
-
-    @property
-    def derived_shown(self) -> Mathematics:
-        """The derived equation."""
-        return _equation(self.left, self.derived)
-
 
 @final
 @dataclass(frozen=True)
-class SameMatrix:
+class SameMatrix(_TwoSides):
     """Whether two matrices have the same shape and equal entries."""
-
-    printed: sympy.ImmutableMatrix
-    derived: sympy.ImmutableMatrix
-    left: sympy.Basic | str | None = None
 
     def compare(self) -> Outcome:
         """Prove or disprove equality entry by entry."""
         return _outcome(prove_equal_matrices(self.printed, self.derived))
-
-    def with_derived(self, derived: sympy.ImmutableMatrix) -> Self:
-        """Hold the same printed matrix against another one."""
-        return replace(self, derived=derived)
-
-    def corrected(self) -> Self:
-        """Print what was derived."""
-        return replace(self, printed=self.derived)
 
     def mutations(self) -> Iterator[tuple[str, Self]]:
         """Change the sign and the size of an entry, and swap it with a neighbour that differs."""
@@ -95,23 +92,6 @@ class SameMatrix:
             changed[cell] = entry
         return replace(self, printed=sympy.ImmutableMatrix(changed))
 
-    @property
-    def printed_shown(self) -> Mathematics:
-        """The printed matrix."""
-        return _equation(self.left, self.printed)
-
-    @property
-    def derived_shown(self) -> Mathematics:
-        """The derived matrix."""
-        return _equation(self.left, self.derived)
-
 
 def _outcome(proof: Proof) -> Outcome:
     return Outcome(proof.holds, proof.method)
-
-
-def _equation(left: sympy.Basic | str | None, right: sympy.Basic) -> Mathematics:
-    if left is None:
-        return Mathematics(latex(right))
-    shown = left if isinstance(left, str) else latex(left)
-    return Mathematics(f"{shown} = {latex(right)}")

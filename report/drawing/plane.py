@@ -32,7 +32,7 @@ READABLE: Final[dict[str, Any]] = {
 
 
 def critical_point(axes: Axes) -> None:
-    """Mark -1."""
+    """Mark -1, the point that the Nyquist criterion is about."""
     axes.plot([-1], [0], "+", color=BLACK, markersize=9, markeredgewidth=1.6)
 
 

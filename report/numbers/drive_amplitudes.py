@@ -86,7 +86,7 @@ class ReferenceLoop(Loop):
     reference: Drive
 
     def interconnection(self) -> Interconnection:
-        """Return the equations."""
+        """Return the closed loop with the reference at the input of the element."""
         closed = element_around(self.model, self.element, None)
         return replace(closed, drive=self.reference, drive_gain=np.ones(len(closed.components)))
 
@@ -135,16 +135,16 @@ class ReferenceNumbers:
 def solve_reference(orbit: PeriodicOrbit, orbit_both: PeriodicOrbit) -> ReferenceNumbers:
     """Simulate the runs; the orbits are the stable limit cycles of the two loops for a gap of one metre."""
     return ReferenceNumbers(
-        from_rest=_fed_back(orbit, DRIVE_AMPLITUDE, aboard=False),
-        from_limit_cycle=tuple(_fed_back(orbit, amplitude, aboard=True) for amplitude in AMPLITUDES),
-        both_channels=_fed_back(orbit_both, DRIVE_AMPLITUDE, aboard=True),
+        from_rest=_fed_back(orbit, DRIVE_AMPLITUDE, on_limit_cycle=False),
+        from_limit_cycle=tuple(_fed_back(orbit, amplitude, on_limit_cycle=True) for amplitude in AMPLITUDES),
+        both_channels=_fed_back(orbit_both, DRIVE_AMPLITUDE, on_limit_cycle=True),
     )
 
 
-def _fed_back(orbit: PeriodicOrbit, amplitude: float, aboard: bool) -> ReferenceRun:
+def _fed_back(orbit: PeriodicOrbit, amplitude: float, on_limit_cycle: bool) -> ReferenceRun:
     reference = Drive(amplitude, DRIVE_OMEGA)
     loop = ReferenceLoop(orbit.motion.loop.model, FrictionBacklash(LARGE_GAP), reference)
-    if aboard:
+    if on_limit_cycle:
         motion = simulate(
             loop,
             SETTLING + RECORD,

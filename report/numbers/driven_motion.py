@@ -72,7 +72,7 @@ class DrivenRun:
 
     @property
     def output(self) -> Reals:
-        """q2 - q4, m."""
+        """Displacement of the cutter relative to the guard, q2 - q4, m."""
         return self.cutter - self.guard
 
     def last(self, samples: int) -> slice:
@@ -109,7 +109,7 @@ class DrivenNumbers:
 
 
 def solve_driven(parameters: TrimmerParameters) -> DrivenNumbers:
-    """Simulate all runs."""
+    """Simulate the runs without play and with each gap, and two motions with the same pin."""
     settings = [
         *((0.0, force) for force in FORCES),
         *((gap, force) for gap in (EXPERIMENT_GAP, LARGER_GAP) for force in (0.0, *FORCES)),

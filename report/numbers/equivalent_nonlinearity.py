@@ -38,7 +38,7 @@ class Point:
 
     @property
     def frequency(self) -> float:
-        """Frequency, Hz."""
+        """Frequency of the solution, Hz."""
         return self.omega / TURN
 
 

@@ -21,7 +21,7 @@ from trimmer.linear.model import InputChannels, pin_model
 ASIDE = 1e-3
 """How far beside the unstable limit cycle two motions start, relative."""
 DURATION = 0.5
-"""Their length, s."""
+"""Length of these motions, s."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,7 +36,7 @@ class Balances:
 
     @property
     def frequency(self) -> Reals:
-        """Frequency, Hz."""
+        """Frequencies of the solutions, Hz."""
         return self.omega / TURN
 
 
@@ -117,7 +117,7 @@ class _PartialFractions:
         return cls(poles, (system.C @ modes)[0] * np.linalg.solve(modes, system.B.astype(complex))[:, 0])
 
     def response(self, omegas: Reals) -> Complexes:
-        """Evaluate at jω."""
+        """Return the response at each ω (rad/s)."""
         return np.asarray((self.residues / (1j * omegas[:, np.newaxis] - self.poles)).sum(axis=1))
 
 

@@ -23,7 +23,7 @@ START = complex(math.pi, -0.3)
 RATIOS = np.linspace(0.005, 2.0, 200)
 """b/A over the range that section 5.2.3 states."""
 RESPONSE_OMEGA = TURN * np.linspace(200.0, 1000.0, 1601)
-"""rad/s."""
+"""Angular frequencies of G between which contours are intersected with it, rad/s."""
 
 
 def friction_listing(amplitude: complex, width: float) -> complex:

@@ -51,7 +51,7 @@ class PrintedFriction:
 
 
 def solve_printed_friction(parameters: TrimmerParameters) -> PrintedFriction:
-    """Simulate with either sign."""
+    """Simulate each force with the printed sign, and the least with the opposite one."""
     return PrintedFriction(
         tuple(_run(parameters, force, -1.0) for force in FORCES), _run(parameters, FORCES[0], 1.0)
     )

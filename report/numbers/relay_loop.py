@@ -18,7 +18,7 @@ from trimmer import ClosedLoop, CoulombFriction, Motion, Relay, ViscousFriction,
 from trimmer.arrays import Reals
 
 IMPULSES = (1e-6, 1e-3, 1.0)
-"""Impulse over force, s."""
+"""Impulses over the force of the relay or of friction, s."""
 EVENTS = 3_000
 """Switchings after which a run with a relay is ended."""
 DURATION = 0.5
@@ -30,7 +30,7 @@ HALF_PERIODS = np.geomspace(1e-8, 1.0, 20_001)
 STEP = 1e-5
 """Step of a simulation that looks at the relay's input once a step, s."""
 RECORD = 0.06
-"""Length of it, s."""
+"""Length of that simulation, s."""
 _SHARES = np.linspace(0, 1, 33)
 
 
@@ -115,7 +115,7 @@ def solve_relay(system: control.StateSpace) -> RelayNumbers:
         runs=tuple(_run(system, impulse) for impulse in IMPULSES),
         alone=_candidates(A, B[:, 0], C[0]),
         with_viscous=_candidates(A - VISCOUS * B @ C, B[:, 0], C[0]),
-        friction=tuple(_rub(system, impulse) for impulse in IMPULSES),
+        friction=tuple(_with_friction(system, impulse) for impulse in IMPULSES),
         last_turn_in_steps=tuple(last_turn_in_steps(system, impulse, VISCOUS) for impulse in IMPULSES),
         acceleration=acceleration,
         damping=-float((C @ A @ A @ B).item()) / acceleration,
@@ -139,8 +139,8 @@ def friction_motion(system: control.StateSpace, impulse: float) -> Motion:
     return simulate(ClosedLoop(system, law), DURATION, impulse=impulse)
 
 
-def _rub(system: control.StateSpace, impulse: float) -> FrictionRun:
-    """Every zero of y' is an event: it turns there or sticks."""
+def _with_friction(system: control.StateSpace, impulse: float) -> FrictionRun:
+    """Return when the loop turns for the last time: each zero of y' is an event, where it turns or sticks."""
     return FrictionRun(impulse, float(friction_motion(system, impulse).log.start[-1]))
 
 

@@ -112,7 +112,7 @@ def _near_second_mode(run: ReleasedRun) -> tuple[Reals, Reals]:
 
 
 def solve_released(parameters: TrimmerParameters) -> ReleasedNumbers:
-    """Simulate all runs."""
+    """Simulate the runs of figures 3.9 and E.1 and of section 3.3."""
     both, displacement_only = InputChannels.DISPLACEMENT_AND_VELOCITY, InputChannels.DISPLACEMENT_ONLY
     return ReleasedNumbers(
         figure=tuple(

@@ -22,7 +22,7 @@ from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A
 
 RATIO = sympy.Symbol("beta", positive=True)
-"""Total gap over amplitude."""
+"""Total gap over the amplitude of the pin."""
 FLIGHT = sympy.Symbol("delta", positive=True)
 """Angle of free flight, from separation to contact, rad."""
 STIFFNESS = sympy.Symbol("k", positive=True)

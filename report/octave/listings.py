@@ -8,14 +8,7 @@ from typing import Any
 import sympy
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    GAP,
-    SEPARATION,
-    inertia_contact_ratio,
-    separation_angle,
-)
+from derivations.elements import backlash
 from derivations.elements.friction import FORCE
 from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
@@ -26,17 +19,18 @@ from report.folders import templates
 from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, RELAY_LEVEL, TIME_CONSTANT, TIMED_GAP
 from trimmer import TrimmerParameters, parameter_table
 
 NAMES: dict[sympy.Expr, str] = {
     **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},
     A: "amplitude",
-    GAP: "gap",
+    backlash.GAP: "gap",
     formulas.RATIO: "ratio",
-    CONTACT: "contact",
-    SEPARATION: "separation",
+    backlash.CONTACT: "contact",
+    backlash.SEPARATION: "separation",
     formulas.FLIGHT: "flight",
-    GAMMA: "load_gamma",
+    backlash.GAMMA: "load_gamma",
     THETA: "phase",
     FORCE: "force",
     formulas.STIFFNESS: "stiffness",
@@ -54,12 +48,12 @@ class Example:
     the drive is that of Listing A.8.
     """
 
-    gap: float = 4e-5
-    time_constant: float = 1 / 99
-    force: float = 0.015
-    drive_gap: float = 4e-4
-    drive_amplitude: float = 1.5e-3
-    drive_frequency: float = 100.0
+    gap: float = LARGE_GAP
+    time_constant: float = TIME_CONSTANT
+    force: float = RELAY_LEVEL
+    drive_gap: float = TIMED_GAP
+    drive_amplitude: float = DRIVE_AMPLITUDE
+    drive_frequency: float = DRIVE_FREQUENCY
 
 
 @dataclass(frozen=True)
@@ -117,9 +111,9 @@ def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[
     return {
         "A.1": _linear_context(derivation, parameters),
         "A.2": {"gain": formulas.friction_gain()},
-        "A.4": {"reached": inertia_contact_ratio(), "gain": formulas.inertia_gain()},
+        "A.4": {"reached": backlash.inertia_contact_ratio(), "gain": formulas.inertia_gain()},
         "A.5": {
-            "separation": separation_angle(),
+            "separation": backlash.separation_angle(),
             "reached": formulas.general_ratio(),
             "gain": formulas.general_gain(),
         },

@@ -53,5 +53,5 @@ def render(
         contents = {form: made[form].result() for form in NAMES if form in made}
     paths = {form: directory / NAMES[form] for form in contents}
     for form, content in contents.items():
-        write_atomically(paths[form], content)
+        write_atomically(paths[form], content, overwrite=request.overwrite)
     return paths

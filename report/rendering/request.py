@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
+
+from trimmer.choices import Choice
 
 
-class Format(Enum):
+class Format(Choice):
     """A form in which the report is written."""
 
     HTML = "html"
@@ -14,7 +15,7 @@ class Format(Enum):
     JSON = "json"
 
 
-class Paper(Enum):
+class Paper(Choice):
     """Size of the pages of the PDF."""
 
     A4 = "a4"
@@ -23,11 +24,24 @@ class Paper(Enum):
 
 @dataclass(frozen=True)
 class Request:
-    """Which chapters (names such as ``ch5`` and ``appA``; none means all), which forms, on which paper."""
+    """Which chapters (names such as ``ch5`` and ``appA``; none means all), which forms, on which paper.
+
+    ``overwrite`` lets files of another kind be replaced, where there are such. Forms and paper may also be
+    given by their words.
+
+    Raises:
+        ChoiceError: if a form or paper is none of those there are.
+    """
 
     chapters: tuple[str, ...] = ()
     formats: frozenset[Format] = frozenset(Format)
     paper: Paper = Paper.A4
+    overwrite: bool = False
+
+    def __post_init__(self) -> None:
+        formats = frozenset(Format.chosen(form, "format") for form in self.formats)
+        object.__setattr__(self, "formats", formats)
+        object.__setattr__(self, "paper", Paper.chosen(self.paper, "paper"))
 
 
 WHOLE_REPORT = Request()

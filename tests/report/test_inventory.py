@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from report.collect import ClaimIdError, require_known_once
+from report.collect import ClaimIdError, by_id, collect
 from report.inventory import FURTHER, PATH, InventoryError, read_inventory
+from report.record import ClaimRecord
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
 
@@ -51,10 +52,20 @@ def test_faults_are_named_by_line(tmp_path, rows, message):
         read_inventory(path)
 
 
+def record(claim_id):
+    return ClaimRecord(claim_id, "", lambda _: iter(()))
+
+
 def test_unknown_and_repeated_ids_are_errors():
     inventory = read_inventory()
-    require_known_once(["eq-2.1", "eq-2.2"], inventory)
-    with pytest.raises(ClaimIdError, match=r"eq-9\.99 is not in the inventory"):
-        require_known_once(["eq-9.99"], inventory)
-    with pytest.raises(ClaimIdError, match=r"eq-2\.1 stands 2 times"):
-        require_known_once(["eq-2.1", "eq-2.1"], inventory)
+    assert list(by_id([("a", record("eq-2.1")), ("b", record("eq-2.2"))], inventory)) == ["eq-2.1", "eq-2.2"]
+    with pytest.raises(ClaimIdError, match=r"^chapter_2: eq-9\.99 is not in the inventory; add a line"):
+        by_id([("chapter_2", record("eq-9.99"))], inventory)
+    with pytest.raises(ClaimIdError, match=r"eq-2\.1 stands twice, in chapter_1 and chapter_2"):
+        by_id([("chapter_1", record("eq-2.1")), ("chapter_2", record("eq-2.1"))], inventory)
+
+
+def test_a_statement_without_a_record_is_an_error():
+    inventory = read_inventory()
+    with pytest.raises(ClaimIdError, match=r"^txt-trial: in the inventory, but without a record"):
+        collect({**inventory, "txt-trial": inventory["eq-2.1"]})

@@ -4,7 +4,8 @@ import pytest
 
 from report.claim import Certainty, Impact, Severity
 from report.parts import close, digits, equal, made_here, repeated, small, so, uncheckable
-from report.record import ClaimRecord, RecordError, claim, text
+from report.record import ClaimRecord, claim, text
+from report.text import RecordError
 
 
 @claim("txt-1", source="trimmer/files.py", impact=Impact.LOCAL, lines=(3, 7), severity=Severity.RESULT)
@@ -92,3 +93,9 @@ def test_figures_stand_in_the_order_of_the_inventory(records, inventory):
     places = [order.index(figure.id) for figure in records.figures]
     assert places == sorted(places)
     assert len(places) > 50
+
+
+@pytest.mark.parametrize("printed", ["8,28", "8.28 times", "", 8.28])
+def test_printed_digits_are_a_string_of_digits(printed):
+    with pytest.raises(RecordError, match="no string of digits"):
+        digits("amplitude", printed, 8.28)

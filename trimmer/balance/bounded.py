@@ -7,17 +7,25 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainTable
 from trimmer.balance.search import Problem, Searched, find_all
+from trimmer.balance.vanishing import empty_intervals, poles_on_axis
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.search import SearchResult
+    from trimmer.balance.vanishing import EmptyInterval
 
 
-SMALLEST_GAIN = 1e-6
-"""|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis."""
+SMALLEST_GAIN = 1e-10
+"""|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis next to
+which nothing is proven."""
+
+FINEST_GAIN = 1e-13
+"""The same, if something is proven only closer to the pole than doubles tell N from 0."""
 
 _BESIDE_ROOTS = 2.0
 """How far the blocks of the table go beyond the roots of G, in x."""
@@ -27,6 +35,9 @@ _BESIDE_SOLUTIONS = 0.5
 
 _GROWING = 2.0 ** np.arange(1, 8) - 1.0
 """Limits of the blocks beyond, each twice as wide as the one before: 55 decades on either side."""
+
+_SMALL = 1e-4
+"""|1/G| over the largest |N| from which on the search needs no proof about a pole at the origin."""
 
 _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequency"
 
@@ -40,9 +51,11 @@ def solve_bounded(
         breaks = np.concatenate([roots[0] - _GROWING[::-1], response.breaks(*roots), roots[1] + _GROWING])
     else:
         breaks = response.breaks(math.log(omega_range[0]), math.log(omega_range[1]))
-    table = GainTable.of(curve, breaks)
-    smallest_gain = _smallest_gain(response, table)
-    result = find_all(Problem(response, curve, table, smallest_gain))
+    next_to_poles = _next_to_poles(response, curve, breaks)
+    empty = tuple(filter(None, next_to_poles))
+    table = GainTable.of(curve, _cut(breaks, empty) if empty else breaks)
+    smallest_gain = _smallest_gain(next_to_poles, table)
+    result = find_all(Problem(response, curve, table, smallest_gain, empty))
     omegas = omega_range or _range_with_all(result, roots)
     return Searched(_METHOD, result, omegas, omega_range is None, smallest_gain)
 
@@ -62,8 +75,46 @@ def _range_of_roots(response: InverseResponse) -> tuple[float, float]:
     return math.log(lowest) - _BESIDE_ROOTS, math.log(highest) + _BESIDE_ROOTS
 
 
-def _smallest_gain(response: InverseResponse, table: GainTable) -> float:
-    """|N| below which solutions are not looked for; 0 if |G| is bounded or N does not vanish."""
-    bounded = not np.any(response.poles.real == 0)
-    smallest_gain = SMALLEST_GAIN * table.largest_gain
-    return 0.0 if bounded or table.smallest_gain >= smallest_gain else smallest_gain
+def _next_to_poles(
+    response: InverseResponse, curve: ElementCurve, breaks: Reals
+) -> list[EmptyInterval | None]:
+    """Find intervals next to the poles on the axis that hold no solution; None where that is not proven."""
+    places = poles_on_axis(response)
+    if places.size == 0:
+        return []
+    with np.errstate(divide="ignore"):
+        x = np.log(places * response.reference)
+    inside = (x >= breaks[0]) & (x <= breaks[-1])
+    # ln omega never gets to a pole at the origin, but maybe so near that 1/G is too small for the search.
+    small_response = abs(response.value(breaks[:1])[0]) < _SMALL * _rough_gain(curve, breaks)
+    near = places[inside | ((places == 0) & small_response)]
+    small = curve.element.small_gains()
+    if small is None:
+        return [None] * near.size
+    return [interval for place in near for interval in empty_intervals(response, small, place)]
+
+
+def _rough_gain(curve: ElementCurve, breaks: Reals) -> float:
+    """Upper bound of |N|."""
+    u_upper = curve.edge(breaks[[0, -1]]).max(keepdims=True)
+    with np.errstate(all="ignore"):
+        disk = curve.disks(Cells(np.zeros(1), np.atleast_1d(u_upper), breaks[:1], breaks[-1:]))
+    return float(np.abs(disk.centre[0]) + disk.radius[0])
+
+
+def _cut(breaks: Reals, empty: tuple[EmptyInterval, ...]) -> Reals:
+    """Add the ends of intervals to the breaks, and leave out those beside the origin."""
+    ends = np.array([end for interval in empty for end in (interval.lower, interval.upper)])
+    lowest = max((each.upper for each in empty if each.lower == -math.inf), default=-math.inf)
+    everything = np.union1d(breaks, ends[(ends > breaks[0]) & (ends < breaks[-1])])
+    kept = everything[everything >= lowest]
+    return kept if kept.size > 1 else everything
+
+
+def _smallest_gain(next_to_poles: list[EmptyInterval | None], table: GainTable) -> float:
+    """|N| below which solutions are not looked for; 0 if all are."""
+    if None in next_to_poles:
+        smallest_gain = SMALLEST_GAIN * table.largest_gain
+        return 0.0 if table.smallest_gain >= smallest_gain else smallest_gain
+    finest = FINEST_GAIN * table.largest_gain
+    return finest if any(interval and interval.least < finest for interval in next_to_poles) else 0.0

@@ -106,7 +106,8 @@ class _Columns:
 def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
     """Return the boxes of the grid that may hold a solution, and the number of boxes that were compared."""
     breaks = problem.table.x_breaks
-    columns = _columns(problem, breaks[:-1], breaks[1:], np.arange(breaks.size - 1))
+    blocks = _blocks(problem)
+    columns = _columns(problem, breaks[blocks], breaks[blocks + 1], blocks)
     size = 0
     while True:
         possible = _possible(problem, columns)
@@ -119,6 +120,15 @@ def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
     if problem.curve.depends_on_x:
         boxes = boxes.refined(problem.curve).open(problem.smallest_gain)
     return boxes, size
+
+
+def _blocks(problem: Problem) -> Places:
+    """Blocks of the table that do not lie in an interval without a solution."""
+    lower, upper = problem.table.x_breaks[:-1], problem.table.x_breaks[1:]
+    left = np.ones(lower.size, dtype=bool)
+    for interval in problem.empty:
+        left &= (lower < interval.lower) | (upper > interval.upper)
+    return np.flatnonzero(left)
 
 
 def _columns(problem: Problem, lower: Reals, upper: Reals, block: Places) -> _Columns:

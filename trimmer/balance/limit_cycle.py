@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 NEAR_TANGENCY = math.radians(5.0)
@@ -57,10 +58,35 @@ class UndecidedRegion:
     Attributes:
         amplitudes: Smallest and largest amplitude, in the unit of the element's input; may be infinite.
         omegas: Smallest and largest angular frequency, rad/s.
+        at_edge: Whether the smallest amplitude at which the element has a steady output is among them, or
+            so near that rounding does not tell.
     """
 
     amplitudes: tuple[float, float]
     omegas: tuple[float, float]
+    at_edge: bool = False
+
+    @property
+    def reason(self) -> str:
+        """Why nothing is proven, in words."""
+        if self.at_edge:
+            return "-1/G meets N where N ends, as near as can be told, at the smallest amplitude"
+        return "the curves of N and -1/G touch or coincide there"
+
+
+def doubts_of_search(undecided: Sequence[UndecidedRegion], smallest_gain: float) -> tuple[str, ...]:
+    """Say why a search may have missed limit cycles, in sentences without a full stop."""
+    doubts = [
+        f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: {region.reason}, and "
+        "limit cycles in that range may be missing from the list"
+        for region in undecided
+    ]
+    if smallest_gain > 0:
+        doubts.append(
+            f"limit cycles with |N| below {smallest_gain:.3g} are not excluded, next to a pole of G on the "
+            "imaginary axis; give an omega_range that keeps away from that pole"
+        )
+    return tuple(doubts)
 
 
 @dataclass(frozen=True)
@@ -73,11 +99,14 @@ class Certificate:
         outside_excluded: Whether it is proven too that no limit cycle has a frequency outside that range.
         boxes: Number of boxes examined.
         undecided: Regions about which nothing is proven.
-        smallest_gain: Limit cycles with |N| below this, in the unit of N, were not looked for, and are not
-            excluded either. 0 if none can exist; more where N vanishes at the edge of a dead band while |G|
-            is not bounded, as with an integrator in G.
+        smallest_gain: Limit cycles with |N| below this were not looked for, and are not excluded either. 0 if
+            none can exist; more where N vanishes at the edge of a dead band while |G| is not bounded, as with
+            a pole of G on the imaginary axis about whose neighbourhood nothing is proven.
         winding_number: Turns of 1 + N G along the border of what was searched, an independent check: it must
-            be the sum of the indices. None if it cannot be computed, as where G has a zero on the axis.
+            be the sum of the indices. None if it cannot be told.
+        index_sum: Sum of the indices of the limit cycles that were found.
+        zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
+            the winding number cannot be told.
     """
 
     method: str
@@ -87,11 +116,37 @@ class Certificate:
     undecided: tuple[UndecidedRegion, ...]
     smallest_gain: float
     winding_number: int | None
+    index_sum: int
+    zero_on_axis: bool
+
+    @property
+    def checked(self) -> bool:
+        """Whether the winding number is the sum of the indices, or cannot be told for a known reason."""
+        if self.winding_number is None:
+            return self.zero_on_axis
+        return self.winding_number == self.index_sum
 
     @property
     def complete(self) -> bool:
-        """Whether every part of the range that was searched is decided."""
-        return not self.undecided
+        """Whether no limit cycle is missing: all is decided, nothing is left out, the check holds."""
+        return not self.doubts
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """Why limit cycles may be missing, in sentences without a full stop; none if it is complete."""
+        doubts = doubts_of_search(self.undecided, self.smallest_gain)
+        # Where something is undecided the winding number may well lack what is there.
+        return doubts if self.checked or self.undecided else (*doubts, self._failed_check())
+
+    def _failed_check(self) -> str:
+        if self.winding_number is None:
+            return (
+                "the winding number that is to check the list cannot be told, so a limit cycle may be missing"
+            )
+        return (
+            f"the winding number is {self.winding_number} and the sum of the indices {self.index_sum}, so a "
+            "limit cycle is missing from the list"
+        )
 
 
 @dataclass(frozen=True)
@@ -115,16 +170,15 @@ class HarmonicBalance:
 
     @property
     def success(self) -> bool:
-        """Whether every part of the range is decided, and the winding number contradicts nothing."""
+        """Whether no limit cycle is missing, as far as the search went: see ``certificate``."""
         return self.certificate.complete and self.confirmed is not False
 
     @property
     def message(self) -> str:
         """What came out, in words."""
         found = f"{len(self.limit_cycles)} limit cycle{'' if len(self.limit_cycles) == 1 else 's'} found"
-        if self.confirmed is False:
-            return f"{found}, which the winding number contradicts: do not rely on it"
-        undecided = len(self.certificate.undecided)
-        if undecided:
-            return f"{found}; others may lie in {undecided} undecided region{'' if undecided == 1 else 's'}"
-        return f"{found}, and no other is in the range that was searched"
+        return (
+            "; ".join([found, *self.certificate.doubts])
+            if self.certificate.doubts
+            else f"{found}, and no more"
+        )

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.balance.element_curve import ElementCurve, GainTable
     from trimmer.balance.inverse_response import Response
+    from trimmer.balance.vanishing import EmptyInterval
 
 
 @dataclass(frozen=True)
@@ -29,14 +30,16 @@ class Problem:
     Attributes:
         response: 1/G, or the function that takes its place.
         curve: N.
-        table: Bounds of N on a coarse grid.
-        smallest_gain: Solutions with |N| below this, in the unit of N, are not looked for.
+        table: N on a coarse grid.
+        smallest_gain: Solutions with |N| below this are not looked for.
+        empty: Intervals of x, each between two breaks of the table, that are proven to hold no solution.
     """
 
     response: Response
     curve: ElementCurve
     table: GainTable
     smallest_gain: float
+    empty: tuple[EmptyInterval, ...] = ()
 
 
 _PARTS = 3
@@ -44,6 +47,12 @@ _PARTS = 3
 
 _RESOLUTION = 1e-6
 """Radii of the disks of a box, relative to what they hold, below which it is given up as undecided."""
+
+_RESOLUTION_AT_EDGE = 1e-13
+"""The same where the edge of the domain runs through the box, so that no test of uniqueness applies to it."""
+
+_LAST_DIGIT = 1e-15
+"""Half width in u, relative, below which nothing is cut."""
 
 _MOST_BOXES = 10_000
 """Number of boxes at one level above which all of them are given up."""
@@ -89,7 +98,7 @@ def find_all(problem: Problem) -> SearchResult:
             found, settled = _settled(problem, boxes.cells, found)
             if settled.all():
                 break
-            given_up = ~settled & _hopeless(boxes)
+            given_up = ~settled & _hopeless(problem, boxes)
             undecided.append(boxes.cells.take(given_up))
             left = ~(settled | given_up)
             if not left.any():
@@ -100,12 +109,15 @@ def find_all(problem: Problem) -> SearchResult:
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
 
 
-def _hopeless(boxes: EnclosedCells) -> Flags:
-    """Return whether boxes are too small, or too many, to be cut."""
+def _hopeless(problem: Problem, boxes: EnclosedCells) -> Flags:
+    """Whether boxes are too small, or too many, to be cut."""
+    regions = boxes.cells.inflated(_MARGIN, problem.table.box)
+    resolution = np.where(problem.curve.inside(regions), _RESOLUTION, _RESOLUTION_AT_EDGE)
     sizes = np.maximum(np.abs(boxes.disks.centre), np.abs(boxes.enclosure.centre))
     radius = boxes.disks.radius + boxes.enclosure.radius
     narrow = (boxes.cells.x_half <= NARROWEST) & ~_along_u(boxes)
-    tiny = (radius <= _RESOLUTION * sizes) | narrow | np.isnan(sizes)
+    exhausted = boxes.cells.u_half <= _LAST_DIGIT * boxes.cells.u_centre
+    tiny = (radius <= resolution * sizes) | narrow | exhausted | np.isnan(sizes)
     return np.asarray(tiny | (len(boxes) > _MOST_BOXES))
 
 

@@ -10,7 +10,13 @@ import numpy as np
 
 from trimmer.arguments import real_number, real_values
 from trimmer.balance.bounded import solve_bounded
-from trimmer.balance.limit_cycle import Certificate, HarmonicBalance, LimitCycle, UndecidedRegion
+from trimmer.balance.limit_cycle import (
+    Certificate,
+    HarmonicBalance,
+    LimitCycle,
+    UndecidedRegion,
+    doubts_of_search,
+)
 from trimmer.balance.loop import loop_equation, require_element
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.stability import limit_cycles_at
@@ -22,6 +28,7 @@ if TYPE_CHECKING:
 
     from trimmer.balance.cells import Cells
     from trimmer.balance.element_curve import ElementCurve
+    from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
     from trimmer.balance.search import Searched
     from trimmer.elements.element import Element
@@ -41,15 +48,14 @@ def limit_cycles(
         In order of frequency, then of amplitude; empty if there are none.
 
     Warns:
-        UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there;
-            or if nothing excludes limit cycles beyond a range that was not given.
+        UndecidedWarning: if a part of the range is undecided, because the curves touch or coincide there; if
+            solutions with a small |N| are not excluded; or if nothing excludes limit cycles beyond a range
+            that was not given. The winding number, which takes as long as the search, is not computed; see
+            ``harmonic_balance`` for that.
     """
     loop, outcome = _solve(G, element, omega_range, frozen_omega)
-    doubts = [
-        f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: the curves of N and "
-        "-1/G touch or coincide there, and limit cycles in that range may be missing from the list"
-        for region in undecided_regions(outcome.result.undecided, loop.curve)
-    ]
+    undecided = undecided_regions(outcome.result.undecided, loop.curve)
+    doubts = list(doubts_of_search(undecided, outcome.smallest_gain))
     if omega_range is None and not outcome.outside_excluded:
         doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
     for doubt in doubts:
@@ -75,11 +81,13 @@ def harmonic_balance(
     result (``trimmer.balance.winding_number``).
 
     Without a range all frequencies are covered, up to 55 decades on either side of the roots of G. There are
-    three limits to what is proven, and the certificate states each. First, regions are undecided where the
-    curves of N and -1/G touch or coincide: at a tangency, with a relay where G is real on an interval of the
-    axis, and with backlash at zero frequency and infinite amplitude if G(0) = -1. Second, ``smallest_gain``
-    is not 0 if G has a pole on the imaginary axis and N vanishes at the edge of a dead band. Third, with N
-    proportional to 1/A, limit cycles beyond a million times the outermost roots are not excluded if -1/G and
+    four limits to what is proven, and the certificate tells each. First, regions are undecided where the
+    curves of N and -1/G touch or coincide: at a tangency, with a relay where G is real on a stretch of the
+    axis, and with backlash at zero frequency and infinite amplitude if G(0) = -1. Second, where G
+    has a pole on the imaginary axis and N vanishes at the edge of a dead band, their limits decide
+    (``trimmer.balance.vanishing``); where they do not, ``smallest_gain`` is not 0. Third, the winding number
+    may differ from the sum of the indices: then the search has failed. Fourth, with N proportional to 1/A,
+    limit cycles beyond a million times the outermost roots are not excluded if -1/G and
     N get parallel there faster than linearly, as without damping; give the range that matters then.
 
     Args:
@@ -100,6 +108,7 @@ def harmonic_balance(
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
     loop, outcome = _solve(G, element, omega_range, frozen_omega)
+    cycles = limit_cycles_at(loop, outcome.result.u, outcome.result.x)
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
@@ -108,8 +117,15 @@ def harmonic_balance(
         undecided=undecided_regions(outcome.result.undecided, loop.curve),
         smallest_gain=outcome.smallest_gain,
         winding_number=winding_number(loop, outcome.omegas),
+        index_sum=sum(cycle.index for cycle in cycles),
+        zero_on_axis=_has_zero_on_axis(loop.response, outcome.omegas),
     )
-    return HarmonicBalance(limit_cycles_at(loop, outcome.result.u, outcome.result.x), certificate)
+    return HarmonicBalance(cycles, certificate)
+
+
+def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) -> bool:
+    places = response.zeros[response.zeros.real == 0].imag * response.reference
+    return bool(np.any((places >= omegas[0]) & (places <= omegas[1])))
 
 
 def _solve(
@@ -144,6 +160,9 @@ def _require_positive(frozen_omega: float) -> None:
         raise ValueError(f"frozen_omega must be positive and finite, rad/s, not {frozen_omega!r}")
 
 
+_AT_EDGE = 1.0 - 1e-9
+"""u over its largest value from which on N has lost most of its digits."""
+
 _TOUCHING = 1e-9
 """Gap in x below which two boxes belong together."""
 
@@ -161,7 +180,9 @@ def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegio
         largest, smallest = members.u_upper.max(), members.u_lower.min()
         amplitudes = (float(curve.amplitude(largest)), _amplitude_of_lowest(curve, float(smallest)))
         omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))
-        regions.append(UndecidedRegion(amplitudes, omegas))
+        edge = np.minimum(curve.edge(members.x_lower), curve.edge(members.x_upper))
+        at_edge = bool((members.u_upper >= _AT_EDGE * edge).any())
+        regions.append(UndecidedRegion(amplitudes, omegas, at_edge))
     return tuple(regions)
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 def certificate_as_text(certificate: Certificate) -> list[str]:
     """Return lines on the range that was searched, rad/s, and on the regions that are undecided."""
     lowest, highest = certificate.omegas
-    others = "none is missing there" if certificate.complete else "there may be others in undecided parts"
+    others = "none is missing there" if certificate.complete else "there may be others"
     outside = "; none exist outside" if certificate.outside_excluded else ""
     return [
         f"searched from {lowest:.6g} to {highest:.6g} rad/s: {others}{outside}",
@@ -21,6 +21,7 @@ def certificate_as_text(certificate: Certificate) -> list[str]:
             f"undecided: {_range(region.omegas)} rad/s, amplitude {_range(region.amplitudes)}"
             for region in certificate.undecided
         ),
+        *certificate.doubts[len(certificate.undecided) :],
     ]
 
 
@@ -35,6 +36,8 @@ def certificate_as_json(certificate: Certificate) -> dict[str, object]:
         "undecided": [_region(region) for region in certificate.undecided],
         "smallest_gain": certificate.smallest_gain,
         "winding_number": certificate.winding_number,
+        "index_sum": certificate.index_sum,
+        "zero_on_axis": certificate.zero_on_axis,
     }
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import OptionError, add_loop_options, linear_part
+from trimmer.command_line.loop_options import add_loop_options, linear_part
+from trimmer.command_line.parser import OptionError, require_positive
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -28,6 +29,8 @@ def _run(arguments: Namespace) -> int:
     from trimmer.balance.identification import identify_time_constant
     from trimmer.command_line.limit_cycles_text import identified_as_json, identified_as_text
 
+    require_positive(arguments, "gap", "m")
+    require_positive(arguments, "frequency", "Hz")
     G = linear_part(arguments)
     try:
         found = identify_time_constant(

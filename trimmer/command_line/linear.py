@@ -16,14 +16,13 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.linear_text import as_json, as_text
     from trimmer.displacement import Displacement
-    from trimmer.linear.model import InputChannels
     from trimmer.linear.summary import summarise
     from trimmer.parameters import TrimmerParameters
 
     output = Displacement.parse(arguments.output)
     chosen = arguments.parameters
     parameters = TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
-    summary = summarise(parameters, output, InputChannels(arguments.channels))
+    summary = summarise(parameters, output, arguments.channels)
     print(as_json(summary) if arguments.json else as_text(summary))
     return 0
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import io
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from trimmer.command_line.loop_options import OptionError
 from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
@@ -21,22 +19,10 @@ if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance
     from trimmer.elements.element import Element
 
-FORMATS = ("svg", "png", "pdf")
-
 _POINTS = 4000
 _SIZE = (6.4, 5.0)
 _DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 """Metadata without a date, so that the same picture has the same bytes."""
-
-
-def check_format(path: Path) -> None:
-    """Check that a picture can be written to a file of this name.
-
-    Raises:
-        OptionError: if the name does not end in one of ``FORMATS``.
-    """
-    if path.suffix[1:].lower() not in FORMATS:
-        raise OptionError(f"--plot {path}: the name must end in .{', .'.join(FORMATS)}")
 
 
 def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_format: str) -> bytes:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trimmer.errors import TrimmerError
+from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.parser import OptionError, as_option, is_given, require_positive
 
 if TYPE_CHECKING:
     import control
@@ -17,10 +17,6 @@ if TYPE_CHECKING:
     from trimmer.parameters import TrimmerParameters
 
 CHANNELS = ("displacement", "both")
-
-
-class OptionError(TrimmerError, ValueError):
-    """An option that is missing, not used, or has a value that cannot be used."""
 
 
 @dataclass(frozen=True)
@@ -77,13 +73,17 @@ ELEMENTS = (
 )
 
 
+ELEMENT_OPTIONS = {"gap": "m", "time_constant": "s", "force": "N"}
+"""Options that have a meaning with an element only, each with its unit."""
+
+
 def add_loop_options(parser: ArgumentParser) -> None:
     """Add the options that choose the linear part: parameters, output, channels."""
     parser.add_argument(
         "--parameters",
         metavar="FILE",
-        type=Path,
-        help="TOML file with the trimmer's parameters (default: the thesis's trimmer)",
+        type=file_to_read,
+        help="TOML file with the trimmer's parameters, - for standard input (default: the thesis's trimmer)",
     )
     parser.add_argument(
         "--output",
@@ -124,7 +124,10 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
     from trimmer.displacement import Displacement
     from trimmer.linear.model import InputChannels, pin_model
 
-    output, channels = Displacement.parse(arguments.output), InputChannels(arguments.channels)
+    output, channels = (
+        Displacement.parse(arguments.output),
+        InputChannels.chosen(arguments.channels, "--channels"),
+    )
     return pin_model(chosen_parameters(arguments), output, channels)
 
 
@@ -147,12 +150,16 @@ def chosen_element(arguments: Namespace) -> Element:
         OptionError: if an option is missing, has no use for the element, or has an unusable value.
     """
     choice = next(choice for choice in ELEMENTS if choice.name == arguments.element)
-    for option in ("gap", "time_constant", "force"):
-        given = getattr(arguments, option) is not None
+    for option in ELEMENT_OPTIONS:
+        given = is_given(arguments, option)
         if given != (option in choice.options):
             verb = "does not use" if given else "needs"
-            raise OptionError(f"--element {choice.name} {verb} --{option.replace('_', '-')}")
-    try:
-        return choice.make(*(getattr(arguments, option) for option in choice.options))
-    except ValueError as error:
-        raise OptionError(f"--element {choice.name}: {error}") from error
+            raise OptionError(f"--element {choice.name} {verb} {as_option(option)}")
+    values = [getattr(arguments, option) for option in choice.options]
+    for option, value in zip(choice.options, values, strict=True):
+        unit = ELEMENT_OPTIONS[option]
+        if option != "time_constant":
+            require_positive(arguments, option, unit)
+        elif not value >= 0:  # 0 is friction alone, infinity inertia alone
+            raise OptionError(f"--time-constant {value:g}: must be zero, positive or inf ({unit})")
+    return choice.make(*values)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import codecs
+import io
 import os
 import sys
-from argparse import ArgumentParser
+from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 
@@ -20,13 +22,19 @@ from trimmer.command_line import (
     spectrum,
 )
 from trimmer.command_line.command import Command
+from trimmer.command_line.parser import WRONG_USE, Parser, drop, tell
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
-WRONG_USE = 2
 INTERRUPTED = 130
+EXIT_CODES = (
+    "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
+    "used; 3 a simulation that ended before its time; 130 interrupted."
+)
+
+_IN_ASCII = {"±": "+-", "µ": "u", "μ": "u", "ω": "omega", "·": "*", "…": "..."}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -36,33 +44,57 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: Words after the program's name; those of the process if not given.
 
     Returns:
-        The exit code of the subcommand, 2 for an error that the user can correct, or 130 if interrupted.
+        0, or 2 for what the user can put right, or 130 if interrupted, or what the subcommand returns. A
+        reader that stops early, as in ``trimmer linear | head``, is no error.
+
+    Raises:
+        SystemExit: with the code, after help and for options that cannot be read.
     """
-    parsed = _parser(_commands()).parse_args(arguments)
+    _prepare_streams()
+    if sys.stdout is None:
+        tell("standard output is closed; send it to a file, or to /dev/null")
+        return WRONG_USE
     try:
-        code: int = parsed.run(parsed)
-        sys.stdout.flush()
+        try:
+            parsed = _parsed(arguments)
+            code: int = parsed.run(parsed)
+        finally:
+            sys.stdout.flush()
         return code
     except TrimmerError as error:
-        print(f"trimmer: {error}", file=sys.stderr)
+        tell(str(error))
         return WRONG_USE
     except BrokenPipeError:
         # The reader has seen enough, as in `trimmer linear | head`.
-        _drop_output()
+        drop(sys.stdout)
         return 0
     except OSError as error:
         # Errors of reading and writing files come as a TrimmerError, so this one is of printing.
         name = error.filename or "standard output"
-        print(f"trimmer: {name}: {error.strerror}; send the output elsewhere", file=sys.stderr)
-        _drop_output()
+        tell(f"{name}: {error.strerror}; send the output elsewhere")
+        drop(sys.stdout)
         return WRONG_USE
     except KeyboardInterrupt:
         return INTERRUPTED
 
 
-def _drop_output() -> None:
-    """Discard what is left to print; Python would report an error on closing standard output."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def _prepare_streams() -> None:
+    """Make printing possible in every locale, and without standard error."""
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (for the rest of the process)
+    codecs.register_error("trimmer", _in_ascii)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="trimmer")
+
+
+def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
+    """Write what an encoding has no sign for, such as that of the C locale, in signs that it has."""
+    if isinstance(error, UnicodeEncodeError):
+        plain = _IN_ASCII.get(error.object[error.start])
+        if plain is not None:
+            return plain, error.start + 1
+    return codecs.backslashreplace_errors(error)
 
 
 def _commands() -> list[Command]:
@@ -80,20 +112,31 @@ def _loaded(entry: EntryPoint) -> Command | None:
     try:
         command = entry.load()
     except Exception as error:
-        print(f"trimmer: command {entry.name!r} ({entry.value}) does not load: {error}", file=sys.stderr)
+        tell(f"command {entry.name!r} ({entry.value}) does not load: {error}")
         return None
     if isinstance(command, Command):
         return command
-    print(f"trimmer: command {entry.name!r} ({entry.value}) is not a Command", file=sys.stderr)
+    tell(f"command {entry.name!r} ({entry.value}) is not a Command")
     return None
 
 
+def _parsed(arguments: Sequence[str] | None) -> Namespace:
+    parsed, unknown = _parser(_commands()).parse_known_args(arguments)
+    if unknown:
+        parsed.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+    return parsed
+
+
 def _parser(commands: Sequence[Command]) -> ArgumentParser:
-    parser = ArgumentParser(prog="trimmer", description="Vibration of a hair trimmer with play and friction.")
+    parser = Parser(
+        prog="trimmer", description="Vibration of a hair trimmer with play and friction.", epilog=EXIT_CODES
+    )
     parser.add_argument("--version", action="version", version=f"trimmer {trimmer.__version__}")
     subparsers = parser.add_subparsers(metavar="COMMAND", title="commands", required=True)
     for command in commands:
-        subparser = subparsers.add_parser(command.name, help=command.help, description=command.help)
+        subparser = subparsers.add_parser(
+            command.name, help=command.help, description=command.help, epilog=EXIT_CODES
+        )
         command.configure(subparser)
-        subparser.set_defaults(run=command.run)
+        subparser.set_defaults(run=command.run, parser=subparser)
     return parser

@@ -7,12 +7,13 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.loop_options import (
-    OptionError,
+    ELEMENT_OPTIONS,
     add_element_options,
     add_loop_options,
     chosen_element,
     chosen_parameters,
 )
+from trimmer.command_line.parser import OptionError, refuse_unused, require_positive
 
 if TYPE_CHECKING:
     from trimmer.motion.loops import Drive
@@ -49,10 +50,10 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
     Raises:
         TrimmerError: if options contradict each other or cannot be used.
     """
-    from trimmer.displacement import Displacement
-    from trimmer.linear.model import InputChannels
     from trimmer.motion.trimmer_loop import TrimmerLoop
 
+    if arguments.element is None:
+        refuse_unused(arguments, ELEMENT_OPTIONS, "--element")
     drive = _drive(arguments)
     if drive is None and arguments.element is None:
         raise OptionError(
@@ -63,8 +64,8 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
         parameters=chosen_parameters(arguments),
         element=None if arguments.element is None else chosen_element(arguments),
         drive=drive,
-        output=Displacement.parse(arguments.output),
-        channels=InputChannels(arguments.channels),
+        output=arguments.output,
+        channels=arguments.channels,
         frictions=tuple(_friction(text) for text in arguments.friction),
     )
 
@@ -77,7 +78,7 @@ def impulse_of(arguments: Namespace) -> float:
     """
     if arguments.impulse is not None:
         if not math.isfinite(arguments.impulse):
-            raise OptionError(f"--impulse {arguments.impulse}: must be finite")
+            raise OptionError(f"--impulse {arguments.impulse:g}: must be finite (m s)")
         return float(arguments.impulse)
     if arguments.drive is None:
         raise OptionError("the closed loop stays at rest: give --impulse (m s), or --drive for the open loop")
@@ -92,10 +93,10 @@ def _drive(arguments: Namespace) -> Drive | None:
         raise OptionError(f"a drive has a frequency and an amplitude: {missing} is missing")
     if arguments.drive is None:
         return None
-    try:
-        return Drive(arguments.amplitude, frequency=arguments.drive)
-    except ValueError as error:
-        raise OptionError(f"--drive {arguments.drive} --amplitude {arguments.amplitude}: {error}") from error
+    require_positive(arguments, "drive", "Hz")
+    if not 0 <= arguments.amplitude < math.inf:
+        raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
+    return Drive(arguments.amplitude, frequency=arguments.drive)
 
 
 def _friction(text: str) -> BodyFriction:

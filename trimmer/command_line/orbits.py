@@ -12,6 +12,7 @@ from trimmer.command_line.loop_options import (
     chosen_element,
     linear_part,
 )
+from trimmer.command_line.parser import OptionError
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -22,7 +23,6 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.balance.solve import harmonic_balance
-    from trimmer.command_line.loop_options import OptionError
     from trimmer.command_line.orbits_text import as_json, as_text
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
@@ -33,7 +33,7 @@ def _run(arguments: Namespace) -> int:
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions.limit_cycles)
+            orbits = periodic_orbits(system, element, predictions)
         except ValueError as error:
             raise OptionError(str(error)) from error
     print((as_json if arguments.json else as_text)(element, predictions, orbits))

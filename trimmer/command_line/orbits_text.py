@@ -7,18 +7,19 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
-from trimmer.command_line.json_values import pair
+from trimmer.command_line.json_values import finite, pair
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
+    from trimmer.orbits.search import PeriodicOrbits
 
 HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "error", "predicted Hz", "error")
 
 
-def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
+def as_text(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbits) -> str:
     """Return orbits as a table, each beside its prediction, followed by the certificate of the predictions.
 
     Amplitudes are in the unit of the element's input, frequencies in Hz.
@@ -29,13 +30,13 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: Sequence[Per
         for each in _without_orbit(predictions.limit_cycles, orbits)
     ]
     searched, *undecided = certificate_as_text(predictions.certificate)
-    lines += [f"predictions {searched}", *undecided]
+    lines += [f"predictions {searched}", *undecided, orbits.search.sentence]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
 
 
-def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[PeriodicOrbit]) -> str:
+def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbits) -> str:
     """Return orbits as JSON: full precision, SI units."""
     content = {
         "element": repr(element),
@@ -45,6 +46,7 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: Sequence[Per
             for each in _without_orbit(predictions.limit_cycles, orbits)
         ],
         "certificate": certificate_as_json(predictions.certificate),
+        "search": orbits.search.sentence,
     }
     return json.dumps(content, indent=2, allow_nan=False)
 
@@ -55,10 +57,14 @@ def _largest(orbit: PeriodicOrbit) -> float:
 
 def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     prediction = orbit.prediction
-    assert prediction is not None, "every orbit here comes from a prediction"
-    return (
+    measured = (
         *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", "yes" if orbit.stable else "no"),
         f"{_largest(orbit):.4g}",
+    )
+    if prediction is None:
+        return (*measured, "none", "", "", "")
+    return (
+        *measured,
         *(f"{prediction.amplitude:.6g}", f"{orbit.amplitude_error:+.2%}"),
         *(f"{prediction.frequency:.6g}", f"{orbit.frequency_error:+.3%}"),
     )
@@ -74,8 +80,8 @@ def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
         "switching_times": orbit.switching_times.tolist(),
         "residual": orbit.residual,
-        "amplitude_error": orbit.amplitude_error,
-        "frequency_error": orbit.frequency_error,
+        "amplitude_error": finite(orbit.amplitude_error),
+        "frequency_error": finite(orbit.frequency_error),
     }
 
 

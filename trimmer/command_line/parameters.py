@@ -6,30 +6,35 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import file_to_write, show
 
 
 def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--output",
         metavar="FILE",
-        type=Path,
-        help="file to write (default: print it); a file that is there is kept",
+        type=file_to_write,
+        help="file to write (default: print it); a file that is there is kept unless it is empty",
     )
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.files import FileWriteError, write_atomically
+    from trimmer.files import FileWriteError, is_standard_output, write_atomically
     from trimmer.parameters import TrimmerParameters
 
     template = TrimmerParameters.thesis().to_toml()
     if arguments.output is None:
         print(template, end="")
         return 0
-    if arguments.output.is_file():
+    if not is_standard_output(arguments.output) and _holds_something(arguments.output):
         raise FileWriteError(f"{arguments.output} is there already: name another file, or remove it first")
     write_atomically(arguments.output, template)
-    print(f"wrote {arguments.output}")
+    show(f"wrote {arguments.output}", arguments.output)
     return 0
+
+
+def _holds_something(path: Path) -> bool:
+    return path.is_file() and path.stat().st_size > 0
 
 
 COMMAND = Command("parameters", "write a commented parameter file (the thesis's trimmer)", _configure, _run)

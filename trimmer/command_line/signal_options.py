@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+import os
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from pathlib import Path
+from collections.abc import Callable
 from typing import TYPE_CHECKING
+
+from trimmer.command_line.file_options import file_to_read
 
 if TYPE_CHECKING:
     from trimmer.signals.signal import Signal
@@ -15,18 +18,18 @@ DECIMAL_SIGNS = ("point", "comma")
 MISSING_VALUES = ("refuse", "interpolate")
 
 
-def positive(text: str) -> float:
-    """Return the positive finite number that a text states, as the type of an option.
+def positive(unit: str) -> Callable[[str], float]:
+    """Make the type of an option whose values are positive finite numbers, in a unit."""
 
-    Raises:
-        ArgumentTypeError: if it states none.
-    """
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not 0 < number < math.inf:
-        raise ArgumentTypeError(f"{text!r} is not a positive number")
+    def number(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not 0 < value < math.inf:
+            raise ArgumentTypeError(f"{text!r} is not a positive number ({unit})")
+        return value
+
     return number
 
 
@@ -41,27 +44,37 @@ def positive_whole(text: str) -> int:
     return int(text)
 
 
+def column(text: str) -> str:
+    """Read the name of a column, as the type of an option: in UTF-8, as the files, whatever the locale is."""
+    try:
+        return os.fsencode(text).decode("utf-8")
+    except UnicodeError:
+        return text
+
+
 def add_signal_options(parser: ArgumentParser) -> None:
     """Add the file of the signal, and the options that say how to read it."""
     parser.add_argument(
         "file",
-        type=Path,
+        type=file_to_read,
         metavar="FILE",
-        help="CSV file with the samples, one row each, with a heading or not",
+        help="CSV file with the samples, one row each, with a heading or not; - for standard input",
     )
     parser.add_argument(
         "--rate",
-        type=positive,
+        type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
     )
     parser.add_argument(
         "--column",
+        type=column,
         metavar="NAME|NUMBER",
         help="column of the signal (default: the only one beside the time stamps); the first has number 1",
     )
     parser.add_argument(
         "--time",
+        type=column,
         metavar="NAME|NUMBER",
         help="column of the time stamps, s unless its heading says [ms] or the like "
         "(default: the one named t, time or timestamp, if any)",
@@ -86,19 +99,14 @@ def chosen_signal(arguments: Namespace) -> Signal:
     Raises:
         TrimmerError: if the file cannot be used.
     """
-    from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
-    from trimmer.signals.missing import MissingValues
+    from trimmer.signals.csv_layout import CsvLayout
     from trimmer.signals.read import read_signal
 
-    delimiter, decimal = arguments.delimiter, arguments.decimal
     return read_signal(
         arguments.file,
         column=arguments.column,
         time_column=arguments.time,
         sample_rate=arguments.rate,
-        layout=CsvLayout(
-            Delimiter[delimiter.upper()] if delimiter else None,
-            DecimalSign[decimal.upper()] if decimal else None,
-        ),
-        missing=MissingValues(arguments.missing),
+        layout=CsvLayout(arguments.delimiter, arguments.decimal),
+        missing=arguments.missing,
     )

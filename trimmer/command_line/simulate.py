@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
+from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
+from trimmer.errors import TrimmerError
+from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
     from trimmer.motion.motion import Motion
     from trimmer.signals.signal import Signal
 
 MOST_SAMPLES = 50_000_000
-"""Largest number of samples of a signal in a file; they fit into memory with room to spare."""
+"""Samples of a signal that still fit into memory with room to spare."""
+ENDED_EARLY = 3
+"""Exit code of a simulation that did not reach the end that was asked for."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -27,48 +32,85 @@ def _configure(parser: ArgumentParser) -> None:
         type=float,
         default=20_000.0,
         metavar="HZ",
-        help="samples per second in the files (default: 20000); the simulation itself needs none",
+        help="samples per second in --csv and --wav (default: 20000); the simulation itself needs none",
     )
     parser.add_argument(
-        "--csv", type=Path, metavar="FILE", help="write time, output, and input and output of the play"
+        "--csv",
+        type=file_to_write,
+        metavar="FILE",
+        help="write time, output, and input and output of the play",
     )
-    parser.add_argument("--wav", type=Path, metavar="FILE", help="write the output as sound")
+    parser.add_argument(
+        "--wav", type=file_to_write, metavar="FILE", help="write the output as sound, into a .wav file"
+    )
+    add_overwrite_option(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with every event")
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.loop_options import OptionError
     from trimmer.command_line.motion_text import as_json, as_text
+    from trimmer.motion.motion import Outcome
     from trimmer.motion.simulation import simulate
-    from trimmer.signals.wav import write_wav
-    from trimmer.signals.write import write_signal
 
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
-    if not arguments.duration > 0:
-        raise OptionError(f"--duration {arguments.duration:g}: must be positive (s)")
-    if not 2 <= arguments.duration * arguments.sample_rate <= MOST_SAMPLES:
-        raise OptionError(
-            f"--duration {arguments.duration:g} s at --sample-rate {arguments.sample_rate:g} Hz are "
-            f"{arguments.duration * arguments.sample_rate:.3g} samples; give 2 to {MOST_SAMPLES:g}"
-        )
+    _check_duration(arguments)
+    check_targets(
+        arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}}, {"parameters": "the file of the parameters"}
+    )
     try:
         motion = simulate(loop, arguments.duration, impulse=impulse)
     except ValueError as error:
         raise OptionError(str(error)) from error
-    if arguments.csv is not None or arguments.wav is not None:
-        output, *others = _signals(motion, arguments.sample_rate)
-        if arguments.csv is not None:
-            write_signal(arguments.csv, output, *others)
-        if arguments.wav is not None:
-            write_wav(arguments.wav, output.values, output.sample_rate)
-    if arguments.json:
-        print(as_json(motion))
-    else:
-        print(as_text(motion))
-        for path in (arguments.csv, arguments.wav):
-            if path is not None:
-                print(f"wrote {path}")
-    return 0
+    targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
+    try:
+        _write(arguments, motion)
+    except TrimmerError:
+        show(as_json(motion) if arguments.json else as_text(motion), *targets)
+        raise
+    told = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
+    show("\n".join(told), *targets)
+    if motion.outcome is Outcome.COMPLETED:
+        return 0
+    tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")
+    return ENDED_EARLY
+
+
+def _check_duration(arguments: Namespace) -> None:
+    """Check the length of the motion, and that of its signals if they are written."""
+    duration, rate = arguments.duration, arguments.sample_rate
+    require_positive(arguments, "duration", "s")
+    require_positive(arguments, "sample_rate", "Hz")
+    if arguments.csv is None and arguments.wav is None:
+        refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
+    elif not 2 <= duration * rate <= MOST_SAMPLES:
+        raise OptionError(
+            f"--duration {duration:g} s at --sample-rate {rate:g} Hz are {duration * rate:.3g} samples; "
+            f"give 2 to {MOST_SAMPLES:g}"
+        )
+
+
+def _write(arguments: Namespace, motion: Motion) -> None:
+    """Write the files that are wanted."""
+    from trimmer.signals.wav import write_wav
+    from trimmer.signals.write import write_signal
+
+    if arguments.csv is None and arguments.wav is None:
+        return
+    _note_aliasing(arguments)
+    output, *others = _signals(motion, arguments.sample_rate)
+    if arguments.csv is not None:
+        write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
+    if arguments.wav is not None:
+        write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
+
+
+def _note_aliasing(arguments: Namespace) -> None:
+    """Note on standard error a drive that the files cannot show."""
+    from trimmer.spectra.doubts import aliasing_doubt
+
+    doubt = aliasing_doubt(arguments.drive, arguments.sample_rate) if arguments.drive else None
+    if doubt is not None:
+        tell(f"note: {doubt}")
 
 
 def _signals(motion: Motion, sample_rate: float) -> list[Signal]:

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import warnings
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import OptionError, add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
+from trimmer.command_line.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.signal_options import add_signal_options, chosen_signal, positive, positive_whole
+from trimmer.files import STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
@@ -26,13 +35,13 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--drive",
         "--drive-frequency",
-        type=positive,
+        type=positive("Hz"),
         metavar="HZ",
         help="frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",
     )
     parser.add_argument(
         "--gap",
-        type=positive,
+        type=positive("m"),
         metavar="M",
         help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",
@@ -50,19 +59,22 @@ def _configure(parser: ArgumentParser) -> None:
     add_loop_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
     parser.add_argument(
-        "--plot", type=Path, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
+        "--plot", type=file_to_write, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
     )
-    parser.add_argument("--wav", type=Path, metavar="FILE", help="write the signal as sound into a .wav file")
+    parser.add_argument(
+        "--wav", type=file_to_write, metavar="FILE", help="write the signal as sound into a .wav file"
+    )
     parser.add_argument(
         "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
     )
+    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.spectrum_text import as_json, as_text
     from trimmer.signals.signal import SignalError
 
-    _check_targets(arguments)
+    _check(arguments)
     signal = chosen_signal(arguments)
     predictions = _predictions(arguments)
     try:
@@ -71,22 +83,21 @@ def _run(arguments: Namespace) -> int:
         wav = _written_wav(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    print((as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav))
+    told = (as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav)
+    show(told, arguments.plot, arguments.wav)
     return 0
 
 
-def _check_targets(arguments: Namespace) -> None:
-    """Refuse names of files that cannot be meant, before any work is done."""
-    if arguments.plot is not None:
-        from trimmer.command_line.locus_picture import check_format
-
-        check_format(arguments.plot)
-    if arguments.wav is not None and arguments.wav.suffix.lower() != ".wav":
-        raise OptionError(f"--wav {arguments.wav}: the name must end in .wav")
-    for option in ("plot", "wav"):
-        target = getattr(arguments, option)
-        if target is not None and target.resolve() == arguments.file.resolve():
-            raise OptionError(f"--{option} {target}: is the file of the signal; name another one to write")
+def _check(arguments: Namespace) -> None:
+    """Refuse what cannot be meant, before any work is done."""
+    if arguments.gap is None:
+        refuse_unused(arguments, ["output", "channels"], "--gap, whose limit cycles are predicted with it")
+    if arguments.wav is None:
+        refuse_unused(arguments, ["bits"], "--wav")
+    if arguments.file == arguments.parameters == STANDARD_INPUT:
+        raise OptionError("signal and --parameters cannot both be read from standard input: name a file")
+    sources = {"file": "the file of the signal", "parameters": "the file of the parameters"}
+    check_targets(arguments, {"plot": PICTURES, "wav": {".wav": WAV}}, sources)
 
 
 def _predictions(arguments: Namespace) -> Predictions:
@@ -108,18 +119,21 @@ def _predictions(arguments: Namespace) -> Predictions:
 
 
 def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) -> SpectrumAnalysis:
+    from trimmer.errors import SignalWarning
     from trimmer.spectra.analysis import analyse_signal
-    from trimmer.spectra.window import Window
 
-    return analyse_signal(
-        signal,
-        arguments.drive,
-        predictions.natural_frequencies,
-        predictions.limit_cycles,
-        Window[arguments.window.upper().replace("-", "_")],
-        arguments.limit,
-        closed_loop=arguments.closed_loop,
-    )
+    with warnings.catch_warnings():
+        # They stand in the text and in the JSON.
+        warnings.simplefilter("ignore", SignalWarning)
+        return analyse_signal(
+            signal,
+            arguments.drive,
+            predictions.natural_frequencies,
+            predictions.limit_cycles,
+            arguments.window,
+            arguments.limit,
+            closed_loop=arguments.closed_loop,
+        )
 
 
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
@@ -127,15 +141,18 @@ def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
         from trimmer.command_line.spectrum_picture import draw
         from trimmer.files import write_atomically
 
-        write_atomically(arguments.plot, draw(analysis, arguments.plot.suffix[1:].lower()))
+        picture = draw(analysis, arguments.plot.suffix[1:].lower())
+        write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
 
 
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
     if arguments.wav is None:
         return None
-    from trimmer.signals.wav import BitDepth, write_wav
+    from trimmer.signals.wav import write_wav
 
-    return write_wav(arguments.wav, signal.values, signal.sample_rate, BitDepth(arguments.bits))
+    return write_wav(
+        arguments.wav, signal.values, signal.sample_rate, arguments.bits, overwrite=arguments.overwrite
+    )
 
 
 COMMAND = Command("spectrum", "spectrum of a measured signal, and what its peaks may be", _configure, _run)

@@ -77,8 +77,8 @@ def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wa
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
         "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
-        "notes": analysis.notes,
         "peaks": [_peak(classified) for classified in analysis.peaks],
+        "notes": [*analysis.doubts, *analysis.notes],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
     }
     return json.dumps(content, indent=2, allow_nan=False)
@@ -96,6 +96,7 @@ def _head(file: Path, analysis: SpectrumAnalysis) -> Iterator[str]:
     )
     if signal.interpolated:
         yield f"{signal.interpolated} samples were missing and are interpolated"
+    yield from (f"note: {doubt}" for doubt in analysis.doubts)
 
 
 def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
@@ -111,17 +112,20 @@ def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
 
 
 def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
-    heads = ("Hz", _with_unit("amplitude", analysis.signal.unit), "may be", "bins off", "or also", "bins off")
+    amplitude = _with_unit("amplitude", analysis.signal.unit)
+    heads = ("Hz", "+/-", amplitude, "+/-", "may be", "bins off", "or also", "bins off")
     rows = [
         (
             f"{classified.peak.frequency:.6g}",
+            f"{classified.peak.frequency_uncertainty:.2g}",
             f"{classified.peak.amplitude:.6g}",
+            f"{classified.peak.amplitude_uncertainty:.2g}",
             *_match_cells(classified.explanation, "unexplained"),
             *_second_cells(classified),
         )
         for classified in analysis.peaks
     ]
-    yield "Peaks, placed between bins, by amplitude"
+    yield "Peaks, placed between bins, with standard deviations as in white noise, by amplitude"
     yield from table(heads, rows)
 
 

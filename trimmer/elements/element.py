@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from trimmer.elements.element_at_frequency import ElementAtFrequency
     from trimmer.elements.expansion import Sensitivity, Variation
     from trimmer.elements.scaled_element import ScaledElement
+    from trimmer.elements.small_gains import SmallGains
     from trimmer.elements.sum_of_elements import SumOfElements
 
     Range = tuple[ArrayLike, ArrayLike]
@@ -178,6 +179,13 @@ class Element(ABC):
         With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those
         of ``sensitivity``, and so is what is proven.
         """
+
+    def small_gains(self) -> SmallGains | None:
+        """Tell how N goes to zero at the edge of the domain; None if nothing is known of that.
+
+        With it the solver can prove that there is no limit cycle where both N and 1/G vanish.
+        """
+        return None
 
     @abstractmethod
     def mean_gain(self, amplitude: ArrayLike) -> Reals:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
+    from trimmer.elements.small_gains import SmallGains
 
 
 @final
@@ -67,6 +68,11 @@ class ElementAtFrequency(Element):
         shape = range_shape(u_range, omega_range)
         bound = self.element.variation(u_range, (self.omega, self.omega))
         return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+
+    def small_gains(self) -> SmallGains | None:
+        """Return what is known of the element if that does not depend on omega."""
+        small = self.element.small_gains()
+        return small if small is not None and small.lag == 0 else None
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return the gain of the element, which does not depend on omega."""

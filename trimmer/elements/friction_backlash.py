@@ -19,6 +19,7 @@ from trimmer.elements.backlash_motion import (
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.expansion import Expansion, Variation
 from trimmer.elements.small_arguments import argument_less_sine
+from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -59,6 +60,10 @@ class FrictionBacklash(Backlash):
         earliest, latest = (np.arccos(1.0 - np.minimum(u, 2.0)) for u in u_range)
         by_u = ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR))
         return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+
+    def small_gains(self) -> SmallGains:
+        """Tell that N falls to 0 along the negative imaginary axis."""
+        return small_gains_of_backlash(0.0)
 
     def gamma(self, omega: Reals) -> Reals:
         """Return the lower one of ``GAMMA_LIMITS`` in place of 0, by which formulas would divide."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
+    from trimmer.elements.small_gains import SmallGains
 
 
 @final
@@ -61,6 +62,11 @@ class ScaledElement(Element):
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.variation(u_range, omega_range)
         return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+
+    def small_gains(self) -> SmallGains | None:
+        """Return what is known of the element, scaled."""
+        small = self.element.small_gains()
+        return None if small is None else small.scaled(self.factor)
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return the gain of the element times the factor."""

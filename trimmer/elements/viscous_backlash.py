@@ -10,6 +10,7 @@ import numpy as np
 from trimmer.elements.arguments import require_not_negative
 from trimmer.elements.backlash import Backlash
 from trimmer.elements.backlash_motion import GAMMA_LIMITS
+from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -44,6 +45,10 @@ class ViscousBacklash(Backlash):
     def depends_on_frequency(self) -> bool:
         """True: N depends on gamma = omega M/D."""
         return True
+
+    def small_gains(self) -> SmallGains:
+        """Tell that N is small only where gamma is, and then as with friction-controlled backlash."""
+        return small_gains_of_backlash(self.time_constant)
 
     def gamma(self, omega: Reals) -> Reals:
         """Return omega M/D, limited to ``GAMMA_LIMITS`` where the time constant is 0 or infinite."""

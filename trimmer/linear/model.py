@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import Enum
 from typing import TYPE_CHECKING
 
 import control
 import numpy as np
 
+from trimmer.choices import Choice
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
 from trimmer.parameters import ParameterError, require_parameters
@@ -24,7 +24,7 @@ INPUTS = ("pin_displacement", "pin_velocity")
 """Names of the inputs: displacement of the pin relative to the motor (m) and its velocity (m/s)."""
 
 
-class InputChannels(Enum):
+class InputChannels(Choice):
     """Which of the two inputs the pin acts through.
 
     The thesis keeps the displacement only (Appendix A.2); the pin of the real mechanism acts through both,
@@ -34,25 +34,33 @@ class InputChannels(Enum):
     DISPLACEMENT_ONLY = "displacement"
     DISPLACEMENT_AND_VELOCITY = "both"
 
+    @property
+    def word(self) -> str:
+        """``displacement`` or ``both``."""
+        return str(self.value)
+
 
 def linear_model(
     parameters: TrimmerParameters,
-    output: Displacement | Sequence[Displacement] = CUTTER_RELATIVE_TO_GUARD,
+    output: Displacement | str | Sequence[Displacement | str] = CUTTER_RELATIVE_TO_GUARD,
 ) -> control.StateSpace:
     """Build the state-space model with both inputs (equations 2.10 to 2.14 of the thesis).
 
     Args:
-        parameters: The trimmer, SI units.
-        output: One displacement, or several, which become the outputs in that order, m.
+        parameters: The trimmer.
+        output: One displacement, or several, which become the outputs in that order; labels such as ``q2-q4``
+            will do.
 
     Returns:
         A continuous-time system with 8 states, 2 inputs and one output per displacement, all named
         (``STATES``, ``INPUTS``, the displacements' labels); SI units.
 
     Raises:
+        DisplacementError: if an output is no displacement.
         ValueError: if no output is given.
     """
-    outputs = (output,) if isinstance(output, Displacement) else tuple(output)
+    listed = (output,) if isinstance(output, Displacement | str) else output
+    outputs = tuple(map(Displacement.parse, listed))
     if not outputs:
         raise ValueError("a linear model needs at least one output displacement")
     require_parameters(parameters)
@@ -71,8 +79,8 @@ def linear_model(
 
 def pin_model(
     parameters: TrimmerParameters,
-    output: Displacement = CUTTER_RELATIVE_TO_GUARD,
-    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY,
+    output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
 ) -> control.StateSpace:
     """Build the model with one input, the displacement of the pin.
 
@@ -83,15 +91,19 @@ def pin_model(
 
     Args:
         parameters: The trimmer.
-        output: The displacement to follow.
-        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too.
+        output: The displacement to follow, also by its label, such as ``q2-q4``.
+        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too: a
+            member, or its word (``displacement``, ``both``).
 
     Returns:
         A continuous-time system with 8 states, one input and one output, named; SI units.
 
     Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
         ParameterError: if the parameters are so far apart that the equations overflow.
     """
+    output, channels = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     model = linear_model(parameters, output)
     A, B, C = model.A, model.B, model.C
     from_displacement, from_velocity = B[:, :1], B[:, 1:]
@@ -114,8 +126,8 @@ def pin_model(
 
 def transfer_function(
     parameters: TrimmerParameters,
-    output: Displacement = CUTTER_RELATIVE_TO_GUARD,
-    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY,
+    output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
 ) -> control.TransferFunction:
     """Build the transfer function from the displacement of the pin, from the derived coefficients.
 
@@ -124,16 +136,20 @@ def transfer_function(
 
     Args:
         parameters: The trimmer.
-        output: The displacement to follow.
-        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too.
+        output: The displacement to follow, also by its label, such as ``q2-q4``.
+        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too: a
+            member, or its word (``displacement``, ``both``).
 
     Returns:
         A continuous-time system with a monic denominator of degree 8; dimensionless (m/m).
 
     Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
         ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
     require_parameters(parameters)
+    output, channels = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     values = parameters.values()
     weights = np.array(output.row)
     denominator = np.array(linear_trimmer.characteristic_polynomial(*values))

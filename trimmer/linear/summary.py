@@ -72,20 +72,20 @@ class LinearSummary:
 
 def summarise(
     parameters: TrimmerParameters,
-    output: Displacement = CUTTER_RELATIVE_TO_GUARD,
-    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY,
+    output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
 ) -> LinearSummary:
     """Analyse the transfer function from pin displacement to an output.
 
-    Args:
-        parameters: The trimmer, SI units.
-        output: The displacement that is the output.
-        channels: Whether the pin acts by its displacement alone, as in the thesis, or by its velocity too.
+    Output and channels are chosen as in ``transfer_function``, also by their words.
 
     Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
         UnsupportedSystemError: if the pin does not reach the output, so that G = 0.
         ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
+    output, channels = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     system = transfer_function(parameters, output, channels)
     return LinearSummary(
         parameters=parameters,

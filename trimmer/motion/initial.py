@@ -35,11 +35,23 @@ def initial_segment(
         ValueError: if a value is not real and finite, or if an initial state has the wrong shape or is given
             for a system without states of its own.
     """
-    system, layout = modes.system, modes.layout
-    state = np.zeros(layout.size)
-    state[: layout.order] = _plant_state(loop, initial_state, impulse)
+    started = _plant_state(loop, initial_state, impulse)
     if not math.isfinite(real_number("element_output", element_output)):
         raise ValueError(f"element_output must be finite, not {element_output!r}")
+    return segment_from(modes, started, element_output)
+
+
+def segment_from(modes: ModeTables, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
+    """Return the mode and the extended state that go with states of the plant at t = 0.
+
+    Args:
+        modes: Modes of the loop.
+        plant_state: States of the linear system, of shape (n,).
+        element_output: Output that is wished for, where the input leaves a choice.
+    """
+    system, layout = modes.system, modes.layout
+    state = np.zeros(layout.size)
+    state[: layout.order] = plant_state
     if system.drive is not None:
         state[layout.sine : layout.sine + 2] = math.sin(system.drive.phase), math.cos(system.drive.phase)
     state[-1] = 1.0

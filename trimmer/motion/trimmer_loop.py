@@ -31,12 +31,16 @@ class BodyFriction:
         between: The relative displacement, or that of one body from the ground.
         law: Force against that displacement, N: ``CoulombFriction``, ``ViscousFriction``, a sum of them.
             A negative factor would drive the bodies instead.
+
+    Raises:
+        DisplacementError: if ``between``, which may be a label such as ``q2-q4``, is no displacement.
     """
 
     between: Displacement
     law: Element
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "between", Displacement.parse(self.between))
         require_instance("law", self.law, Element, "an element, such as CoulombFriction(0.5)")
 
 
@@ -54,6 +58,12 @@ class TrimmerLoop(Loop):
         channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
             too.
         frictions: Forces between bodies.
+
+    Output and channels may also be given by their words, such as ``q2-q4`` and ``both``.
+
+    Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
     """
 
     parameters: TrimmerParameters
@@ -64,6 +74,8 @@ class TrimmerLoop(Loop):
     frictions: tuple[BodyFriction, ...] = field(default=())
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "output", Displacement.parse(self.output))
+        object.__setattr__(self, "channels", InputChannels.chosen(self.channels, "channels"))
         require_parameters(self.parameters)
         if self.element is not None:
             require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")

@@ -49,11 +49,15 @@ def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | N
 def _multipliers(problem: Return, shot: Shot) -> Complexes:
     """Return the eigenvalues of the derivative of the return map, by falling modulus.
 
-    A load that is in contact once in a period has no freedom of its own, so as many are zero as components
-    have states; they are left out.
+    What is left of a load's velocity follows from the time since its separation and nothing depends on it, so
+    it is left out.
     """
-    free = slice(problem.count)
-    values = np.linalg.eigvals((shot.slope[free, free] * problem.sizes[free]) / problem.sizes[free, None])
+    modes = problem.modes
+    kept = [*range(modes.layout.order)]
+    for first, component in zip(modes.layout.first_states, modes.system.components, strict=True):
+        kept += range(first, first + component.state_count - component.even_states)
+    sizes = problem.sizes[kept]
+    values = np.linalg.eigvals(shot.slope[np.ix_(kept, kept)] * sizes / sizes[:, None])
     over_period = values**2 if problem.mirrored else values
     largest_first = np.argsort(-abs(over_period), kind="stable")
-    return over_period[largest_first][: problem.modes.layout.order].astype(complex)
+    return over_period[largest_first].astype(complex)

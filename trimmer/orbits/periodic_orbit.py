@@ -32,8 +32,10 @@ class PeriodicOrbit:
     Attributes:
         period: Period, s.
         amplitude: Half of peak to peak of the nonlinear element's input, m.
-        multipliers: Floquet multipliers, as many as the linear system has states, by falling modulus. Without
-            drive one of them is 1: it belongs to a shift along the orbit.
+        multipliers: Floquet multipliers by falling modulus: one for each state of the linear system, one for
+            the position of each load and, if it keeps its velocity for a while, one for that. Those of a load
+            are zero if it is in contact once in a period. Without drive one multiplier is 1: it belongs to a
+            shift along the orbit.
         driven: Whether a drive sets the period.
         residual: Largest miss of the state after one return, each entry relative to its size.
         motion: The motion over one period; its events are the switching times.

@@ -10,27 +10,33 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.errors import OrbitNotFoundWarning
 from trimmer.motion.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
+from trimmer.orbits.distinct import same
 from trimmer.orbits.guess import Start, starting_point
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.relay_orbits import relay_orbits
+from trimmer.orbits.search import OrbitSearch, OrbitSearched, PeriodicOrbits, Simulations
+from trimmer.orbits.settling import settled_orbits
 from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
     import control
 
     from trimmer.elements.element import Element
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+    from trimmer.orbits.search import RelaySearch, SimulationSearch
 
 
 def periodic_orbits(
     system: control.LTI,
     element: Element,
-    guesses: Sequence[LimitCycle | tuple[float, float]] | None = None,
-) -> list[PeriodicOrbit]:
+    guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None = None,
+    search: OrbitSearch | None = None,
+) -> PeriodicOrbits:
     """Find exact periodic motions of the loop 1 + N G = 0, stable or not, by Newton's method.
 
     Each guess gives a first harmonic from which the motion is followed exactly through its events for half a
@@ -38,14 +44,23 @@ def periodic_orbits(
     contacts, more harmonics are balanced first. All elements are odd, so the orbits that harmonic balance can
     predict have this symmetry.
 
+    Not every orbit is near a guess. Those of a relay that return with their signs changed after one switch
+    are all found, on an interval of periods (``trimmer.orbits.half_period``). Other stable ones are found by
+    long simulations from many initial states, if these are asked for, or if harmonic balance predicts nothing
+    or a guess leads to no orbit. The answer tells what was searched.
+
     Args:
         system: G, strictly proper, one input and one output, continuous in time.
         element: The nonlinear element.
-        guesses: Limit cycles, or pairs of amplitude (in the unit of the element's input) and omega (rad/s);
-            those of ``limit_cycles`` if none are given.
+        guesses: All limit cycles that harmonic balance predicts, as it gives them or, if none are given, as
+            ``limit_cycles`` does; or else limit cycles and pairs of amplitude (in the unit of the element's
+            input) and omega (rad/s).
+        search: What to search beside them; if not given ``OrbitSearch()`` beside all predictions, and nothing
+            beside other guesses.
 
     Returns:
-        The orbits found, by falling amplitude, each once.
+        The orbits found, by falling amplitude, each once, whatever its phase; an orbit that is not its own
+        mirror image stands for that, too. Its ``search`` is what was searched.
 
     Raises:
         ValueError: if a guess is not positive and finite, or the loop is not well posed.
@@ -56,20 +71,68 @@ def periodic_orbits(
     """
     loop = ClosedLoop(system, element)
     orbits: list[PeriodicOrbit] = []
-    for guess in limit_cycles(system, element) if guesses is None else guesses:
+    predicted = guesses is None or isinstance(guesses, HarmonicBalance)
+    tried = _guesses(system, element, guesses)
+    failed = 0
+    for guess in tried:
         amplitude, omega = (
             (guess.amplitude, guess.omega) if isinstance(guess, LimitCycle) else _checked(*guess)
         )
         orbit = _near(loop, amplitude, omega, guess if isinstance(guess, LimitCycle) else None)
         if orbit is None:
+            failed += 1
             warnings.warn(
                 f"no periodic orbit was found from the amplitude {amplitude:.6g} and omega {omega:.6g} rad/s",
                 OrbitNotFoundWarning,
                 stacklevel=2,
             )
-        elif not any(_same(orbit, other) for other in orbits):
+        else:
+            _add(orbits, [orbit])
+    settings = OrbitSearch() if search is None and predicted else search
+    relay, simulated = _wider(loop, settings, orbits, failed > 0 or not tried)
+    by_amplitude = sorted(orbits, key=lambda orbit: -orbit.amplitude)
+    searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
+    return PeriodicOrbits(tuple(by_amplitude), searched)
+
+
+def _guesses(
+    system: control.LTI,
+    element: Element,
+    guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None,
+) -> Sequence[LimitCycle | tuple[float, float]]:
+    if guesses is None:
+        return limit_cycles(system, element)
+    return guesses.limit_cycles if isinstance(guesses, HarmonicBalance) else guesses
+
+
+def _wider(
+    loop: ClosedLoop, settings: OrbitSearch | None, orbits: list[PeriodicOrbit], needed: bool
+) -> tuple[RelaySearch | None, SimulationSearch | None]:
+    """Search beside the guesses, and add what is found.
+
+    Args:
+        loop: The closed loop.
+        settings: What to search; nothing if there are none.
+        orbits: Those that are known; others are added.
+        needed: Whether a guess led to no orbit, or there was none.
+    """
+    if settings is None:
+        return None, None
+    relay = relay_orbits(loop, settings.half_periods)
+    _add(orbits, [] if relay is None else relay[0])
+    simulated = None
+    when = settings.simulations
+    if when is Simulations.ALWAYS or (when is Simulations.WHERE_PREDICTIONS_FAIL and needed):
+        settled, simulated = settled_orbits(loop, settings, orbits)
+        orbits += settled
+    return None if relay is None else relay[1], simulated
+
+
+def _add(orbits: list[PeriodicOrbit], found: list[PeriodicOrbit]) -> None:
+    """Add those that are new."""
+    for orbit in found:
+        if not any(same(orbit, other) for other in orbits):
             orbits.append(orbit)
-    return sorted(orbits, key=lambda orbit: -orbit.amplitude)
 
 
 def _checked(amplitude: float, omega: float) -> tuple[float, float]:
@@ -77,12 +140,6 @@ def _checked(amplitude: float, omega: float) -> tuple[float, float]:
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} of a guess must be positive and finite, not {value!r}")
     return amplitude, omega
-
-
-def _same(first: PeriodicOrbit, second: PeriodicOrbit) -> bool:
-    return math.isclose(first.period, second.period, rel_tol=1e-9) and math.isclose(
-        first.amplitude, second.amplitude, rel_tol=1e-9
-    )
 
 
 def _near(

@@ -48,7 +48,7 @@ def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log |
     Returns:
         The segments of the motion; None if events accumulate, a limit is reached or the motion diverges.
     """
-    log = _log(FIRST_ROWS, mode, state)
+    log = empty_log(FIRST_ROWS, mode, state)
     segment = 0
     while True:
         reason, segment, _ = march(modes.tables, log, segment, duration, MOST_EVENTS)
@@ -119,7 +119,8 @@ def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
     return total, before
 
 
-def _log(rows: int, mode: int, state: Reals) -> Log:
+def empty_log(rows: int, mode: int, state: Reals) -> Log:
+    """Return a log with room for some segments, the first one filled in."""
     log = Log(
         start=np.zeros(rows),
         mode=np.zeros(rows, dtype=np.int64),

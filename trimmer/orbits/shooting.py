@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 MOST_ITERATIONS = 40
 MOST_HALVINGS = 8
 """Halvings of a Newton step that would leave the chain of events or enlarge the miss."""
+MOST_LENGTHENED = 4.0
+"""Factor by which Newton's method may lengthen the span; longer ones have lost the orbit, and take ages."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
 SETTLED = 1e-14
@@ -78,13 +80,13 @@ class Return:
             The motion; None if events accumulate, it diverges, or it does not end in the mode of a return.
         """
         log = follow(self.modes, mode, state, span)
-        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self._final(mode):
+        if log is None or not np.isfinite(log.state).all() or int(log.mode[-1]) != self.final(mode):
             return None
         chain = arcs(self.modes, log, span)
         slope, end = derivative(self.modes, chain)
         rate = self.modes.mode(int(log.mode[-1])).matrix @ end
         if self.mirrored:
-            slope, end, rate = self._signs[:, None] * slope, self._signs * end, self._signs * rate
+            slope, end, rate = self.signs[:, None] * slope, self.signs * end, self.signs * rate
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
@@ -111,7 +113,7 @@ class Return:
         return correction, float(solution[-1]) * shot.span
 
     @cached_property
-    def _signs(self) -> Reals:
+    def signs(self) -> Reals:
         """Return the factor, 1 or -1, of each entry of the extended state in the mirrored motion."""
         layout = self.modes.layout
         signs = np.full(layout.size, -1.0)
@@ -120,7 +122,8 @@ class Return:
             signs[end - component.even_states : end] = 1.0
         return signs
 
-    def _final(self, mode: int) -> int:
+    def final(self, mode: int) -> int:
+        """Return the mode in which a motion that begins in a mode has to end."""
         if not self.mirrored:
             return mode
         components = self.modes.system.components
@@ -128,24 +131,26 @@ class Return:
         return self.modes.number(tuple(component.mirrored(one) for component, one in each))
 
 
-def solve(problem: Return, mode: int, state: Reals, span: float) -> Shot | None:
+def solve(
+    problem: Return, mode: int, state: Reals, span: float, most_iterations: int = MOST_ITERATIONS
+) -> Shot | None:
     """Solve a return by Newton's method from a guess of mode, state (shape (n,)) and span (s).
 
     Returns:
         The solution; None if Newton's method does not converge.
     """
     shot = problem.shoot(mode, state, span)
-    for _ in range(MOST_ITERATIONS):
+    for _ in range(most_iterations):
         if shot is None or shot.miss <= SETTLED:
             break
-        following = _improved(problem, shot)
+        following = _improved(problem, shot, MOST_LENGTHENED * span)
         if following is None:
             break
         shot = following
     return shot if shot is not None and shot.miss <= CLOSED else None
 
 
-def _improved(problem: Return, shot: Shot) -> Shot | None:
+def _improved(problem: Return, shot: Shot, longest: float) -> Shot | None:
     """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
     try:
         correction, longer = problem.step(shot)
@@ -153,8 +158,9 @@ def _improved(problem: Return, shot: Shot) -> Shot | None:
         return None
     share = 1.0
     for _ in range(MOST_HALVINGS):
-        span = shot.span + share * longer
-        trial = problem.shoot(shot.mode, shot.state + share * correction, span) if span > 0 else None
+        trial_span = shot.span + share * longer
+        allowed = 0 < trial_span <= longest
+        trial = problem.shoot(shot.mode, shot.state + share * correction, trial_span) if allowed else None
         if trial is not None and trial.miss < shot.miss:
             return trial
         share *= 0.5

@@ -5,47 +5,49 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
 from itertools import islice
 
+from trimmer.choices import Choice
 
-class Delimiter(Enum):
-    """Sign between two columns."""
+
+class Delimiter(Choice):
+    """What stands between two columns."""
 
     COMMA = ","
     SEMICOLON = ";"
     TAB = "\t"
 
-    @property
-    def word(self) -> str:
-        """Name of the sign in English, such as ``comma``."""
-        return self.name.lower()
 
-
-class DecimalSign(Enum):
-    """Sign before the decimals of a number."""
+class DecimalSign(Choice):
+    """What stands before the decimals of a number."""
 
     POINT = "."
     COMMA = ","
-
-    @property
-    def word(self) -> str:
-        """Name of the sign in English, such as ``comma``."""
-        return self.name.lower()
 
 
 @dataclass(frozen=True)
 class CsvLayout:
     """What is known about the layout of a CSV file; None where its content decides.
 
+    Either may also be given by its word, such as ``comma``.
+
     Attributes:
-        delimiter: Sign between two columns. Found out: the first of tab, semicolon and comma that occurs in a
-            line that begins with a number. Where decimals have a comma, a comma is no delimiter.
-        decimal: Sign before decimals. Found out from the numbers of each column.
+        delimiter: What stands between two columns. Found out: the first of tab, semicolon and comma that
+            occurs in a line that begins with a number. Where decimals have a comma, a comma is no delimiter.
+        decimal: What stands before decimals. Found out from the numbers of each column.
+
+    Raises:
+        ChoiceError: if one is given and is none of those there are.
     """
 
     delimiter: Delimiter | None = None
     decimal: DecimalSign | None = None
+
+    def __post_init__(self) -> None:
+        if self.delimiter is not None:
+            object.__setattr__(self, "delimiter", Delimiter.chosen(self.delimiter, "delimiter"))
+        if self.decimal is not None:
+            object.__setattr__(self, "decimal", DecimalSign.chosen(self.decimal, "decimal"))
 
 
 COMMENT = "#"

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.choices import Choice
 from trimmer.signals.text_file import SignalFileError
 
 LARGEST_SHARE = 0.1
 """Largest share of samples that may be interpolated."""
 
 
-class MissingValues(Enum):
-    """Treatment of missing values.
+class MissingValues(Choice):
+    """What is done about missing values.
 
     ``REFUSE``: they are an error. ``INTERPOLATE``: those at the beginning and the end are cut off, those
     between others are interpolated along a straight line.

@@ -29,7 +29,7 @@ def read_signal(
     time_column: ColumnChoice = None,
     sample_rate: float | None = None,
     layout: CsvLayout = _FOUND_OUT,
-    missing: MissingValues = MissingValues.REFUSE,
+    missing: MissingValues | str = MissingValues.REFUSE,
 ) -> Signal:
     """Read a signal from a CSV file: columns of numbers, with a heading or without.
 
@@ -39,23 +39,23 @@ def read_signal(
     and never evaluated as anything but numbers.
 
     Args:
-        path: The file.
+        path: The file; ``-`` is standard input.
         column: Column of the signal, by name or number. Not needed if there is one beside the time stamps.
         time_column: Column of the time stamps. Not needed if it is named ``t``, ``time`` or ``timestamp``.
         sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used.
         layout: Delimiter and decimal sign, where they are not to be found out.
-        missing: Treatment of empty cells and of those that say ``nan``, ``n/a`` or the like.
-
-    Returns:
-        The signal, in the unit of its heading.
+        missing: What to do about empty cells and those that say ``nan``, ``n/a`` or the like: a member,
+            or its word (``refuse``, ``interpolate``).
 
     Raises:
+        ChoiceError: if ``missing`` is neither.
         SignalFileError: if the file cannot be read as such, with the line and what to do; for missing and
             infinite values; for time stamps that are not at equal distances; if the sample rate is not known.
         SignalError: if the sample rate is not a positive number.
     """
     path = file_path("path", path)
     require_instance("layout", layout, CsvLayout, "a trimmer.CsvLayout")
+    missing = MissingValues.chosen(missing, "missing")
     given = None if sample_rate is None else checked_rate(sample_rate)
     table = read_table(path, layout)
     columns = chosen_columns(table, column, time_column)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from trimmer.files import read_content
 from trimmer.signals.signal import SignalError
 
 _UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
@@ -54,7 +55,7 @@ def read_lines(path: Path) -> list[str]:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_content(path)
     except FileNotFoundError:
         raise SignalFileError(f"{path}: no such file") from None
     except IsADirectoryError:

@@ -6,7 +6,6 @@ import io
 import math
 import wave
 from dataclasses import dataclass
-from enum import Enum
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import file_path
+from trimmer.choices import Choice
 from trimmer.files import write_atomically
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 
@@ -39,11 +39,16 @@ _LARGEST_DATA = 2**32 - 64
 """Bytes of samples that fit into a WAV file, whose sizes have 32 bits, with its head."""
 
 
-class BitDepth(Enum):
+class BitDepth(Choice):
     """Bits of a sample in a WAV file."""
 
     SIXTEEN = 16
     TWENTY_FOUR = 24
+
+    @property
+    def word(self) -> str:
+        """Number of bits."""
+        return str(self.value)
 
     @property
     def full_scale(self) -> int:
@@ -79,8 +84,10 @@ def write_wav(
     path: Path | str,
     signal: ArrayLike,
     sample_rate: float,
-    bit_depth: BitDepth = BitDepth.SIXTEEN,
+    bit_depth: BitDepth | int = BitDepth.SIXTEEN,
     peak: float = 0.9,
+    *,
+    overwrite: bool = False,
 ) -> WavFile:
     """Write a vibration as a mono PCM WAV file, whole or not at all.
 
@@ -93,19 +100,22 @@ def write_wav(
         path: The file.
         signal: Samples, shape (n,), in any unit.
         sample_rate: Samples per second, Hz.
-        bit_depth: Bits of a sample.
+        bit_depth: Bits of a sample: a member, or 16 or 24.
         peak: Largest sample as a share of full scale, 0 < peak <= 1.
+        overwrite: Replace a file of any kind; see ``write_atomically``.
 
     Returns:
         Description of the file, with the normalisation.
 
     Raises:
+        ChoiceError: if ``bit_depth`` is neither 16 nor 24.
         SignalError: if samples, sample rate or peak cannot be used, if the file would be larger than 4 GiB,
             or nothing of it could be heard (shorter than ``SHORTEST``, or slower than ``LOWEST_AUDIBLE``).
         FileWriteError: if the file cannot be written.
     """
     values = checked_samples(signal)
     rate = checked_rate(sample_rate)
+    bit_depth = BitDepth.chosen(bit_depth, "bit_depth")
     if not 0 < peak <= 1:
         raise SignalError(f"peak is {peak!r}: it must be above 0 and at most 1, which is full scale")
     wav_rate = _suited(rate)
@@ -120,7 +130,8 @@ def write_wav(
     sound = _resampled(vibration, used)
     loudest = float(np.abs(sound).max())
     samples = np.rint(sound * (peak * bit_depth.full_scale / loudest if loudest else 0.0)).astype("<i4")
-    write_atomically(file_path("path", path), _content(samples, wav_rate, bit_depth))
+    content = _content(samples, wav_rate, bit_depth)
+    write_atomically(file_path("path", path), content, overwrite=overwrite)
     return WavFile(
         sample_rate=wav_rate,
         samples=samples.size,

@@ -16,7 +16,7 @@ from trimmer.signals.signal import Signal, SignalError
 TIME_HEADING = "time [s]"
 
 
-def write_signal(path: Path | str, signal: Signal, *others: Signal) -> None:
+def write_signal(path: Path | str, signal: Signal, *others: Signal, overwrite: bool = False) -> None:
     """Write signals as CSV: time stamps, then a column per signal, with headings; whole or not at all.
 
     Numbers have as many digits as it takes to read back the same value, so ``read_signal`` gives equal values
@@ -27,6 +27,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal) -> None:
         path: The file.
         signal: The signal.
         others: Further signals, at the same times; each has its own name.
+        overwrite: Replace a file of any kind; see ``write_atomically``.
 
     Raises:
         SignalError: if the signals are not at the same times, share a name or have that of the time, or
@@ -51,7 +52,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal) -> None:
     csv.writer(text, lineterminator="\n").writerow([TIME_HEADING, *(each.heading for each in signals)])
     columns = [map(repr, each.tolist()) for each in (times, *(each.values for each in signals))]
     text.write("\n".join(map(",".join, zip(*columns, strict=True))) + "\n")
-    write_atomically(target, text.getvalue())
+    write_atomically(target, text.getvalue(), overwrite=overwrite)
 
 
 def _check_names(signals: tuple[Signal, ...]) -> None:

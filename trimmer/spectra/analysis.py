@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trimmer.arguments import require_instance
+from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
-from trimmer.spectra.classification import OPEN_LOOP, ClassifiedPeak, classify, frequencies_of
+from trimmer.spectra.classification import (
+    OPEN_LOOP,
+    ClassifiedPeak,
+    classify,
+    frequencies_of,
+    fundamentals,
+)
+from trimmer.spectra.doubts import doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -26,13 +35,15 @@ class SpectrumAnalysis:
         spectrum: Its amplitude spectrum, in its unit.
         harmonics: Harmonics of its drive; None without one.
         peaks: Peaks by falling amplitude, each with what it may be.
-        notes: What is left out, and why; one sentence each.
+        doubts: What makes it doubtful, in sentences without a full stop.
+        notes: What is left out and why, in sentences without a full stop.
     """
 
     signal: Signal
     spectrum: Spectrum
     harmonics: HarmonicFit | None
     peaks: tuple[ClassifiedPeak, ...]
+    doubts: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 
 
@@ -41,7 +52,7 @@ def analyse_signal(
     drive_frequency: float | None = None,
     natural_frequencies: Sequence[float] = (),
     limit_cycle_frequencies: Sequence[float] = (),
-    window: Window = Window.HANN,
+    window: Window | str = Window.HANN,
     limit: int = USUAL_LIMIT,
     *,
     closed_loop: bool = False,
@@ -54,11 +65,16 @@ def analyse_signal(
         natural_frequencies: Frequencies of the natural modes, Hz.
         limit_cycle_frequencies: Frequencies of the limit cycles, Hz. With a drive they are no candidates,
             unless the loop is closed.
-        window: Window function of the spectrum.
+        window: Window function of the spectrum, a member or its word, such as ``hann``.
         limit: Number of peaks, the largest.
         closed_loop: Whether the pin follows the output although there is a drive.
 
+    Warns:
+        SignalWarning: if many samples have the extreme value, as in a clipped record; or if the record is too
+            short to tell the harmonics of the drive, or what peaks may be, from one another.
+
     Raises:
+        ChoiceError: if there is no such window.
         SignalError: see ``amplitude_spectrum``, ``fit_harmonics``, ``peaks`` and ``classify``.
         WrongTypeError: if an argument is of another type.
     """
@@ -66,6 +82,10 @@ def analyse_signal(
     predicted = frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies)
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
+    origins = fundamentals(drive_frequency, natural_frequencies, () if left_out else predicted)
+    doubtful = doubts(signal.values, spectrum, drive_frequency, origins)
+    for doubt in doubtful:
+        warnings.warn(doubt, SignalWarning, stacklevel=2)
     return SpectrumAnalysis(
         signal=signal,
         spectrum=spectrum,
@@ -78,6 +98,7 @@ def analyse_signal(
             limit_cycle_frequencies,
             closed_loop=closed_loop,
         ),
+        doubts=doubtful,
         notes=(OPEN_LOOP,) if left_out else (),
     )
 

@@ -239,6 +239,19 @@ def classify(
     return tuple(ClassifiedPeak(peak, tuple(sorted(candidates(peak), key=_share))) for peak in peaks)
 
 
+def fundamentals(
+    drive_frequency: float | None,
+    natural_frequencies: Sequence[float],
+    limit_cycle_frequencies: Sequence[float],
+) -> tuple[Origin, ...]:
+    """List what a peak may be but for the higher harmonics; arguments are those of ``classify``."""
+    modes = [
+        NaturalMode(number, each) for number, each in enumerate(natural_frequencies, start=1) if each > 0
+    ]
+    cycles = [LimitCycleLine(number, 1, each) for number, each in enumerate(limit_cycle_frequencies, start=1)]
+    return (*([] if drive_frequency is None else [Harmonic(1, drive_frequency)]), *modes, *cycles)
+
+
 def _match(peak: Peak, origin: Origin, bin_width: float, tolerance: float) -> Match:
     return Match(origin, (peak.frequency - origin.frequency) / bin_width, tolerance)
 

@@ -65,7 +65,7 @@ def fit_harmonics(
     sample_rate: float,
     drive_frequency: float,
     count: int | None = None,
-    window: Window = Window.RECTANGULAR,
+    window: Window | str = Window.RECTANGULAR,
 ) -> HarmonicFit:
     """Fit mean, drive and harmonics to a record by least squares.
 
@@ -79,9 +79,11 @@ def fit_harmonics(
         sample_rate: Samples per second, Hz.
         drive_frequency: Frequency of the drive, Hz; an error of it counts n times at harmonic n.
         count: Number of harmonics. If not given ``MOST_HARMONICS``, or as many as the rate allows.
-        window: Weights of the squares; the flat-top window has negative ones and cannot be used.
+        window: Weights of the squares, a window or its word; the flat-top window has negative ones and cannot
+            be used.
 
     Raises:
+        ChoiceError: if there is no such window.
         SignalError: if samples, rate, drive or window cannot be used; or if the samples do not determine the
             harmonics: there are fewer than unknowns, the record holds fewer periods of the drive than half
             the window's main lobe has bins (1 rectangular, 2 Hann), or a harmonic is nearer to half the
@@ -92,6 +94,7 @@ def fit_harmonics(
     real_number("drive_frequency", drive_frequency, "Hz")
     if count is not None:
         whole_number("count", count, 0)
+    window = Window.chosen(window, "window")
     count = _checked_count(values.size, rate, drive_frequency, count, window)
     scale = float(np.abs(values).max()) or 1.0
     relative = values / scale

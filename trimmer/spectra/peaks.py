@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.signals.signal import SignalError
-from trimmer.spectra.noise import noise_threshold
+from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
+from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Places, Reals
+    from trimmer.arrays import Complexes, Flags, Places, Reals
 
 MOST_PEAKS = 200
 """Most peaks that are looked for, the largest; it bounds the time."""
@@ -24,6 +27,25 @@ _FIRST_STEPS = 6
 _BATCH = 0.3
 _SWEEPS = 30
 _SETTLED = 1e-12
+_SKIRT = 64
+"""Bins on either side of a line in which its leakage may hide a smaller one."""
+_STRIDE = 3
+"""Of how many bins around a peak one is taken to tell the noise."""
+
+
+class _Loss(NamedTuple):
+    """Standard deviations of the fit to three bins over the Cramér-Rao bounds, measured in white noise."""
+
+    frequency: float
+    amplitude: float
+
+
+_LOSSES = {
+    Window.RECTANGULAR: _Loss(1.155, 1.10),
+    Window.HANN: _Loss(1.90, 1.35),
+    Window.BLACKMAN_HARRIS: _Loss(2.75, 1.50),
+    Window.FLAT_TOP: _Loss(8.3, 1.85),
+}
 
 
 @dataclass(frozen=True)
@@ -34,11 +56,17 @@ class Peak:
         frequency: Frequency, Hz.
         amplitude: Amplitude, in the signal's unit.
         phase: Phase, rad, in (-pi, pi].
+        frequency_uncertainty: Standard deviation of the frequency, Hz, in white noise of the level that is
+            found around the peak: the Cramér-Rao bound times what the fit loses with the window. NaN if it is
+            not known.
+        amplitude_uncertainty: The same of the amplitude, in the signal's unit.
     """
 
     frequency: float
     amplitude: float
     phase: float
+    frequency_uncertainty: float = math.nan
+    amplitude_uncertainty: float = math.nan
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +90,7 @@ def peaks(
     and complex amplitude are fitted to the largest bin and its neighbours by least squares. What other
     peaks, and each peak's mirror image at negative frequency, add to those bins is subtracted, in turns until
     nothing changes (the RELAX method of Li and Stoica, 1996). A local maximum of which that leaves no more
-    than noise is leakage and no peak.
+    than noise is leakage and no peak. What is left then shows lines that the leakage of larger ones hid.
 
     Accuracy, as the tests hold it: sines of like size 3 bins apart (5 with the Blackman-Harris window, 6 with
     flat-top), without noise, to 1e-9 bins and 1e-9 of the amplitude; closer ones may show as one, between
@@ -87,21 +115,37 @@ def peaks(
     """
     require_instance("spectrum", spectrum, Spectrum, "a trimmer.Spectrum")
     _check(limit, smallest, false_alarm)
-    candidates, thresholds = _candidates(spectrum, smallest, false_alarm)
+    threshold = _threshold(spectrum, smallest, false_alarm)
+    candidates = _maxima(spectrum, threshold)
     lines = _Lines(np.empty(0, np.intp), np.empty(0), np.empty(0, np.complex128))
-    while candidates.size:
-        left = np.abs(spectrum.lines[candidates] - _leakage(spectrum, lines, candidates))
-        real = left > thresholds
-        if not real.any():
+    while lines.bins.size < MOST_PEAKS:
+        left = _left(spectrum, lines, candidates)
+        new = _new_bins(spectrum, lines, candidates, left, threshold)
+        if new.size == 0:
             break
-        chosen = real & (left > _BATCH * left[real].max())
-        lines = _relaxed(spectrum, _added(spectrum, lines, candidates[chosen]))
-        candidates, thresholds = candidates[~chosen], thresholds[~chosen]
-    found = (
-        Peak(float(place * spectrum.bin_width), float(abs(amplitude)), float(np.angle(amplitude)))
-        for place, amplitude in zip(lines.places, lines.amplitudes, strict=True)
+        chosen = new[left[new] > _BATCH * left[new].max()]
+        lines = _relaxed(spectrum, _added(spectrum, lines, chosen))
+    order = np.argsort(-np.abs(lines.amplitudes), kind="stable")[:limit]
+    noise = np.array([_noise(spectrum, lines, place) for place in lines.places[order]])
+    return tuple(map(partial(_peak, spectrum), lines.places[order], lines.amplitudes[order], noise))
+
+
+def _peak(spectrum: Spectrum, place: float, amplitude: complex, noise: float) -> Peak:
+    """Describe a line among white noise of some standard deviation per sample.
+
+    The Cramér-Rao bounds are sqrt(6)/pi noise/(amplitude sqrt(N)) bins and noise sqrt(2/N) (Rife and
+    Boorstyn, 1974).
+    """
+    size = float(abs(amplitude))
+    share = noise / math.sqrt(spectrum.samples)
+    loss = _LOSSES[spectrum.window]
+    return Peak(
+        frequency=float(place * spectrum.bin_width),
+        amplitude=size,
+        phase=float(np.angle(amplitude)),
+        frequency_uncertainty=loss.frequency * math.sqrt(6.0) / math.pi * share / size * spectrum.bin_width,
+        amplitude_uncertainty=loss.amplitude * math.sqrt(2.0) * share,
     )
-    return tuple(sorted(found, key=lambda peak: -peak.amplitude)[:limit])
 
 
 def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
@@ -113,19 +157,71 @@ def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
         raise SignalError(f"false_alarm is {false_alarm}: it is a probability, 0 < false_alarm < 1")
 
 
-def _candidates(spectrum: Spectrum, smallest: float, false_alarm: float) -> tuple[Places, Reals]:
-    """Find local maxima above the noise, the largest first, and the threshold of each."""
+def _threshold(spectrum: Spectrum, smallest: float, false_alarm: float) -> Reals:
+    """Find what each bin must exceed."""
     amplitude = spectrum.amplitude
-    first, last = spectrum.window.half_width + 1, amplitude.size - 2
-    if last <= first or not amplitude.any():
-        return np.empty(0, np.intp), np.empty(0)
-    inside = amplitude[first:last]
-    maxima = (inside > amplitude[first - 1 : last - 1]) & (inside >= amplitude[first + 1 : last + 1])
-    bins = first + np.flatnonzero(maxima)
-    threshold = np.maximum(noise_threshold(amplitude, false_alarm), smallest * amplitude[1:].max())
-    bins = bins[amplitude[bins] > threshold[bins]]
-    bins = bins[np.argsort(-amplitude[bins], kind="stable")][:MOST_PEAKS]
-    return bins, threshold[bins]
+    floor = smallest * amplitude[1:].max(initial=0.0)
+    return np.asarray(np.maximum(noise_threshold(amplitude, false_alarm), floor))
+
+
+def _maxima(spectrum: Spectrum, threshold: Reals) -> Places:
+    """Find the local maxima above the threshold, the largest first."""
+    amplitude = spectrum.amplitude
+    bins = _inside(spectrum, np.arange(amplitude.size))
+    bins = bins[_is_maximum(amplitude, bins) & (amplitude[bins] > threshold[bins])]
+    return bins[np.argsort(-amplitude[bins], kind="stable")][:MOST_PEAKS]
+
+
+def _inside(spectrum: Spectrum, bins: Places) -> Places:
+    """Keep the bins in which peaks are looked for."""
+    first, last = spectrum.window.half_width + 1, spectrum.amplitude.size - 2
+    return np.unique(bins[(bins >= first) & (bins < last)])
+
+
+def _is_maximum(amplitude: Reals, bins: Places) -> Flags:
+    return np.asarray((amplitude[bins] > amplitude[bins - 1]) & (amplitude[bins] >= amplitude[bins + 1]))
+
+
+def _left(spectrum: Spectrum, lines: _Lines, candidates: Places) -> Reals:
+    """Take the lines off the amplitudes at and beside candidates and lines; shape of all bins."""
+    left = spectrum.amplitude.copy()
+    near = np.add.outer(lines.bins, np.arange(-_SKIRT - 1, _SKIRT + 2)).ravel()
+    near = np.concatenate([near, np.add.outer(candidates, np.arange(-2, 3)).ravel()])
+    near = np.unique(near[(near >= 0) & (near < left.size)])
+    left[near] = np.abs(spectrum.lines[near] - _leakage(spectrum, lines, near))
+    return left
+
+
+def _new_bins(spectrum: Spectrum, lines: _Lines, candidates: Places, left: Reals, threshold: Reals) -> Places:
+    """Find bins where more is left than noise: at candidates, and where the leakage of a line hid a line.
+
+    A peak that is no sine, as of a vibration that dies out, leaves something beside it too. So what was
+    hidden must be larger than what the fit of the line beside it leaves at that line.
+    """
+    at_candidates = _inside(spectrum, np.add.outer(candidates, np.arange(-1, 2)).ravel())
+    beside = np.abs(np.subtract.outer(at_candidates, lines.bins)).min(axis=1, initial=_SKIRT)
+    at_candidates = at_candidates[beside > 1]
+    hidden = _inside(spectrum, np.add.outer(lines.bins, np.arange(-_SKIRT, _SKIRT + 1)).ravel())
+    lobe = spectrum.window.half_width + 1
+    distance = np.abs(np.subtract.outer(hidden, lines.bins))
+    around = np.clip(np.add.outer(lines.bins, np.arange(1 - lobe, lobe)), 0, left.size - 1)
+    misfit = np.where(distance <= _SKIRT, left[around].max(axis=1, initial=0.0), 0.0).max(axis=1, initial=0.0)
+    hidden = hidden[(distance.min(axis=1, initial=_SKIRT) >= lobe) & (left[hidden] > misfit)]
+    bins = np.union1d(at_candidates, hidden)
+    return np.asarray(bins[_is_maximum(left, bins) & (left[bins] > threshold[bins])])
+
+
+def _noise(spectrum: Spectrum, lines: _Lines, place: float) -> float:
+    """Standard deviation of white noise, per sample, that leaves as much as is left around a place.
+
+    The bins of the spectrum of such noise have a Rayleigh distribution; see ``trimmer.spectra.noise``.
+    """
+    bins = round(place) + np.arange(-NEIGHBOURHOOD // 2, NEIGHBOURHOOD // 2, _STRIDE)
+    bins = np.unique(np.clip(bins, 1, spectrum.lines.size - 2))
+    apart = np.abs(np.subtract.outer(bins, lines.bins)).min(axis=1) > spectrum.window.half_width
+    bins = bins[apart] if apart.any() else bins
+    median = float(np.median(np.abs(spectrum.lines[bins] - _leakage(spectrum, lines, bins))))
+    return median * math.sqrt(spectrum.samples / (4.0 * math.log(2.0) * spectrum.window.noise_bandwidth))
 
 
 def _leakage(spectrum: Spectrum, lines: _Lines, bins: Places) -> Complexes:

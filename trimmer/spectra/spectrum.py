@@ -55,19 +55,21 @@ class Spectrum:
         return np.asarray(np.abs(self.lines))
 
 
-def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window = Window.HANN) -> Spectrum:
+def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window | str = Window.HANN) -> Spectrum:
     """Compute the amplitude spectrum of a signal without its mean.
 
     Args:
         signal: Samples, shape (n,), n >= ``FEWEST_SAMPLES``, in any unit.
         sample_rate: Samples per second, Hz.
-        window: Window function.
+        window: Window function, a member or its word, such as ``hann``.
 
     Raises:
+        ChoiceError: if there is no such window.
         SignalError: if samples or sample rate cannot be used, or there are too few samples.
     """
     values = checked_samples(signal)
     rate = checked_rate(sample_rate)
+    window = Window.chosen(window, "window")
     if values.size < FEWEST_SAMPLES:
         raise SignalError(
             f"{values.size} samples are too few for a spectrum; {FEWEST_SAMPLES} or more are needed"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from enum import Enum
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from trimmer.choices import Choice
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -13,7 +15,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
 
 
-class Window(Enum):
+class Window(Choice):
     """A cosine-sum window; the value is its coefficients, for ``scipy.signal.windows.general_cosine``.
 
     ``RECTANGULAR`` is no window: right for a whole number of periods, with slow leakage (-13 dB) otherwise.
@@ -28,14 +30,20 @@ class Window(Enum):
     FLAT_TOP = (0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368)
 
     @property
-    def word(self) -> str:
-        """Name of the window in options and tables, such as ``blackman-harris``."""
-        return self.name.lower().replace("_", "-")
-
-    @property
     def half_width(self) -> int:
         """Half the width of the main lobe, in bins: farther from a sine there is only leakage."""
         return len(self.value)
+
+    @property
+    def parted(self) -> int:
+        """How many bins two sines of like size must be apart to be seen as two, as ``peaks`` states."""
+        return max(3, self.half_width + 1)
+
+    @property
+    def noise_bandwidth(self) -> float:
+        """Mean square of the window over the square of its mean: equivalent noise bandwidth, bins."""
+        first, *others = self.value
+        return float(1.0 + 0.5 * math.fsum(other**2 for other in others) / first**2)
 
     def samples(self, count: int) -> Reals:
         """Evaluate the window at ``count`` samples, shape (count,), as one period of a periodic window."""

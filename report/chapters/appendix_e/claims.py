@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    METHOD,
-    confirm_period,
-    has_the_drives_period,
-)
-from report.chapters.chapter_5.claims.driven_open_loop import open_loop_harmonic
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
+from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash
@@ -92,13 +88,13 @@ def amplitudes(known: Evidence) -> Record:
     yield assertion(
         "what it is",
         "it is a limit cycle",
-        not has_the_drives_period(known),
+        not driven.has_the_drives_period(known),
         """
         it consists of odd harmonics of the drive; far above the gap the play gives the pin's motion less a
         square wave of half a gap, whatever the amplitude
         """,
-        method=METHOD,
-        second=confirm_period(known),
+        method=driven.METHOD,
+        second=driven.confirm_period(known),
     )
     yield text("""
         A drive far larger than the gap leaves behind the play a square wave of half a gap that does not

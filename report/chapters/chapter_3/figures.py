@@ -12,11 +12,7 @@ import numpy as np
 from report.drawing.marks import beside
 from report.drawing.style import BLACK, FAINT, LINES, panels
 from report.evidence import Evidence
-from report.numbers.driven_motion import (
-    FORCES,
-    DrivenRun,
-    transient_spectrum,
-)
+from report.numbers.driven_motion import FORCES, DrivenRun, transient_spectrum
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
 from report.record import figure
 from report.thesis import (

@@ -8,13 +8,7 @@ import numpy as np
 import sympy
 
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    inertia_contact_ratio,
-    inertia_waveform,
-    separation_angle,
-)
+from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
@@ -31,6 +25,7 @@ from report.thesis import (
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
     LISTED_OFFSET,
+    TIME_CONSTANT,
     TIMED_GAP,
     TURN,
 )
@@ -45,10 +40,8 @@ MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
 ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE
-"""A gap, m."""
+"""Gap that stands for no gap, m."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
-RATIO = 1 / 99
-"""Printed M/D, s."""
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 
 
@@ -107,7 +100,7 @@ def gaps(_: Evidence) -> Record:
     yield assertion(
         "$b$ = 0",
         "the output is the input",
-        distance <= VANISHING and inertia_contact_ratio().subs(CONTACT, 0) == 0,
+        distance <= VANISHING and backlash.inertia_contact_ratio().subs(backlash.CONTACT, 0) == 0,
         f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
@@ -153,14 +146,14 @@ def equivalent_blocks(_: Evidence) -> Record:
 
 @claim("txt-4.2.2-zero-gap", source=SOURCE)
 def zero_gap(_: Evidence) -> Record:
-    flight, contact = inertia_contact_ratio(), inertia_waveform(b).segments[1].value
-    slope = sympy.diff(flight, CONTACT) - 2 * sympy.sin(CONTACT / 2) ** 2
+    flight, contact = backlash.inertia_contact_ratio(), backlash.inertia_waveform(b).segments[1].value
+    slope = sympy.diff(flight, backlash.CONTACT) - 2 * sympy.sin(backlash.CONTACT / 2) ** 2
     root = "the root of the contact equation for a gap of $10^{-9}A$, a flight below 0.002 rad"
     zero = r"$b/A = \phi - \sin\phi$ is zero for $\phi = 0$"
     yield assertion(
         "flight",
         "without a gap there is no flight",
-        flight.subs(CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        flight.subs(backlash.CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
@@ -183,7 +176,9 @@ def zero_gap(_: Evidence) -> Record:
 @claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
 def roles(_: Evidence) -> Record:
     free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
-    lighter, usual, heavier = (load_in_play.speed_left(each * RATIO, RATIO) for each in (0.5, 1, 2))
+    lighter, usual, heavier = (
+        load_in_play.speed_left(each * TIME_CONSTANT, TIME_CONSTANT) for each in (0.5, 1, 2)
+    )
     means = "numeric integration, by which twice the $M$ leaves more speed and twice the $D$ less"
     yield assertion(
         "$D$ as the amount of inertia, $M$ as the amount of friction",
@@ -208,9 +203,9 @@ def roles(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
 def gamma(_: Evidence) -> Record:
-    right = RATIO * DRIVE_OMEGA
+    right = TIME_CONSTANT * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
-    by_decay = -1 / math.log(load_in_play.speed_left(RATIO, 1 / DRIVE_OMEGA))
+    by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
@@ -222,7 +217,7 @@ def gamma(_: Evidence) -> Record:
         unit == TIME**-1,
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
-        second=close(milliseconds, (1000 * RATIO) * (DRIVE_OMEGA / 1000), right),
+        second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
     )
     yield text(r"""
         With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
@@ -235,8 +230,8 @@ def gamma(_: Evidence) -> Record:
 
 @claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
 def angle_of_separation(_: Evidence) -> Record:
-    gammas = (float(PRINTED_GAMMA), RATIO * DRIVE_OMEGA)
-    printed, right = (float(separation_angle().subs(GAMMA, each)) for each in gammas)
+    gammas = (float(PRINTED_GAMMA), TIME_CONSTANT * DRIVE_OMEGA)
+    printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)
     of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
     means = r"the angle of $\gamma + j$"
     second = close(means, of_printed, printed)

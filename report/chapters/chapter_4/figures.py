@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 EVERY = 67
 """Samples between the markers of the second block."""
 TIMES = 1e3 * blocks.phases() / DRIVE_OMEGA
-"""ms."""
+"""Instants of the samples, ms."""
 INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
-"""mm."""
+"""Displacement of the pin, mm."""
 
 
 @figure(

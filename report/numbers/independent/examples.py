@@ -15,7 +15,7 @@ from trimmer import encirclements
 from trimmer.arrays import Reals
 
 CUBIC_SAMPLES, VAN_DER_POL_SAMPLES = 4096, 512
-"""Of a period."""
+"""Samples of a period of the cubic spring's input, and of Van der Pol's limit cycle."""
 
 
 def cubic_gain() -> float:

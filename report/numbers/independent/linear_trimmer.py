@@ -18,7 +18,7 @@ from trimmer.arrays import Complexes, Reals
 ROUNDING = 1e-10
 """Singular value below which a matrix with entries of order one has no full rank."""
 SEARCHED = np.linspace(10, 2000, 8000) * TURN
-"""Angular frequencies, rad/s."""
+"""Angular frequencies at which the filtering of harmonics is searched, rad/s."""
 SETTLING_TIME, SAMPLES_PER_PERIOD = 0.6, 400
 """Length of a simulation that a sine is fitted to, s, and samples of a period of the drive."""
 

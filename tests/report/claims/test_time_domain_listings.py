@@ -8,12 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from report.numbers.listed_blocks import (
-    PERIOD,
-    contact_time,
-    friction_block,
-    inertia_block,
-)
+from report.numbers.listed_blocks import PERIOD, contact_time, friction_block, inertia_block
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash

@@ -7,11 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from report.numbers.drive_amplitudes import (
-    AMPLITUDES,
-    ReferenceLoop,
-    other_line,
-)
+from report.numbers.drive_amplitudes import AMPLITUDES, ReferenceLoop, other_line
 from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.impulse_response import events_by_integration
 from report.numbers.listed_blocks import inertia_block

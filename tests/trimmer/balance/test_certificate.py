@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
+import control
 import mpmath
 import pytest
 
 from tests.trimmer.balance.loops import s
+from tests.trimmer.elements.oracle import ExactBacklash
 from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -82,11 +85,130 @@ def test_a_hidden_undamped_mode_is_passed_over_or_undecided() -> None:
     assert all(region.omegas[0] <= 0.5 <= region.omegas[1] for region in balance.certificate.undecided)
 
 
-@pytest.mark.parametrize("element", [FrictionBacklash(1.0), ViscousBacklash(1.0, 0.5)])
-def test_all_amplitudes_are_covered_unless_gain_is_unbounded_and_n_vanishes(element) -> None:
-    assert harmonic_balance(10 / (s + 1) ** 3, element).certificate.smallest_gain == 0
-    servo = harmonic_balance(10 / (s * (s + 1)), element).certificate
-    assert 0 < servo.smallest_gain < 1e-5
+@pytest.mark.parametrize(
+    "element", [FrictionBacklash(1.0), ViscousBacklash(1.0, 0.5), -2.0 * FrictionBacklash(1.0)]
+)
+@pytest.mark.parametrize(
+    "G",
+    [
+        10 / (s + 1) ** 3,
+        10 / (s * (s + 1)),
+        -1 / s**3 / (s + 1),
+        (s + 2) / (s**2 + 1) / (s + 1),
+        5 / s**2 / (s + 3),
+    ],
+)
+def test_all_amplitudes_are_covered(element, G) -> None:
+    """Also where G is infinite on the imaginary axis and N vanishes at the edge of the dead band."""
+    balance = harmonic_balance(G, element)
+    assert balance.certificate.smallest_gain == 0
+    assert balance.certificate.complete
+    assert balance.confirmed
+
+
+@pytest.mark.parametrize("gain", [1e3, 1e5, 1e6, 1e8])
+def test_a_limit_cycle_next_to_the_edge_is_found_beside_a_double_integrator(gain: float) -> None:
+    """Against 40 digits: N in closed form from the angle of contact, so that no digits cancel."""
+    G = control.tf([-gain], [1, 3, 3, 1, 0, 0])
+    with mpmath.workdps(40):
+
+        def balance(log_l, omega):
+            angle = mpmath.exp(log_l)
+            sine = mpmath.sin(angle)
+            N = mpmath.mpc(angle - sine * mpmath.cos(angle), -(sine**2)) / mpmath.pi
+            jw = mpmath.mpc(0, omega)
+            excess = N * gain / (jw**2 * (1 + jw) ** 3) - 1
+            return excess.real, excess.imag
+
+        start = mpmath.log(mpmath.sqrt(mpmath.pi * 0.5 / gain))
+        log_l, omega = mpmath.findroot(balance, (start, 0.58), tol=1e-25)
+        margin = mpmath.sin(mpmath.exp(log_l) / 2) ** 2  # u = 1 + cos l
+        amplitude = 1 / (2 * (1 - margin))
+    result = harmonic_balance(G, FrictionBacklash(1.0))
+    (cycle,) = result.limit_cycles
+    assert cycle.omega == pytest.approx(float(omega), rel=1e-4)  # the triple pole has five digits
+    assert cycle.amplitude - 0.5 == pytest.approx(float(amplitude - 0.5), rel=1e-3)
+    assert result.certificate.complete
+
+
+def test_what_is_too_near_to_the_edge_is_not_called_complete() -> None:
+    G = control.tf([-1e18], [1, 3, 3, 1, 0, 0])
+    certificate = harmonic_balance(G, FrictionBacklash(1.0)).certificate
+    assert certificate.smallest_gain > 0
+    assert not certificate.complete
+    with pytest.warns(UndecidedWarning, match="not excluded, next to a pole of G on the imaginary axis"):
+        limit_cycles(G, FrictionBacklash(1.0))
+
+
+def test_an_n_of_which_nothing_is_known_next_to_a_pole_is_not_called_complete() -> None:
+    twice = FrictionBacklash(1.0) + FrictionBacklash(1.0)
+    certificate = harmonic_balance(10 / (s * (s + 1)), twice).certificate
+    assert 0 < certificate.smallest_gain < 1e-9
+    assert not certificate.complete
+    with pytest.warns(UndecidedWarning, match="are not excluded"):
+        limit_cycles(10 / (s * (s + 1)), twice)
+    away = harmonic_balance(10 / (s * (s + 1)), twice, omega_range=(0.01, 100.0))
+    assert away.certificate.smallest_gain == 0
+    assert away.certificate.complete
+
+
+def test_a_winding_number_that_is_not_the_sum_of_indices_is_not_complete() -> None:
+    certificate = harmonic_balance(10 / (s + 1) ** 3, FrictionBacklash(1.0)).certificate
+    assert certificate.complete
+    wrong = replace(certificate, index_sum=certificate.index_sum + 1)
+    assert not wrong.complete
+    assert "the winding number is" in wrong.doubts[0]
+    unknown = replace(certificate, winding_number=None)
+    assert not unknown.complete
+    assert "cannot be told" in unknown.doubts[0]
+    assert replace(unknown, zero_on_axis=True).complete
+
+
+NEAR_THE_EDGE = control.tf(
+    [43179.78679190458, 8221.052566433806, 243.32724108576767, -454.93549455118676, -157.51904373957302,
+     16.522659263032217],
+    [1, 0.14943382073696956, 49.464694834870016, 4.99841593936363, 485.0736371619471, 1.7073680591122502,
+     7.710184382233277],
+)  # fmt: skip
+
+
+def test_a_transversal_solution_near_the_edge_of_the_domain_is_found() -> None:
+    """Against quadrature in 40 digits; the curves cross at right angles, 1e-10 before N ends."""
+    gap, time_constant = 1.03, 37.7
+    balance = harmonic_balance(NEAR_THE_EDGE, ViscousBacklash(gap, time_constant))
+    assert balance.certificate.complete
+    (cycle,) = balance.limit_cycles
+    assert cycle.crossing_angle > 1.5
+    numerator, denominator = (
+        [mpmath.mpf(float(c)) for c in side[0][0]] for side in (NEAR_THE_EDGE.num, NEAR_THE_EDGE.den)
+    )
+
+    def excess(ratio, omega):
+        with mpmath.workdps(30):
+            jw = mpmath.mpc(0, omega)
+            N = ExactBacklash(ratio, time_constant * omega).describing_function(1)
+            return N + mpmath.polyval(denominator, jw) / mpmath.polyval(numerator, jw)
+
+    with mpmath.workdps(30):
+        ratio, omega = gap / mpmath.mpf(cycle.amplitude), mpmath.mpf(cycle.omega)
+        step = mpmath.mpf("1e-7")
+        here = excess(ratio, omega)
+        by_u = (here - excess(ratio - step, omega)) / step
+        by_omega = (excess(ratio, omega * (1 + step)) - here) / step
+        sine = (by_u * mpmath.conj(by_omega)).imag / abs(by_u) / abs(by_omega)
+        # Newton's method from there stays within rounding.
+        du, dx = mpmath.lu_solve(
+            mpmath.matrix([[by_u.real, by_omega.real], [by_u.imag, by_omega.imag]]),
+            mpmath.matrix([-here.real, -here.imag]),
+        )
+    assert abs(abs(sine) - 1) < 1e-3
+    assert abs(du) < 1e-12 and abs(dx) < 1e-12
+
+
+def test_a_solution_at_the_very_edge_is_undecided_for_that_reason() -> None:
+    # -1/G = -j omega/K is imaginary, and so is the N of a load that is touched for no time at all.
+    with pytest.warns(UndecidedWarning, match="where N ends"):
+        limit_cycles(s / (s**2 + 1), ViscousBacklash(1.0, 0.5))
 
 
 @pytest.mark.parametrize("element", [InertiaBacklash(1.0), FrictionBacklash(1.0) + CoulombFriction(0.5)])

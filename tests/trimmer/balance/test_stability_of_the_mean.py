@@ -12,7 +12,7 @@ from trimmer.elements.element import Element
 
 def both(system: control.TransferFunction, element: Element) -> tuple[LimitCycle, PeriodicOrbit]:
     (cycle,) = limit_cycles(system, element)
-    (orbit,) = periodic_orbits(system, element)
+    (orbit,) = (each for each in periodic_orbits(system, element) if each.prediction is not None)
     return cycle, orbit
 
 

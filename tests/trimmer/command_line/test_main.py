@@ -78,11 +78,17 @@ def test_a_broken_command_does_not_take_the_others_with_it(entry, capsys, target
 @pytest.mark.parametrize(
     "arguments", [[], ["nonsense"], ["linear", "--nonsense"], ["linear", "--channels", "x"]]
 )
-def test_wrong_use_is_exit_code_2_with_the_usage(capsys, arguments: list[str]) -> None:
+def test_wrong_use_is_exit_code_2_with_a_sentence(capsys, arguments: list[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
         main(arguments)
     assert stopped.value.code == 2
-    assert "usage: trimmer" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.startswith("trimmer: ")
+    assert told.err.endswith(
+        f"; see {' '.join(['trimmer', *arguments[:1]]) if arguments[1:] else 'trimmer'} --help\n"
+    )
+    assert told.err.count("\n") == 1
 
 
 def test_what_the_user_can_correct_is_reported_without_a_traceback(entry, capsys, monkeypatch) -> None:
@@ -146,3 +152,92 @@ def test_a_command_cannot_be_changed() -> None:
     assert replace(OTHER, name="third").name == "third"
     with pytest.raises(AttributeError):
         OTHER.name = "third"  # type: ignore[misc]
+
+
+COMMAND = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
+C_LOCALE = {"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+
+
+def run(
+    folder: Path, *words: str, shell: str = "", code: Path = Path(os.devnull), **settings: str
+) -> subprocess.CompletedProcess[bytes]:
+    """Run a command by a shell, which redirects its streams, and writes its exit code into a file."""
+    program = [sys.executable, "-c", COMMAND, *words]
+    return subprocess.run(
+        ["sh", "-c", f'{{ "$@"; code=$?; echo $code >"$CODE"; exit $code; }} {shell}', "sh", *program],
+        capture_output=True,
+        cwd=folder,
+        env={**os.environ, "PYTHONUNBUFFERED": "", "CODE": str(code), **settings},
+        check=False,
+    )
+
+
+def test_what_an_encoding_lacks_is_written_in_ascii(project_folder: Path) -> None:
+    plain = run(project_folder, "linear", **C_LOCALE)
+    full = run(project_folder, "linear", PYTHONIOENCODING="utf-8")
+    assert (plain.returncode, plain.stderr) == (0, b"")
+    assert " ± " in full.stdout.decode("utf-8")
+    assert plain.stdout.decode("ascii") == full.stdout.decode("utf-8").replace("±", "+-")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["linear", "--parameters", "ω\udcff.toml"],
+        ["linear", "--channels", "日本"],
+        ["limit-cycles", "--element", "friction", "--gap", "1", "--plot", "\udcff.jpg"],
+    ],
+)
+@pytest.mark.parametrize("locale", [C_LOCALE, {"PYTHONIOENCODING": "utf-8"}])
+def test_names_in_any_letters_give_no_traceback(
+    project_folder: Path, words: list[str], locale: dict[str, str]
+) -> None:
+    done = run(project_folder, *words, **locale)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(b"trimmer: ")
+    assert done.stderr.count(b"\n") == 1
+
+
+def test_a_column_is_found_by_a_name_in_any_letters(project_folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text("\n".join(["µ,x", *(f"{k % 5},0" for k in range(99))]), encoding="utf-8")
+    done = run(project_folder, "spectrum", str(file), "--column", "µ", "--rate", "100", **C_LOCALE)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.startswith(b"u of ")
+
+
+@pytest.mark.parametrize("words", [["parameters"], ["linear", "--help"]])
+def test_a_closed_output_is_told(project_folder: Path, words: list[str]) -> None:
+    done = run(project_folder, *words, shell=">&-")
+    told = b"trimmer: standard output is closed; send it to a file, or to /dev/null\n"
+    assert (done.returncode, done.stderr) == (2, told)
+
+
+@pytest.mark.parametrize("words", [["parameters"], ["linear", "--help"]])
+def test_a_reader_that_stops_at_once_is_no_error(
+    project_folder: Path, tmp_path: Path, words: list[str]
+) -> None:
+    done = run(project_folder, *words, shell="| true", code=tmp_path / "code")
+    assert done.stderr == b""
+    assert (tmp_path / "code").read_text() == "0\n"
+
+
+@pytest.mark.parametrize(("words", "code"), [(["linear", "--nonsense"], 2), (["parameters"], 0)])
+@pytest.mark.parametrize("shell", ["2>&-", "2>&- <&-", "2>&1 | true"])
+def test_nobody_needs_to_read_the_errors(
+    project_folder: Path, tmp_path: Path, words: list[str], code: int, shell: str
+) -> None:
+    done = run(project_folder, *words, shell=shell, code=tmp_path / "code")
+    assert done.stderr == b""
+    assert b"trimmer:" not in done.stdout
+    assert (tmp_path / "code").read_text() == f"{code}\n"
+
+
+@pytest.mark.parametrize("words", [["--help"], ["simulate", "--help"]])
+def test_help_lists_the_exit_codes(capsys, words: list[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    for code in ("0 done", "1 an error", "2 wrong use", "3 a simulation", "130 interrupted"):
+        assert code in shown

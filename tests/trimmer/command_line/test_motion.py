@@ -8,22 +8,16 @@ import wave
 from dataclasses import replace
 from pathlib import Path
 
+import control
 import pytest
 
+from trimmer import InertiaBacklash, harmonic_balance, periodic_orbits
 from trimmer.command_line.main import main
+from trimmer.command_line.orbits_text import as_json, as_text
 from trimmer.parameters import TrimmerParameters
 
-CLOSED = [
-    "simulate",
-    "--element",
-    "friction",
-    "--gap",
-    "4e-6",
-    "--impulse",
-    "1e-6",
-    "--channels",
-    "displacement",
-]
+PLAY = ["simulate", "--element", "friction", "--gap", "4e-6", "--channels", "displacement"]
+CLOSED = [*PLAY, "--impulse", "1e-6"]
 DRIVEN = ["simulate", "--element", "friction", "--gap", "2e-4", "--drive", "110", "--amplitude", "0.0015"]
 
 
@@ -68,13 +62,16 @@ def test_files_read_back_in_the_spectrum(tmp_path: Path, capsys: pytest.CaptureF
     [
         (["simulate"], "without --element and --drive nothing happens"),
         (["simulate", "--element", "friction", "--gap", "1e-6"], "stays at rest: give --impulse"),
-        ([*CLOSED, "--impulse", "nan"], "--impulse nan: must be finite"),
+        ([*PLAY, "--impulse", "nan"], "--impulse nan: must be finite"),
         ([*CLOSED, "--duration", "nan"], "--duration nan"),
         ([*CLOSED, "--duration", "-1"], "--duration -1"),
-        ([*CLOSED, "--sample-rate", "1e15"], "samples; give 2 to"),
+        ([*CLOSED, "--sample-rate", "1e15", "--csv", "a.csv"], "samples; give 2 to"),
         (["simulate", "--drive", "110"], "--amplitude (m) is missing"),
         (["simulate", "--amplitude", "1"], "--drive (Hz) is missing"),
-        (["simulate", "--drive", "-1", "--amplitude", "1"], "frequency of the drive must be positive"),
+        (
+            ["simulate", "--drive", "-1", "--amplitude", "1"],
+            "--drive -1: drive must be positive and finite (Hz)",
+        ),
         ([*DRIVEN, "--friction", "q2"], "such as q2-q4=0.5"),
         ([*DRIVEN, "--friction", "q2=x"], "--friction q2=x: 'x' is not a number (N)"),
         ([*DRIVEN, "--friction", "q2-q2=1"], "--friction q2-q2=1"),
@@ -100,6 +97,27 @@ def test_orbits_stand_beside_their_predictions(capsys: pytest.CaptureFixture[str
     orbits = json.loads(capsys.readouterr().out)["orbits"]
     assert [orbit["stable"] for orbit in orbits] == [True, False]
     assert orbits[0]["amplitude"] == pytest.approx(8.28949 * 4e-6, rel=1e-6)
+
+
+def test_orbits_say_what_was_searched(capsys: pytest.CaptureFixture[str]) -> None:
+    chosen = ["orbits", "--element", "coulomb", "--force", "0.5", "--channels", "displacement"]
+    assert main(chosen) == 0
+    shown = capsys.readouterr().out
+    assert "searched: harmonic balance, which predicts no limit cycle; all orbits of the relay" in shown
+    assert "32 came to rest" in shown
+    assert main([*chosen, "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["orbits"] == []
+    assert content["search"] in shown
+
+
+def test_an_orbit_without_prediction_stands_in_the_table() -> None:
+    system, element = control.ss(control.tf([20, 8.5], [1, 4.7, 0])), InertiaBacklash(0.64)
+    answer = element, harmonic_balance(system, element), periodic_orbits(system, element)
+    assert "0.150344" in as_text(*answer)
+    (entry,) = json.loads(as_json(*answer))["orbits"]
+    assert entry["amplitude"] == pytest.approx(0.150344, rel=1e-5)
+    assert (entry["amplitude_error"], entry["frequency_error"]) == (None, None)
 
 
 def test_orbits_state_where_their_predictions_are_undecided(

@@ -254,8 +254,11 @@ def test_what_the_user_got_wrong_is_one_line_and_exit_code_2(
         ["a.csv", "--missing", "ignore"],
     ],
 )
-def test_values_that_no_file_could_make_right_are_refused_with_the_usage(capsys, words: list[str]) -> None:
+def test_values_that_no_file_could_make_right_are_refused_in_a_sentence(capsys, words: list[str]) -> None:
     with pytest.raises(SystemExit) as stopped:
         main(["spectrum", *words])
     assert stopped.value.code == 2
-    assert "usage: trimmer spectrum" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert told.startswith("trimmer: ")
+    assert told.endswith("; see trimmer spectrum --help\n")
+    assert told.count("\n") == 1

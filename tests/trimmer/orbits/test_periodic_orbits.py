@@ -88,10 +88,11 @@ def test_stable_orbit_is_where_a_long_simulation_ends(element: Element) -> None:
 def test_multipliers_are_those_of_disturbed_motions(element: Element) -> None:
     for orbit in periodic_orbits(thesis_loop(), element):
         loop, start, mode = orbit.motion.loop, orbit.motion.log.state[0], int(orbit.motion.log.mode[0])
-        order = loop.modes.layout.order
-        sizes = abs(orbit.motion.state(np.linspace(0, orbit.period, 100))).max(axis=1)
+        # Plant, position of the load, and velocity, if it has one.
+        count = loop.modes.layout.order + (1 if isinstance(element, FrictionBacklash) else 2)
+        sizes = abs(orbit.motion.log.state).max(axis=0)[:count]
         columns = []
-        for each in range(order):
+        for each in range(count):
             ends = []
             for sign in (-1.0, 1.0):
                 disturbed = start.copy()
@@ -99,7 +100,7 @@ def test_multipliers_are_those_of_disturbed_motions(element: Element) -> None:
                 log = follow(loop.modes, mode, disturbed, orbit.period)
                 assert log is not None
                 last = arcs(loop.modes, log, orbit.period)[-1]
-                ends.append((flow(loop.modes, last.mode, last.duration) @ last.state)[:order] / sizes)
+                ends.append((flow(loop.modes, last.mode, last.duration) @ last.state)[:count] / sizes)
             columns.append((ends[1] - ends[0]) / 2e-6)
         differences = np.sort(abs(np.linalg.eigvals(np.array(columns).T)))
         assert np.sort(abs(orbit.multipliers)) == pytest.approx(differences, rel=1e-5, abs=1e-7)
@@ -126,13 +127,14 @@ def test_every_harmonic_is_in_balance(element: Element) -> None:
         assert abs(orbit.harmonics[1::2]).max() < 1e-12 * abs(orbit.harmonics[0])
 
 
-def test_one_multiplier_is_one_and_residual_is_rounding() -> None:
-    for element in BACKLASHES:
-        for orbit in periodic_orbits(thesis_loop(), element):
-            assert abs(orbit.multipliers - 1).min() < 1e-9
-            assert orbit.residual < 1e-13
-            assert len(orbit.multipliers) == 8
-            assert len(orbit.nontrivial_multipliers) == 7
+@pytest.mark.parametrize(("element", "of_load"), [*zip(BACKLASHES, (1, 2, 2), strict=True)])
+def test_one_multiplier_is_one_and_residual_is_rounding(element: Element, of_load: int) -> None:
+    for orbit in periodic_orbits(thesis_loop(), element):
+        assert abs(orbit.multipliers - 1).min() < 1e-9
+        assert orbit.residual < 1e-13
+        assert len(orbit.multipliers) == 8 + of_load
+        assert abs(orbit.multipliers[8:]).max() < 1e-12  # Contact fixes the load.
+        assert len(orbit.nontrivial_multipliers) == 7 + of_load
 
 
 @pytest.mark.parametrize("gap", [1e-9, 4e-6, 1e3])

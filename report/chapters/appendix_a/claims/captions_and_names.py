@@ -11,8 +11,8 @@ from derivations.elements.backlash import GAMMA
 from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.second_ways import REPEATED
 from report.claim import Impact
-from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.listed_blocks import (
     PERIOD,

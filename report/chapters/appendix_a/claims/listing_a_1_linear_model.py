@@ -15,9 +15,9 @@ from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact
 from report.comparisons.printed import product
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import integral as quadrature_integral
 from report.parts import assertion, close, expression, matrix, same, small

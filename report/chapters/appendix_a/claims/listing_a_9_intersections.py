@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from report.chapters.second_ways import NEWTON, by_waveform
 from report.claim import Impact
-from report.comparisons.second_ways import NEWTON, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed

@@ -19,21 +19,13 @@ from derivations.elements.friction import FORCE
 from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import describing_function, simplified_describing_function
 from derivations.symbols import A, omega
-from report.chapters.chapter_2.claims.section_2_3_4_viscous import (
-    general_describing_function,
-    in_phase_part,
-    quadrature_part,
-)
+from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
+from report.chapters.second_ways import REPEATED, by_quadrature
 from report.claim import Impact, Part
-from report.comparisons.second_ways import REPEATED, by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain
-from report.numbers.listed_functions import (
-    friction_listing,
-    inertia_formula,
-    inertia_listing,
-)
+from report.numbers.listed_functions import friction_listing, inertia_formula, inertia_listing
 from report.parts import assertion, close, expression, made_here, same
 from report.record import ClaimRecord, Record, claim, text
 
@@ -155,7 +147,7 @@ def viscous_controlled(_: Evidence) -> Record:
     root, wrong_root = sympy.sqrt(1 + GAMMA**2), sympy.sqrt(1 - GAMMA**2)
     flight = GAMMA**2 / root * sympy.exp((separation_angle() - CONTACT) / GAMMA)
     derived = contact_ratio().subs(SEPARATION, separation_angle())
-    general = general_describing_function()
+    general = viscous.general_describing_function()
     yield expression(
         "line 6, contact angle",
         wrong_root - sympy.sin(CONTACT) - flight,
@@ -165,8 +157,8 @@ def viscous_controlled(_: Evidence) -> Record:
         second=same("the right form", root - sympy.sin(CONTACT) - flight, derived),
         slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
     )
-    yield in_phase_part("lines 11 to 14, np", general)
-    yield quadrature_part("lines 16 to 19, nq", general)
+    yield viscous.in_phase_part("lines 11 to 14, np", general)
+    yield viscous.quadrature_part("lines 16 to 19, nq", general)
     yield text(r"""
         Lines 11 to 19 are right, brackets included. Line 6 repeats the sign of equation 2.46, so the angle
         that is put into them is wrong; for $\gamma > 1$ it is complex.

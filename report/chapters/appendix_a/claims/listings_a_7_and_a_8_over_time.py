@@ -11,9 +11,9 @@ import sympy
 from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
+from report.chapters.second_ways import REPEATED
 from report.claim import Impact, Part
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.listed_blocks import (

@@ -10,15 +10,12 @@ import sympy
 from derivations.dimensions import dimension_of
 from derivations.laplace import transform_of_derivative
 from derivations.symbols import DIMENSIONS, s, t, u
+from report.chapters.second_ways import EXACTLY
 from report.claim import Impact
 from report.comparisons.digits import CloseNumbers
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
-from report.numbers.independent.linear_trimmer import (
-    matrix_formula,
-    settled_gain,
-)
+from report.numbers.independent.linear_trimmer import matrix_formula, settled_gain
 from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text

@@ -9,10 +9,10 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
+from report.chapters.second_ways import EXACTLY
 from report.claim import Confirmation, Impact
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.examples import van_der_pol_third_harmonic

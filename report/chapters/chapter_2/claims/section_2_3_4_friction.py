@@ -13,9 +13,9 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
+from report.chapters.second_ways import by_quadrature
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
 from report.numbers.independent.symbolic import first_root

@@ -16,9 +16,9 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
 from report.chapters.chapter_2.claims.section_2_3_4_friction import LINES, SINE, continuous
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
 from report.parts import assertion, expression, made_here, same, so

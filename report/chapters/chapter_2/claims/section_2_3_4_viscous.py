@@ -20,10 +20,10 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact, Part, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values, quadrature_gain

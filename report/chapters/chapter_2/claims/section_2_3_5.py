@@ -9,9 +9,9 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact
 from report.comparisons.printed import total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.symbolic import zeros_in_turn
 from report.numbers.independent.waveforms import coefficient, quadrature_gain

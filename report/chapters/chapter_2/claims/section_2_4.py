@@ -1,27 +1,32 @@
-"""Claims of section 2.4: backlash and friction as one equivalent nonlinearity (equations 2.57 to 2.60)."""
+"""Claims of section 2.4: backlash and friction as one equivalent nonlinearity (2.57 to 2.60, figure 2.15)."""
 
 from __future__ import annotations
 
+import numpy as np
 import sympy
 
 from derivations.dimensions import FORCE, LENGTH, TIME, dimension_of
 from derivations.elements.backlash import friction_waveform
 from derivations.elements.friction import FORCE as COULOMB
+from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.friction import relay_waveform
 from derivations.elements.waveform import THETA, describing_function, simplified_describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_friction import printed_sine_terms
+from report.chapters.second_ways import by_quadrature
 from report.claim import Impact, Part
+from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
-from report.comparisons.second_ways import by_quadrature
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
-from report.parts import assertion, equal, expression, made_here, so
+from report.parts import assertion, close, equal, expression, made_here, part, so
 from report.record import Record, claim, text
+from trimmer import CoulombFriction, FrictionBacklash, SumOfElements
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_4.py"
 b = sympy.Symbol("b", positive=True)
 PLANT, FILTER, BACKLASH, FRICTION = sympy.symbols("G_m G_g N_r N_f")
+SAMPLES = 4096
 UNITS = DIMENSIONS | {COULOMB: FORCE, b: LENGTH}
 
 
@@ -145,3 +150,38 @@ def units(_: Evidence) -> Record:
         Every contour of section 5.2.5 adds quantities of different units; its numbers have no physical
         meaning.
     """).given(stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))
+
+
+@claim("fig-2.15", source=SOURCE)
+def in_parallel(_: Evidence) -> Record:
+    plant, integral, backlash, friction = sympy.symbols("G_m G_g N_r N_f")
+    # Rows: v = G_m u, x = G_g v, u = -N_r x - N_f v, for the signals (v, x, u).
+    apart = sympy.Matrix([[1, 0, -plant], [-integral, 1, 0], [friction, backlash, 1]]).det()
+    in_one = product(total(backlash, friction / integral), product(plant, integral))
+    printed = total(in_one, sympy.Integer(1))
+    yield expression("(a) and (b) have the same condition", printed, sympy.expand(apart))
+
+    values = {A: sympy.Integer(1), COULOMB: sympy.Rational(2, 5)}
+    waves = (friction_waveform(sympy.Rational(3, 5)), coulomb_waveform())
+    by_quadrature = sum(quadrature_gain(wave, A, values) for wave in waves)
+    both = SumOfElements((FrictionBacklash(0.6), CoulombFriction(0.4)))
+    # Half a step off, so that no sample meets a jump.
+    phases = 2 * np.pi * (np.arange(SAMPLES) + 0.5) / SAMPLES
+    fundamental = complex(2j * np.mean(both.waveform(phases, 1.0) * np.exp(-1j * phases)))
+    means = "the first line in the spectrum of the sum of both waveforms"
+    yield part(
+        "describing function of backlash and friction in parallel, one example",
+        CloseNumbers(complex(both.describing_function(1.0)), by_quadrature),
+        second=close(means, fundamental, by_quadrature, 1e-5),
+    )
+
+    integrator = 1 / (sympy.I * omega)
+    by_velocity = 4 * COULOMB / (sympy.pi * A / sympy.Abs(integrator)) / integrator
+    label = "the branch $N_f/G_g$ for $G_g = 1/s$, with $N_f$ at the velocity's amplitude"
+    yield expression(label, by_velocity, describing_function(coulomb_waveform(), A))
+    yield text("""
+        The two diagrams are one loop, and nonlinearities with a common input add, as integrals do. Friction
+        gets that input through $1/G_g$, a differentiator where $G_g$ is the integrator of the text, and its
+        $N_f$ needs the amplitude $A/|G_g|$. As an example the figure is right; the trimmer is not of this
+        form, since its friction acts between cutter and guard.
+    """)

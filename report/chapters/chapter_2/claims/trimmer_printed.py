@@ -18,12 +18,12 @@ v1, v2, v3, v4 = velocities
 
 
 def kinetic_energy() -> sympy.Expr:
-    """Equation 2.4."""
+    """Return the kinetic energy of equation 2.4."""
     return total(half(m1, v1), half(m2, v2), half(m3, v3), half(m4, v4))
 
 
 def potential_energy() -> sympy.Expr:
-    """Equation 2.5."""
+    """Return the potential energy of equation 2.5."""
     return total(
         half(k1, q1),
         half(k2, total(q2, -q1, -u)),
@@ -34,12 +34,12 @@ def potential_energy() -> sympy.Expr:
 
 
 def rayleigh_function() -> sympy.Expr:
-    """Equation 2.7."""
+    """Return the dissipation function of equation 2.7."""
     return total(half(c1, v1), half(c2, total(v2, -v1, -u_dot)), half(c3, v3), half(c4, total(v4, -v3)))
 
 
 def accelerations() -> tuple[sympy.Expr, ...]:
-    """Equation 2.9, right-hand sides."""
+    """Return the right-hand sides of equation 2.9."""
     motor = total(product(-1, c1 + c2, v1), c2 * v2, product(-1, k1 + k2, q1), k2 * q2, -k2 * u, -c2 * u_dot)
     cutter = total(c2 * v1, -c2 * v2, k2 * q1, product(-1, k2 + k5, q2), k5 * q3, k2 * u, c2 * u_dot)
     housing = total(product(-1, c3 + c4, v3), c4 * v4, k5 * q2, product(-1, k3 + k4 + k5, q3), k4 * q4)
@@ -48,7 +48,7 @@ def accelerations() -> tuple[sympy.Expr, ...]:
 
 
 def state_matrix() -> sympy.ImmutableMatrix:
-    """Equation 2.12, and lines 30 to 37 of Listing A.1."""
+    """Return the matrix of equation 2.12 and of lines 30 to 37 of Listing A.1."""
 
     def minus(bracket: sympy.Expr, mass: sympy.Expr) -> sympy.Expr:
         return product(-1, over(bracket, mass))
@@ -68,12 +68,12 @@ def state_matrix() -> sympy.ImmutableMatrix:
 
 
 def input_matrix() -> sympy.ImmutableMatrix:
-    """Equation 2.13, and lines 39 to 46 of Listing A.1."""
+    """Return the matrix of equation 2.13 and of lines 39 to 46 of Listing A.1."""
     return sympy.ImmutableMatrix(
         [[0, 0], [0, 0], [0, 0], [0, 0], [-k2 / m1, -c2 / m1], [k2 / m2, c2 / m2], [0, 0], [0, 0]]
     )
 
 
 def output_matrix() -> sympy.ImmutableMatrix:
-    """Equation 2.14, and line 50 of Listing A.1."""
+    """Return the row of equation 2.14 and of line 50 of Listing A.1."""
     return sympy.ImmutableMatrix([[0, 1, 0, -1, 0, 0, 0, 0]])

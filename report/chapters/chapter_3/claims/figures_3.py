@@ -10,10 +10,7 @@ from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
 from report.claim import Impact, Part, Uncheckable
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
-from report.numbers.driven_motion import (
-    FORCES,
-    DrivenRun,
-)
+from report.numbers.driven_motion import FORCES, DrivenRun
 from report.numbers.independent.harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
 from report.parts import assertion, close, digits, so, uncheckable

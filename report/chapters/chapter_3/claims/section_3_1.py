@@ -10,11 +10,7 @@ import sympy
 from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
-from report.chapters.chapter_3.claims.measured_peaks import (
-    BIN,
-    on_a_bin,
-    tabulated,
-)
+from report.chapters.chapter_3.claims.measured_peaks import BIN, on_a_bin, tabulated
 from report.claim import Impact
 from report.comparisons.printed import total
 from report.evidence import Evidence

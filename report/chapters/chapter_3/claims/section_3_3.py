@@ -14,10 +14,7 @@ from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.claim import Impact, Number
 from report.comparisons.printed import over, product, total
 from report.evidence import Evidence
-from report.numbers.driven_motion import (
-    FORCES,
-    transient_peaks,
-)
+from report.numbers.driven_motion import FORCES, transient_peaks
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 from report.parts import assertion, close, digits, expression, made_here, same, so, uncheckable
 from report.record import Record, claim, text

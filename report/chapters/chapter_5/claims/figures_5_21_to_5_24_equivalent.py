@@ -16,24 +16,11 @@ from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions 
     REACHED,
     friction_expression,
 )
-from report.chapters.chapter_5.claims.section_5_2_5 import (
-    BY_LISTING,
-    LINE_18,
-    at_the_merger,
-    coulomb_part,
-    frequency_part,
-    intersections_part,
-    peak_parts,
-)
+from report.chapters.chapter_5.claims import section_5_2_5
+from report.chapters.second_ways import NEWTON, by_matching_real_parts
 from report.claim import Impact
-from report.comparisons.second_ways import NEWTON, by_matching_real_parts
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import (
-    FORCE,
-    FORCES,
-    OTHER_FORCE,
-    listing_element,
-)
+from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE, listing_element
 from report.numbers.independent.limit_cycles import friction_exactly
 from report.parts import assertion, close, digits, equal, expression, made_here, repeated
 from report.record import Record, claim, text
@@ -41,7 +28,7 @@ from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_G
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
-"""What Listing A.6 computes."""
+"""N of Listing A.6."""
 
 
 @claim("fig-5.21", source=SOURCE, impact=Impact.DOWNSTREAM)
@@ -53,7 +40,7 @@ def three_panels(known: Evidence) -> Record:
     first = complex(listing_element(0.15, 2e-3, 600.0).describing_function(4e-3))
     alike = complex(listing_element(0.6, 4e-3, 1200.0).describing_function(8e-3))
     means = "the numeric element for another gap, force and frequency with the same quotient"
-    yield coulomb_part()
+    yield section_5_2_5.coulomb_part()
     yield assertion(
         "the three panels",
         r"changing $\omega$, $F_c$ or $b$ gives three families of contours",
@@ -70,7 +57,7 @@ def three_panels(known: Evidence) -> Record:
         "there is more than one intersection",
         len(found) > 1,
         f"at {inner.frequency:.1f} Hz, unstable, and at {outer.frequency:.1f} Hz, stable",
-        method=BY_LISTING,
+        method=section_5_2_5.BY_LISTING,
         second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / LARGER_GAP, len(found)),
     )
     yield text(r"""
@@ -110,23 +97,23 @@ def one_force(known: Evidence) -> Record:
     numbers, system = known.cycles.equivalent, known.numbers.displacement_only
     both, turned = len(numbers.over_stiffness_both_channels), len(numbers.sign_turned)
     in_place = numbers.in_place_both_channels.limit_cycles(FORCE / SMALL_GAP)
-    yield intersections_part(numbers)
+    yield section_5_2_5.intersections_part(numbers)
     yield digits(
         "the same in the loop with both channels of the pin",
         "1",
         both,
         second=equal("friction between cutter and guard in its own place", in_place, both),
-        slip=made_here(LINE_18, len(numbers.listing_both_channels)),
+        slip=made_here(section_5_2_5.LINE_18, len(numbers.listing_both_channels)),
     )
     yield digits(
         "limit cycles by Listing A.6 with the sign of line 18 turned",
         "1",
         turned,
         second=by_matching_real_parts(system, FORCE / DRIVE_OMEGA / SMALL_GAP, turned),
-        slip=made_here(LINE_18, len(numbers.listing)),
+        slip=made_here(section_5_2_5.LINE_18, len(numbers.listing)),
     )
-    yield frequency_part(numbers)
-    yield from peak_parts(known, "b: ")
+    yield section_5_2_5.frequency_part(numbers)
+    yield from section_5_2_5.peak_parts(known, "b: ")
     yield text(r"""
         The one intersection is an effect of line 18: its sign alone decides. With friction that takes energy
         there is none. For a gap of $4\times10^{-6}$ m a limit cycle bears at most [[ most | f4 ]] N between
@@ -153,8 +140,8 @@ def forces(known: Evidence) -> Record:
         """,
         numbers={"first": right[0], "last": right[-1]},
         method="all solutions of harmonic balance, friction between cutter and guard",
-        second=at_the_merger(known),
-        slip=made_here(LINE_18, by_listing),
+        second=section_5_2_5.at_the_merger(known),
+        slip=made_here(section_5_2_5.LINE_18, by_listing),
     )
     yield text("""
         The listing's contours move the intersection up, from [[ first | f2 ]] to [[ last | f2 ]] Hz at

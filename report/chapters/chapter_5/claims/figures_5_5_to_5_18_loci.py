@@ -5,14 +5,9 @@ from __future__ import annotations
 import control
 
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
+from report.chapters.second_ways import LOEB, NEWTON, by_grid, by_waveform
 from report.claim import Impact, Part
 from report.comparisons.printed import power, power_of
-from report.comparisons.second_ways import (
-    LOEB,
-    NEWTON,
-    by_grid,
-    by_waveform,
-)
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
 from report.numbers.independent.loci import (

@@ -4,24 +4,19 @@ from __future__ import annotations
 
 import math
 
-from report.chapters.chapter_5.claims.driven_open_loop import REPEATS, line_part, size_part
+from report.chapters.chapter_5.claims import section_5_2_4
+from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_part, size_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
-from report.chapters.chapter_5.claims.section_5_2_4 import (
-    FIGURE_FORCE,
-    candidates_part,
-    friction_part,
-    relay_part,
-)
+from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
 from report.claim import Confirmation, Impact
-from report.comparisons.second_ways import TWO_DURATIONS, by_harmonics
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
 from report.parts import assertion, close, digits, repeated, so
 from report.record import Record, claim, text
-from report.thesis import ROUNDED, SMALL_GAP
+from report.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
 DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"
@@ -151,8 +146,8 @@ def inertia(known: Evidence) -> Record:
 def relay(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     means = f"exact simulation, whose last two of {SETTLED_AFTER} periods are alike"
-    difference = difference_of_last_periods(known.numbers.parameters, FIGURE_FORCE)
-    yield relay_part(known.motion.closed.relay, "relay of 0.015 in the loop")
+    difference = difference_of_last_periods(known.numbers.parameters, RELAY_LEVEL)
+    yield section_5_2_4.relay_part(known.motion.closed.relay, "relay of 0.015 in the loop")
     yield assertion(
         "in open loop, as the caption has it",
         "an oscillation besides the drive's harmonics goes on",
@@ -178,13 +173,13 @@ def relay(known: Evidence) -> Record:
 def relay_and_viscous(known: Evidence) -> Record:
     numbers = known.motion.closed.relay
     viscous = numbers.with_viscous
-    yield candidates_part(
+    yield section_5_2_4.candidates_part(
         viscous,
         "the block on the output, as a relay with a gain of 0.1",
         "a periodic oscillation goes on",
         by_harmonics(known.numbers.displacement_only, viscous.frequencies, VISCOUS),
     )
-    yield friction_part(numbers, "the block on the output's velocity, as friction")
+    yield section_5_2_4.friction_part(numbers, "the block on the output's velocity, as friction")
     yield text("""
         Which signal enters the block is not said. On the output it is a relay with a small gain, and there is
         no periodic motion; on its velocity it is friction, and the loop sticks or creeps to rest without

@@ -9,17 +9,12 @@ import control
 import numpy as np
 import sympy
 
+from report.chapters.second_ways import EXACTLY
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
+from report.numbers.independent import linear_trimmer
 from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
-from report.numbers.independent.linear_trimmer import (
-    highest_unfiltered,
-    impulse_response_grows,
-    peaks_on_grid,
-    states_in_use,
-)
 from report.numbers.linear_numbers import LinearNumbers
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
@@ -103,7 +98,7 @@ def order(known: Evidence) -> Record:
         for coefficients in (numbers.numerator, numbers.denominator)
     )
     minimal = below.degree() - sympy.gcd(above, below).degree()
-    seen = states_in_use(linear_model(numbers.parameters)[0, 0])
+    seen = linear_trimmer.states_in_use(linear_model(numbers.parameters)[0, 0])
     nearest = min(abs(pole - zero) / abs(pole) for pole in system.poles() for zero in system.zeros())
     second = equal("the Popov-Belevitch-Hautus test of every eigenvalue", seen, minimal)
     yield digits("", "8", minimal, second=second)
@@ -137,7 +132,10 @@ def nyquist(known: Evidence) -> Record:
         loop, and needs those of the open loop to be known
         """,
         method="counterexample",
-        second=so(means, control.nyquist_response(unstable).count == 0 and impulse_response_grows(unstable)),
+        second=so(
+            means,
+            control.nyquist_response(unstable).count == 0 and linear_trimmer.impulse_response_grows(unstable),
+        ),
     )
     yield text("""
         The count is right, the conclusion is not: with no encirclement and no unstable pole of the open loop
@@ -163,7 +161,7 @@ def filtering(known: Evidence) -> Record:
     measured = TURN * MEASURED_DRIVE_FREQUENCY
     third = float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 3))
     fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
-    every = highest_unfiltered(system, HARMONICS)
+    every = linear_trimmer.highest_unfiltered(system, HARMONICS)
     yield assertion(
         f"at the predicted limit cycle, {LIMIT_CYCLE_OMEGA} rad/s",
         f"every odd harmonic is passed at most {MUCH_SMALLER:g} times as well",
@@ -182,7 +180,7 @@ def filtering(known: Evidence) -> Record:
         """,
         numbers={
             "every": every,
-            "odd": highest_unfiltered(system, range(3, 40, 2)),
+            "odd": linear_trimmer.highest_unfiltered(system, range(3, 40, 2)),
             "measured": MEASURED_DRIVE_FREQUENCY,
             "fifth": fifth_measured,
         },
@@ -215,7 +213,7 @@ def bode_plot(known: Evidence) -> Record:
     numbers = known.numbers
     peaks = resonance_peaks(numbers.displacement_only)
     clear = [peak for peak in peaks if peak.magnitude > CLEAR]
-    on_grid = peaks_on_grid(numbers.numerator, numbers.denominator, CLEAR)
+    on_grid = linear_trimmer.peaks_on_grid(numbers.numerator, numbers.denominator, CLEAR)
     second = equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear))
     label = "peaks that are clearly visible (more than twice the pin's motion)"
     yield digits(label, "2", len(clear), second=second)

@@ -9,8 +9,8 @@ import numpy as np
 import sympy
 
 from derivations.state_space import output_row
+from report.chapters.second_ways import EXACTLY
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
 from report.numbers.independent.linear_trimmer import (

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power
-from report.comparisons.second_ways import LOEB, NEWTON, by_floquet, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers

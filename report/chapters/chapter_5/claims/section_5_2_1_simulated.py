@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import numpy as np
 
+from report.chapters.second_ways import TWO_DURATIONS
 from report.claim import Impact, Part
 from report.comparisons.printed import power_of
-from report.comparisons.second_ways import TWO_DURATIONS
 from report.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.impulse_response import ABOVE, CHECKED

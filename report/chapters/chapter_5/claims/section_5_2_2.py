@@ -8,10 +8,10 @@ from fractions import Fraction
 import numpy as np
 import sympy
 
-from report.chapters.chapter_5.claims.driven_open_loop import LOOP_CLOSED
+from report.chapters.chapter_5.claims.section_5_2_1_driven import LOOP_CLOSED
+from report.chapters.second_ways import LOEB, NEWTON, TWO_DURATIONS, by_division_back, by_floquet
 from report.claim import Impact, Part
 from report.comparisons.printed import total
-from report.comparisons.second_ways import LOEB, NEWTON, TWO_DURATIONS, by_division_back, by_floquet
 from report.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
 from report.numbers.independent.limit_cycles import inertia_exactly

@@ -9,10 +9,10 @@ from derivations.elements.proven_step import ProvenStep
 from derivations.elements.steps import contours, general_backlash, slopes
 from derivations.elements.steps.limits import step as limits_step
 from derivations.identity import UnprovenError
+from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import total
-from report.comparisons.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
 from report.numbers.independent.loci import lies_between_the_limits

@@ -11,33 +11,23 @@ from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
+from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.printed import power_of
-from report.comparisons.second_ways import (
-    by_grid,
-    by_harmonics,
-    by_quadrature,
-)
 from report.evidence import Evidence
-from report.numbers.independent.relay_and_friction import (
-    difference_of_scaled,
-    fraction_of,
-    highest_phase,
-    on_the_imaginary_axis,
-)
+from report.numbers.independent import relay_and_friction
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
 from report.numbers.time_stepping import FINE_STEP
 from report.parts import assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
+from report.thesis import RELAY_LEVEL
 from trimmer import real_axis_crossings
 
 SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
-FIGURE_FORCE = 0.015
-"""Relay of figure 5.19."""
 STEADY = 1.0
 """Rate below which a frequency may be said to stay, 1/s."""
 PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.22 and 5.23")
@@ -45,7 +35,7 @@ PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.2
 
 @claim("eq-5.12", source="derivations/transfer_function.py")
 def limit_of_response(known: Evidence) -> Record:
-    above, below = fraction_of(known.numbers)
+    above, below = relay_and_friction.fraction_of(known.numbers)
     yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
     yield text("""
         The transfer function has two poles more than zeros, so it tends to zero, and along the negative real
@@ -81,8 +71,8 @@ def no_crossing(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     crossings = real_axis_crossings(system)
     negative = sum(crossing.value < 0 for crossing in crossings)
-    on_the_axis = on_the_imaginary_axis(known.numbers)
-    highest = highest_phase(system)
+    on_the_axis = relay_and_friction.on_the_imaginary_axis(known.numbers)
+    highest = relay_and_friction.highest_phase(system)
     second = by_grid(system, negative)
     yield digits("crossings of the negative real axis", "0", negative, second=second)
     means = f"the phase on a grid, which rises to {math.degrees(highest):.1f} degrees"
@@ -199,7 +189,7 @@ def high_frequency(known: Evidence) -> Record:
 def linear_in_force(known: Evidence) -> Record:
     factor, signal = sympy.Symbol("k", positive=True), sympy.Symbol("y", real=True)
     scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
-    difference = difference_of_scaled(known.numbers.parameters, FIGURE_FORCE)
+    difference = relay_and_friction.difference_of_scaled(known.numbers.parameters, RELAY_LEVEL)
     of_scaled, of_signal = (factor * FORCE * sympy.sign(each) for each in (factor * signal, signal))
     yield expression("$N(kA, kF_c) = N(A, F_c)$", scaled, FRICTION, left=sympy.Symbol("N"))
     yield assertion(

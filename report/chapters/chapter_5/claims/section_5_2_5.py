@@ -11,20 +11,11 @@ from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
+from report.chapters.second_ways import NEWTON
 from report.claim import Confirmation, Impact, Part
-from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
-from report.numbers.equivalent_nonlinearity import (
-    FORCE,
-    EquivalentNumbers,
-    Point,
-    printed_function,
-)
-from report.numbers.independent.limit_cycles import (
-    equivalent_as_listed,
-    frequency_of_strong_friction,
-    loop_at_merger,
-)
+from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point, printed_function
+from report.numbers.independent import limit_cycles
 from report.numbers.listed_functions import equivalent_listing
 from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
@@ -134,7 +125,7 @@ def intersections_part(numbers: EquivalentNumbers) -> Part:
 def frequency_part(numbers: EquivalentNumbers) -> Part:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
-    _, by_newton = equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
+    _, by_newton = limit_cycles.equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
     slip = "0.15 N, the force of figure 5.21, is used instead of 0.6 N, and the last digit is cut off"
     return digits(
         "frequency by Listing A.6 with the coefficients of Listing A.9",
@@ -192,7 +183,7 @@ def prediction(known: Evidence) -> Record:
         force=FORCE,
         most=numbers.force_of_merger,
         both=both.frequency,
-        limit=frequency_of_strong_friction(known.cycles.listing, rounded.frequency),
+        limit=limit_cycles.frequency_of_strong_friction(known.cycles.listing, rounded.frequency),
         as_printed=as_printed.frequency,
         amplitude=1e3 * listing.amplitude,
     )
@@ -200,7 +191,7 @@ def prediction(known: Evidence) -> Record:
 
 def at_the_merger(known: Evidence) -> Confirmation:
     """Confirm the solution with the largest force by solving the equations of motion at its frequency."""
-    loop = loop_at_merger(known.numbers, known.cycles.equivalent.in_place.merger)
+    loop = limit_cycles.loop_at_merger(known.numbers, known.cycles.equivalent.in_place.merger)
     return close("both responses at the last solution, where the loop closes", loop, -1.0, 1e-6)
 
 

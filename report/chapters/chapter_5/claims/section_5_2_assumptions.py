@@ -11,8 +11,8 @@ from derivations.elements.backlash import GAP as TOTAL_GAP
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
+from report.chapters.second_ways import REPEATED
 from report.claim import Impact
-from report.comparisons.second_ways import REPEATED
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements

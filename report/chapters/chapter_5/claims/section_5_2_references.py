@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from report.chapters.second_ways import NEWTON
 from report.claim import Impact, Part
 from report.comparisons.digits import PrintedDigits
-from report.comparisons.second_ways import NEWTON
 from report.evidence import Evidence
 from report.inventory import read_inventory
 from report.numbers.independent.limit_cycles import friction_as_listed

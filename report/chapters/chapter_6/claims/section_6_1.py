@@ -7,13 +7,7 @@ import math
 import numpy as np
 import sympy
 
-from derivations.elements.backlash import (
-    GAMMA,
-    free_flight,
-    friction_waveform,
-    general_waveform,
-    inertia_waveform,
-)
+from derivations.elements import backlash
 from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
 from derivations.symbols import A
 from report.claim import Impact
@@ -36,13 +30,13 @@ WELL_PREDICTED = 0.05
 
 @claim("txt-6.1-piecewise", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def piecewise_linear(known: Evidence) -> Record:
-    for side, slope in zip(("first", "second"), slopes_in_contact(friction_waveform()), strict=True):
+    for side, slope in zip(("first", "second"), slopes_in_contact(backlash.friction_waveform()), strict=True):
         label = f"friction-controlled, {side} contact: slope of output against input"
         yield expression(label, sympy.Integer(1), slope, r"\frac{dy}{dx}")
     viscous = ViscousBacklash(GAP_HERE, TIME_CONSTANT)
     for name, wave, element in (
-        ("inertia-controlled", inertia_waveform(), InertiaBacklash(GAP_HERE)),
-        ("viscous-controlled", general_waveform(), viscous),
+        ("inertia-controlled", backlash.inertia_waveform(), InertiaBacklash(GAP_HERE)),
+        ("viscous-controlled", backlash.general_waveform(), viscous),
     ):
         slopes = slopes_in_contact(wave)
         rise = np.diff(element.waveform(IN_CONTACT, 1.0, 1.0)) / np.diff(np.sin(IN_CONTACT))
@@ -54,13 +48,13 @@ def piecewise_linear(known: Evidence) -> Record:
             method="slopes of the derived waveform where it follows the pin",
             second=close("the numeric element at two phases just before the pin turns round", rise[0], 1.0),
         )
-    flight = free_flight()
+    flight = backlash.free_flight()
     first, second = np.diff(viscous.waveform(IN_FLIGHT, 1.0, 1.0))
     steps = "equal steps of the numeric element's flight, whose lengths fall as $e^{-Dt/M}$"
     yield assertion(
         "in flight, with inertia and friction",
         "the motion follows no linear law",
-        sympy.simplify(GAMMA * flight.diff(THETA, 2) + flight.diff(THETA)) != 0,
+        sympy.simplify(backlash.GAMMA * flight.diff(THETA, 2) + flight.diff(THETA)) != 0,
         r"the derived flight satisfies $M\ddot y + D\dot y = 0$ exactly",
         method="the derived flight put into that equation",
         second=close(steps, second / first, math.exp(-STEP)),

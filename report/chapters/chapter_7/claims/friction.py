@@ -4,13 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.chapters.chapter_3.claims.driven_steady_motion import (
-    METHOD,
-    SOURCE,
-    confirm_period,
-    has_the_drives_period,
-    period_in_words,
-)
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_3 import BIN, PEAK, PREDICTED
 from report.claim import Impact
 from report.evidence import Evidence
@@ -69,15 +63,15 @@ def coulomb_friction(known: Evidence) -> Record:
     )
 
 
-@claim("txt-7-coulomb-evidence", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("txt-7-coulomb-evidence", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
 def where_it_was_shown(known: Evidence) -> Record:
     yield assertion(
         "the experiment",
         "it can show a limit cycle that friction suppresses",
-        not has_the_drives_period(known),
-        period_in_words(known),
-        method=METHOD,
-        second=confirm_period(known),
+        not driven.has_the_drives_period(known),
+        driven.period_in_words(known),
+        method=driven.METHOD,
+        second=driven.confirm_period(known),
     )
     yield assertion(
         "section 3.3",

@@ -5,28 +5,21 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.elements.backlash import (
-    CONTACT,
-    GAMMA,
-    GAP,
-    friction_waveform,
-    inertia_contact_ratio,
-    inertia_waveform,
-)
+from derivations.elements import backlash
 from derivations.elements.friction import FORCE
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A, omega
 from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import friction_expression
-from report.chapters.chapter_5.claims.driven_open_loop import (
+from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     REPEATS,
     line_part,
     open_loop,
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.second_ways import ALL_LOADS
 from report.claim import Impact
-from report.comparisons.second_ways import ALL_LOADS
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.listed_blocks import contact_angle
@@ -96,15 +89,17 @@ def input_amplitude(known: Evidence) -> Record:
 
 @claim("txt-7-input-frequency", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
 def input_frequency(known: Evidence) -> Record:
-    friction = describing_function(friction_waveform(), A)
-    inertia = describing_function(inertia_waveform(), A).subs(GAP, A * inertia_contact_ratio())
+    friction = describing_function(backlash.friction_waveform(), A)
+    inertia = describing_function(backlash.inertia_waveform(), A).subs(
+        backlash.GAP, A * backlash.inertia_contact_ratio()
+    )
     limits, slow_and_fast = (ViscousBacklash(1.0, each) for each in (1e-9, 1e3)), np.array([1e2, 1e4])
     changes = [abs(complex(np.diff(each.describing_function(2.0, slow_and_fast))[0])) for each in limits]
     general = "the general element with $M/D$ of 1 ns and of 1000 s, at 100 and at 10 000 rad/s"
     yield assertion(
         "describing functions",
         "those of friction- and inertia-controlled backlash do not depend on frequency",
-        not {omega, GAMMA} & (friction.free_symbols | inertia.free_symbols),
+        not {omega, backlash.GAMMA} & (friction.free_symbols | inertia.free_symbols),
         "with $A$, the gap and the contact angle they are complete",
         method="symbols of the derived functions",
         second=so(general, max(changes) < 1e-4),
@@ -155,8 +150,8 @@ def input_frequency(known: Evidence) -> Record:
         r"\lim (N - N_r)",
         second=small("its size at $10^{12}$ rad/s, raised by one", far_up),
     )
-    slow = complex(sympy.limit(-1 / LISTING.subs({A: GAP}), omega, 0))
-    at_gap = complex((-1 / inertia).subs(CONTACT, contact_angle(1.0)).evalf())
+    slow = complex(sympy.limit(-1 / LISTING.subs({A: backlash.GAP}), omega, 0))
+    at_gap = complex((-1 / inertia).subs(backlash.CONTACT, contact_angle(1.0)).evalf())
     element = -1 / complex(InertiaBacklash(1.0).describing_function(1.0))
     yield assertion(
         "equivalent nonlinearity, with falling frequency",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from report.chapters.second_ways import ALL_LOADS, by_floquet
 from report.claim import Impact
-from report.comparisons.second_ways import ALL_LOADS, by_floquet
 from report.evidence import Evidence
 from report.numbers.independent.loci import feedback_poles, phase_range
 from report.numbers.independent.relay_and_friction import on_the_imaginary_axis

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from report.chapters.second_ways import EXACTLY
 from report.claim import Impact
-from report.comparisons.second_ways import EXACTLY
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_ratio
 from report.numbers.linear_numbers import lightly_damped_response

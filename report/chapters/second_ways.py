@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import control
-import mpmath
 import sympy
 
 from report.claim import Confirmation
@@ -38,8 +37,7 @@ def by_quadrature(
 
 def by_division_back(omega: float, frequency: float) -> Confirmation:
     """Confirm a conversion from rad/s to Hz by turning it round in 30 digits."""
-    with mpmath.workdps(DIGITS):
-        back = float(2 * mpmath.pi * mpmath.mpf(frequency))
+    back = float((2 * sympy.pi * sympy.Rational(frequency)).evalf(DIGITS))
     return close(f"$2\\pi$ times it, in {DIGITS} digits", back, omega, 1e-14)
 
 

@@ -1,0 +1,114 @@
+"""Small lines beside large ones, and how uncertain a peak says that it is, on random signals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.trimmer.spectra.test_peaks import SAMPLES, sines
+from trimmer.spectra.peaks import Peak, peaks
+from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra.window import Window
+
+LEVELS = (20, 40, 60, 80)
+"""How far the small line is below the large one, dB."""
+NEAREST, FARTHEST = 4.0, 30.0
+"""Distance of the two, bins."""
+NOISE = 0.1
+"""Standard deviation of white noise over the small amplitude."""
+
+
+def errors(level: int, seed: int, noise: float = NOISE) -> tuple[np.ndarray, np.ndarray, int]:
+    """Errors of place (bins) and relative amplitude of large and small line, each also over its uncertainty.
+
+    Returns:
+        Errors, shape (2, 2); errors over uncertainties, shape (2, 2); number of peaks beside the two.
+    """
+    random = np.random.default_rng(seed)
+    large = random.uniform(60, 440)
+    places = np.array([large, large + random.choice([-1, 1]) * random.uniform(NEAREST, FARTHEST)])
+    amplitudes = np.array([1.0, 10 ** (-level / 20)])
+    values = sines(places, amplitudes, random.uniform(-3, 3, size=2))
+    values = values + noise * amplitudes[1] * random.normal(size=SAMPLES)
+    found = peaks(amplitude_spectrum(values, SAMPLES, Window.HANN), smallest=1e-5)
+    nearest = [min(found, key=lambda peak, place=place: abs(peak.frequency - place)) for place in places]
+    off = np.array([[peak.frequency - place, peak.amplitude - amplitude]
+                    for peak, place, amplitude in zip(nearest, places, amplitudes, strict=True)])  # fmt: skip
+    uncertain = np.array([[peak.frequency_uncertainty, peak.amplitude_uncertainty] for peak in nearest])
+    return off / [[1.0, 1.0], [1.0, amplitudes[1]]], off / uncertain, len(found) - 2
+
+
+def check(level: int, signals: int) -> None:
+    results = [errors(level, 1000 * level + number) for number in range(signals)]
+    pulls = np.array([pull for _, pull, _ in results])
+    assert np.abs(pulls).max() < 7.0  # all lines are found: a missed one is off by 4 bins
+    spread = 4.0 / np.sqrt(2 * signals)
+    np.testing.assert_allclose(pulls.std(axis=0), 1.0, atol=0.15 + spread)
+    np.testing.assert_allclose(pulls.mean(axis=0), 0.0, atol=2.0 * spread)
+    assert sum(more for _, _, more in results) <= max(3, 0.03 * signals)  # 1 % of false alarms is asked for
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_small_line_beside_a_large_one_is_as_exact_as_it_says(level: int) -> None:
+    check(level, 60)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_thousand_small_lines_are_as_exact_as_they_say(level: int) -> None:
+    check(level, 1000)
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_without_noise_a_small_line_is_exact(level: int) -> None:
+    for seed in range(60):
+        off, _, more = errors(level, seed, noise=0.0)
+        assert more == 0
+        np.testing.assert_allclose(off, 0.0, atol=1e-8)
+
+
+@pytest.mark.parametrize("distance", [6.0, 10.0])
+def test_a_line_60_db_below_another_is_found(distance: float) -> None:
+    for offset in np.linspace(0.0, 0.9, 10):
+        places = [100.0 + offset, 100.0 + distance + 0.3]
+        found = peaks(amplitude_spectrum(sines(places, [1.0, 1e-3], [0.3, 2.0]), SAMPLES))
+        assert [peak.frequency for peak in found] == pytest.approx(places, abs=1e-8)
+        assert found[1].amplitude == pytest.approx(1e-3, rel=1e-8)
+
+
+@pytest.mark.parametrize("window", Window)
+def test_the_uncertainty_is_that_of_repeated_measurements(window: Window) -> None:
+    random = np.random.default_rng(2)
+    pulls = []
+    for _ in range(250):
+        place = random.uniform(100, 101)
+        values = sines([place], [3.0], [random.uniform(-3, 3)]) + 0.2 * random.normal(size=SAMPLES)
+        (peak,) = peaks(amplitude_spectrum(values, SAMPLES, window), limit=1)
+        pulls.append([
+            (peak.frequency - place) / peak.frequency_uncertainty,
+            (peak.amplitude - 3.0) / peak.amplitude_uncertainty,
+        ])  # fmt: skip
+    np.testing.assert_allclose(np.std(pulls, axis=0), 1.0, atol=0.2)
+
+
+def test_no_uncertainty_is_below_the_cramer_rao_bound() -> None:
+    """Rife and Boorstyn (1974): var(omega) >= 24 s²/(a² N³) in rad per sample, var(a) >= 2 s²/N."""
+    random = np.random.default_rng(4)
+    deviation, amplitude = 0.3, 2.0
+    values = sines([200.4], [amplitude], [0.3]) + deviation * random.normal(size=SAMPLES)
+    for window in Window:
+        peak: Peak
+        (peak,) = peaks(amplitude_spectrum(values, 1.0, window), limit=1)
+        bound = np.sqrt(24 / SAMPLES**3) * deviation / amplitude / (2 * np.pi)
+        assert 0.9 * bound < peak.frequency_uncertainty < 11 * bound
+        bound = deviation * np.sqrt(2 / SAMPLES)
+        assert 0.9 * bound < peak.amplitude_uncertainty < 2.2 * bound
+
+
+@pytest.mark.parametrize("window", Window)
+@pytest.mark.parametrize("decay", [1e-4, 1e-3, 1e-2])
+def test_beside_a_vibration_that_dies_out_nothing_hidden_is_claimed(window: Window, decay: float) -> None:
+    times = np.arange(4000)
+    for frequency in np.linspace(0.11, 0.1108, 9):
+        values = np.exp(-decay * times) * np.cos(2 * np.pi * frequency * times)
+        assert len(peaks(amplitude_spectrum(values, 1.0, window))) <= 2

@@ -1,0 +1,154 @@
+"""Arguments with a few possible values take a member or its word, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from report.rendering.request import Format, Paper, Request
+from trimmer.balance.solve import limit_cycles
+from trimmer.choices import Choice, ChoiceError
+from trimmer.displacement import Body, Displacement, DisplacementError
+from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
+from trimmer.linear.summary import summarise
+from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
+from trimmer.parameters import TrimmerParameters
+from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
+from trimmer.signals.missing import MissingValues
+from trimmer.signals.read import read_signal
+from trimmer.signals.signal import Signal
+from trimmer.signals.wav import BitDepth, write_wav
+from trimmer.spectra.analysis import analyse_signal
+from trimmer.spectra.harmonics import fit_harmonics
+from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra.window import Window
+
+P = TrimmerParameters.thesis()
+SINE = np.sin(2 * np.pi * 110 * np.arange(8000) / 8000)
+CHOICES = [InputChannels, MissingValues, Window, Delimiter, DecimalSign, BitDepth, Body, Format, Paper]
+
+
+def shown(model: Any) -> list[float]:
+    return [*np.ravel(model.B), *np.ravel(model.C), *np.ravel(model.D)]
+
+
+def missing(value: Any, folder: Path) -> Any:
+    path = folder / "samples.csv"
+    path.write_text("\n".join([*map(str, range(30)), "", *map(str, range(31, 60))]))
+    return read_signal(path, sample_rate=1000.0, missing=value).interpolated
+
+
+USES: list[tuple[type[Choice], Callable[[Any, Path], Any]]] = [
+    (InputChannels, lambda value, folder: shown(pin_model(P, channels=value))),
+    (InputChannels, lambda value, folder: transfer_function(P, channels=value).num[0][0].tolist()),
+    (InputChannels, lambda value, folder: summarise(P, channels=value)),
+    (InputChannels, lambda value, folder: TrimmerLoop(P, channels=value).channels),
+    (Window, lambda value, folder: amplitude_spectrum(SINE, 8000.0, value).window),
+    (Window, lambda value, folder: analyse_signal(Signal(SINE, 8000.0), window=value).spectrum.window),
+    (Delimiter, lambda value, folder: CsvLayout(delimiter=value)),
+    (DecimalSign, lambda value, folder: CsvLayout(decimal=value)),
+    (BitDepth, lambda value, folder: write_wav(folder / "a.wav", SINE, 8000.0, value)),
+    (Body, lambda value, folder: Displacement(value)),
+    (Format, lambda value, folder: Request(formats=frozenset({value}))),
+    (Paper, lambda value, folder: Request(paper=value)),
+]
+"""Whatever takes a choice; what it returns depends on the choice."""
+
+
+@pytest.mark.parametrize(("kind", "use"), USES)
+def test_a_word_is_as_good_as_its_member(
+    kind: type[Choice], use: Callable[[Any, Path], Any], tmp_path: Path
+) -> None:
+    results = []
+    for number, member in enumerate(kind):
+        (tmp_path / str(number)).mkdir()
+        expected = use(member, tmp_path / str(number))
+        (tmp_path / f"{number} again").mkdir()
+        assert use(member.word, tmp_path / f"{number} again") == expected
+        assert expected not in results
+        results.append(expected)
+
+
+@pytest.mark.parametrize(("kind", "use"), USES)
+@pytest.mark.parametrize("value", ["nonsense", "", 7, 0.5, True, b"hann", Path("hann"), ("hann",), Enum])
+def test_anything_else_is_refused_with_the_words(
+    kind: type[Choice], use: Callable[[Any, Path], Any], value: object, tmp_path: Path
+) -> None:
+    with pytest.raises(ChoiceError) as raised:
+        use(value, tmp_path)
+    for member in kind:
+        assert member.word in str(raised.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_window_of_a_fit_is_chosen_by_its_word() -> None:
+    fitted = fit_harmonics(SINE, 8000.0, 110.0, window="hann")
+    assert np.array_equal(
+        fitted.coefficients, fit_harmonics(SINE, 8000.0, 110.0, window=Window.HANN).coefficients
+    )
+    with pytest.raises(ChoiceError, match="window is 'hamming': choose rectangular, hann, "):
+        fit_harmonics(SINE, 8000.0, 110.0, window="hamming")
+
+
+def test_bits_are_chosen_by_any_whole_number(tmp_path: Path) -> None:
+    for bits in (24, "24", np.int64(24)):
+        assert write_wav(tmp_path / "a.wav", SINE, 8000.0, bits).bit_depth is BitDepth.TWENTY_FOUR
+
+
+def test_what_is_done_about_missing_values_is_chosen_by_its_word(tmp_path: Path) -> None:
+    assert missing("interpolate", tmp_path) == missing(MissingValues.INTERPOLATE, tmp_path) == 1
+    for refusal in ("refuse", MissingValues.REFUSE):
+        with pytest.raises(ValueError, match="a value is missing"):
+            missing(refusal, tmp_path)
+    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse or interpolate"):
+        missing("ignore", tmp_path)
+
+
+def test_the_thesis_limit_cycle_belongs_to_the_displacement_alone() -> None:
+    # README: 728.40 Hz with both channels; tests/trimmer/balance: 733.63 Hz with the displacement alone.
+    for channels, frequency in (("displacement", 733.63), ("both", 728.40)):
+        stable = limit_cycles(pin_model(P, channels=channels), FrictionBacklash(4e-5))[-1]
+        assert stable.frequency == pytest.approx(frequency, abs=0.005)
+
+
+@pytest.mark.parametrize("kind", CHOICES)
+def test_a_member_of_another_choice_is_refused(kind: type[Choice]) -> None:
+    for other in CHOICES:
+        for member in other:
+            if other is not kind:
+                with pytest.raises(ChoiceError):
+                    kind.chosen(member, "argument")
+
+
+def test_a_displacement_is_chosen_by_its_label() -> None:
+    cutter = Displacement(Body.CUTTER)
+    assert shown(linear_model(P, "q2")) == shown(linear_model(P, cutter))
+    assert shown(linear_model(P, ["q2", "q2-q4"])) == shown(linear_model(P, [cutter, "q2-q4"]))
+    assert shown(pin_model(P, "q2")) == shown(pin_model(P, cutter))
+    assert transfer_function(P, "q2").output_labels == ["q2"]
+    assert summarise(P, "q2").output == cutter
+    assert TrimmerLoop(P, output="q2").output == cutter
+    assert BodyFriction("q2", CoulombFriction(1.0)).between == cutter
+    assert Displacement("q2", "q4") == Displacement(Body.CUTTER, Body.GUARD)
+
+
+@pytest.mark.parametrize("value", ["cutter", "q5", "", 2, None, True, Body.CUTTER])
+def test_what_is_no_displacement_is_refused(value: Any) -> None:
+    uses: list[Callable[[], object]] = [
+        lambda: linear_model(P, [value]),
+        lambda: pin_model(P, value),
+        lambda: transfer_function(P, value),
+        lambda: summarise(P, value),
+        lambda: TrimmerLoop(P, output=value),
+        lambda: BodyFriction(value, CoulombFriction(1.0)),
+    ]
+    for use in uses:
+        with pytest.raises(DisplacementError, match="is not a displacement: write a coordinate"):
+            use()

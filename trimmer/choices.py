@@ -1,0 +1,43 @@
+"""Arguments with a few possible values, each of which has a word."""
+
+from __future__ import annotations
+
+import reprlib
+from enum import Enum
+from numbers import Integral
+from typing import Self
+
+from trimmer.errors import TrimmerError
+
+
+class ChoiceError(TrimmerError, ValueError):
+    """A value that is none of the possible ones; the message lists their words."""
+
+
+class Choice(Enum):
+    """An enumeration whose members are also chosen by a word, which is that of the command line."""
+
+    @property
+    def word(self) -> str:
+        """The word: by default the member's name, as in ``flat-top``."""
+        return self.name.lower().replace("_", "-")
+
+    @classmethod
+    def chosen(cls, value: Self | str | int, argument: str) -> Self:
+        """Return the member that is meant by itself or by its word.
+
+        Args:
+            value: The member, or its word; a word of digits may be given as a whole number.
+            argument: Name of the argument, for the message.
+
+        Raises:
+            ChoiceError: if the value is neither.
+        """
+        if isinstance(value, cls):
+            return value
+        *others, last = (member.word for member in cls)
+        if isinstance(value, str | Integral):
+            for member in cls:
+                if str(value) == member.word:
+                    return member
+        raise ChoiceError(f"{argument} is {reprlib.repr(value)}: choose {', '.join(others)} or {last}")

@@ -1,0 +1,108 @@
+"""Files that commands read and write: their names, what may be replaced, and what goes to standard output."""
+
+from __future__ import annotations
+
+import os
+import sys
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from collections.abc import Mapping
+from itertools import combinations
+from pathlib import Path
+
+from trimmer.command_line.parser import OptionError, as_option
+from trimmer.files import (
+    PDF,
+    PNG,
+    STANDARD_INPUT,
+    SVG,
+    FileKind,
+    check_replaceable,
+    is_standard_output,
+    is_stream,
+)
+
+PICTURES = {".svg": SVG, ".png": PNG, ".pdf": PDF}
+"""Kinds of pictures by the end of the file's name."""
+
+Kinds = Mapping[str, FileKind]
+"""Kinds that an option can write, by the end of the file's name; the end "" stands for any name."""
+
+
+def file_to_read(text: str) -> Path:
+    """Read the name of a file to read, as the type of an option: ``-`` is standard input, ``./-`` a file."""
+    path = Path(text)
+    return path.absolute() if path == STANDARD_INPUT and text != str(STANDARD_INPUT) else path
+
+
+def file_to_write(text: str) -> Path:
+    """Read the name of a file to write, as the type of an option; ``-`` is refused, since it is no file."""
+    if text == str(STANDARD_INPUT):
+        raise ArgumentTypeError("'-' is no file; write /dev/stdout for standard output, or ./- for a file")
+    return Path(text)
+
+
+def add_overwrite_option(parser: ArgumentParser) -> None:
+    """Add the option that lets files of any kind be replaced."""
+    parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace files even if they are of another kind than what is written",
+    )
+
+
+def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: Mapping[str, str]) -> None:
+    """Check names of files that are to be written, before any work is done.
+
+    Args:
+        arguments: The options.
+        targets: What each option writes.
+        sources: What the files are that are read, by the name of the option.
+
+    Raises:
+        TrimmerError: if a name ends in what is not written; if a file is to be read too, or written twice; if
+            what is there may not be replaced; if ``--overwrite`` is given and nothing is written.
+    """
+    chosen = {
+        name: Path(getattr(arguments, name)) for name in targets if getattr(arguments, name) is not None
+    }
+    if arguments.overwrite and not chosen:
+        raise OptionError(f"--overwrite has no effect without {' or '.join(map(as_option, targets))}")
+    kinds = {name: _kind(name, path, targets[name]) for name, path in chosen.items()}
+    for name, path in chosen.items():
+        for source, meaning in sources.items():
+            read = getattr(arguments, source)
+            if read is not None and read != STANDARD_INPUT and _same(path, read):
+                raise OptionError(f"{as_option(name)} {path}: is {meaning}; name another one to write")
+    for (name, path), (other, second) in combinations(chosen.items(), 2):
+        if _same(path, second) and not _swallows(path):
+            raise OptionError(f"{as_option(name)} and {as_option(other)} both write {path}: name two files")
+    if not arguments.overwrite:
+        for name, path in chosen.items():
+            check_replaceable(path, kinds[name])
+
+
+def show(text: str, *written: Path | None) -> None:
+    """Print what a command has to tell; on standard error, if standard output takes one of its files."""
+    taken = any(path is not None and is_standard_output(path) for path in written)
+    print(text, file=sys.stderr if taken else sys.stdout)
+
+
+def _kind(name: str, path: Path, kinds: Kinds) -> FileKind:
+    kind = kinds.get(path.suffix.lower(), kinds.get(""))
+    if kind is None and len(kinds) == 1 and (is_stream(path) or is_standard_output(path)):
+        (kind,) = kinds.values()
+    if kind is None:
+        raise OptionError(f"{as_option(name)} {path}: the name must end in {', '.join(kinds)}")
+    return kind
+
+
+def _same(path: Path, other: Path) -> bool:
+    try:
+        return os.path.samefile(path, other)
+    except OSError:
+        return path.resolve() == other.resolve()
+
+
+def _swallows(path: Path) -> bool:
+    """Say whether what is written there is lost anyway."""
+    return _same(path, Path(os.devnull))

@@ -1,0 +1,114 @@
+"""A parser that tells an error in one sentence, and keeps in mind which options were given."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import sys
+from argparse import Action, ArgumentError, ArgumentParser, Namespace
+from collections.abc import Iterable, Sequence
+from typing import Any, NoReturn, TextIO
+
+from trimmer.errors import TrimmerError
+
+WRONG_USE = 2
+"""Exit code for what the user can put right."""
+
+_GIVEN = "given"
+_NEGATIVE_NUMBER = re.compile(
+    r"-(?:(?:\d[\d_]*\.?\d*|\.\d+)(?:e[+-]?\d+)?|inf(?:inity)?|nan)$", flags=re.ASCII | re.IGNORECASE
+)
+
+
+class OptionError(TrimmerError, ValueError):
+    """An option that is missing, not used, or has a value that cannot be used."""
+
+
+class Parser(ArgumentParser):
+    """A parser of options.
+
+    A single value that is given twice is an error, since one of them would be ignored. Negative numbers are
+    values in every notation, such as ``-1e-3`` and ``-inf``.
+    """
+
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
+        super().__init__(*arguments, **settings)
+        self._negative_number_matcher = (
+            _NEGATIVE_NUMBER  # argparse's own knows no exponent before Python 3.14
+        )
+        for name in (None, "store"):
+            self.register("action", name, _Once)
+
+    def error(self, message: str) -> NoReturn:
+        """Tell in one sentence what is wrong, and where the options are explained, and exit."""
+        tell(f"{message}; see {self.prog} --help")
+        raise SystemExit(WRONG_USE)
+
+
+class _Once(Action):
+    """Keeps a single value, and that it was given."""
+
+    def __call__(
+        self,
+        parser: ArgumentParser,
+        namespace: Namespace,
+        values: str | Sequence[Any] | None,
+        option_string: str | None = None,
+    ) -> None:
+        if is_given(namespace, self.dest):
+            raise ArgumentError(self, "given twice, but only one value can be used")
+        setattr(namespace, _GIVEN, getattr(namespace, _GIVEN, frozenset()) | {self.dest})
+        setattr(namespace, self.dest, values)
+
+
+def is_given(arguments: Namespace, name: str) -> bool:
+    """Say whether an option with a single value was given, and is not at its default."""
+    return name in getattr(arguments, _GIVEN, frozenset())
+
+
+def refuse_unused(arguments: Namespace, names: Iterable[str], use: str) -> None:
+    """Refuse options that would have no effect.
+
+    Args:
+        arguments: The options.
+        names: Names under which those are kept that have no effect together with the others.
+        use: What they belong to, for the message.
+
+    Raises:
+        OptionError: if one of them was given.
+    """
+    for name in names:
+        if is_given(arguments, name):
+            raise OptionError(f"{as_option(name)} has no effect without {use}: add that, or leave it out")
+
+
+def require_positive(arguments: Namespace, name: str, unit: str) -> None:
+    """Check that the value of an option is positive and finite.
+
+    Raises:
+        OptionError: if it is not.
+    """
+    value = getattr(arguments, name)
+    if not 0 < value < math.inf:
+        quantity = name.replace("_", " ")
+        raise OptionError(f"{as_option(name)} {value:g}: {quantity} must be positive and finite ({unit})")
+
+
+def as_option(name: str) -> str:
+    """Write the name of an option as on the command line."""
+    return f"--{name.replace('_', '-')}"
+
+
+def tell(message: str) -> None:
+    """Print a message for the user on standard error, if anybody reads that."""
+    try:
+        print(f"trimmer: {message}", file=sys.stderr, flush=True)
+    except OSError:
+        drop(sys.stderr)
+
+
+def drop(stream: TextIO) -> None:
+    """Send to nowhere what a stream has left to write; Python would complain at its end."""
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), stream.fileno())

@@ -1,0 +1,103 @@
+"""Orbits of a relay with two switches in a period, on an interval of periods: all that are symmetric."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.linear_components import ViscousComponent
+from trimmer.motion.relay_component import PLUS, RelayComponent
+from trimmer.orbits.describe import orbit_of
+from trimmer.orbits.distinct import shortest
+from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
+from trimmer.orbits.return_map import flow
+from trimmer.orbits.search import RelaySearch
+from trimmer.orbits.shooting import Return, solve
+from trimmer.orbits.unequal_switches import POINTS, unequal_switches
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.motion.loops import ClosedLoop
+    from trimmer.orbits.half_period import Interval
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+
+CLOSE = 1e-3
+"""Miss of the return above which a zero is no orbit: the relay switches in between, or the other way."""
+INSTANTS = 9
+"""Instants of half a period at which the sizes of the states are taken."""
+
+
+def relay_orbits(
+    loop: ClosedLoop, half_periods: Interval | None
+) -> tuple[list[PeriodicOrbit], RelaySearch] | None:
+    """Find the orbits; None if the element is not a single relay or Coulomb friction.
+
+    Viscous friction beside it is linear and may be there.
+
+    Args:
+        loop: The closed loop.
+        half_periods: Shortest and longest half period, s; chosen from poles and zeros if not given.
+    """
+    equation = _equation(loop)
+    if equation is None:
+        return None
+    interval = interval_of(equation) if half_periods is None else half_periods
+    solved = zeros(equation, interval)
+    starts = equation.states(np.array(solved.halves)) if solved.halves else ()
+    orbits = [_orbit(loop, half, None, start) for half, start in zip(solved.halves, starts, strict=True)]
+    orbits += [_orbit(loop, *pair) for pair in unequal_switches(equation, interval)]
+    found = [orbit for orbit in orbits if orbit is not None]
+    return found, RelaySearch(interval, len(solved.halves), solved.undecided, POINTS)
+
+
+def _plus(loop: ClosedLoop) -> int | None:
+    """Return the mode in which the relay is positive; None if there is not one relay."""
+    components = loop.modes.system.components
+    relays = [isinstance(each, RelayComponent) for each in components]
+    if sum(relays) != 1 or not all(
+        isinstance(each, RelayComponent | ViscousComponent) for each in components
+    ):
+        return None
+    return loop.modes.number(tuple(PLUS if relay else 0 for relay in relays))
+
+
+def _equation(loop: ClosedLoop) -> HalfPeriodEquation | None:
+    number = _plus(loop)
+    if number is None:
+        return None
+    mode, order = loop.modes.mode(number), loop.modes.layout.order
+    kept = [*range(order), loop.modes.layout.size - 1]
+    (switching,) = mode.event_functions
+    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.event_function.row[:order])
+
+
+def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Reals) -> PeriodicOrbit | None:
+    """Return the orbit of a zero; None if the motion does not return by then.
+
+    Args:
+        loop: The closed loop.
+        positive: How long the output is positive, s.
+        negative: How long it is negative after that, s; None if the motion returns with its signs changed.
+        start: State of the linear system where the output becomes positive.
+    """
+    number, layout = _plus(loop), loop.modes.layout
+    assert number is not None
+    if not loop.modes.tables.known[number]:
+        loop.modes.tabulate(number)
+    state = np.zeros(layout.size)
+    state[: layout.order], state[-1] = start, 1.0
+    step = flow(loop.modes, number, positive / (INSTANTS - 1))
+    states = [state]
+    for _ in range(INSTANTS - 1):
+        states.append(step @ states[-1])
+    sizes = abs(np.array(states)).max(axis=0)
+    sizes[sizes == 0.0] = 1.0
+    problem = Return(loop.modes, mirrored=negative is None, driven=False, sizes=sizes)
+    span = positive if negative is None else positive + negative
+    trial = problem.shoot(number, states[INSTANTS // 2], span)
+    if trial is None or not trial.miss <= CLOSE:
+        return None
+    shot = solve(problem, trial.mode, trial.state, trial.span)
+    return None if shot is None else orbit_of(loop, *shortest(problem, shot), None)

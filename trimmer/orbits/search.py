@@ -1,0 +1,209 @@
+"""What is searched for periodic orbits, what was, and the orbits themselves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING, overload
+
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+if TYPE_CHECKING:
+    from trimmer.orbits.half_period import Interval
+
+
+class Simulations(Enum):
+    """When long simulations from many initial states are to look for stable orbits."""
+
+    NEVER = "never"
+    WHERE_PREDICTIONS_FAIL = "where harmonic balance predicts nothing, or a prediction leads to no orbit"
+    ALWAYS = "always"
+
+
+@dataclass(frozen=True)
+class OrbitSearch:
+    """What is to be searched beside the neighbourhood of guesses.
+
+    Attributes:
+        simulations: When to simulate.
+        starts: Initial states to simulate from.
+        seed: Of the generator that draws them; the same seed gives the same states.
+        steps: Steps of a simulation, each as long as the fastest mode allows, after which it is given up; a
+            million take about a second.
+        half_periods: Shortest and longest half period, s, for which the symmetric orbits of a relay are
+            looked for; chosen from poles and zeros if not given.
+
+    Raises:
+        ValueError: if a number is out of range.
+    """
+
+    simulations: Simulations = Simulations.WHERE_PREDICTIONS_FAIL
+    starts: int = 32
+    seed: int = 0
+    steps: int = 200_000
+    half_periods: Interval | None = None
+
+    def __post_init__(self) -> None:
+        for name, least in (("starts", 1), ("seed", 0), ("steps", 1)):
+            value = getattr(self, name)
+            if not (value >= least and value % 1 == 0):
+                raise ValueError(f"{name} must be a whole number of at least {least}, not {value!r}")
+        if self.half_periods is not None:
+            shortest, longest = self.half_periods
+            if not 0 < shortest < longest < math.inf:
+                raise ValueError(
+                    "half_periods must be (shortest, longest) with 0 < shortest < longest < inf, s, "
+                    f"not {self.half_periods!r}"
+                )
+
+
+@dataclass(frozen=True)
+class RelaySearch:
+    """The zeros of a relay's half-period equation.
+
+    Attributes:
+        half_periods: Shortest and longest half period searched, s.
+        zeros: Zeros on this interval; not all are orbits, as the relay may switch in between.
+        undecided: Parts of the interval that may hold others.
+        grid: Number of durations on this interval, in a fixed ratio, from whose pairs orbits with two
+            switches at unequal distances were looked for.
+    """
+
+    half_periods: Interval
+    zeros: int
+    undecided: tuple[Interval, ...]
+    grid: int
+
+    @property
+    def sentence(self) -> str:
+        """What was searched, in words."""
+        shortest, longest = self.half_periods
+        told = (
+            "all orbits of the relay that return with their signs changed after one switch, with half "
+            f"periods from {shortest:.6g} to {longest:.6g} s"
+        )
+        if self.undecided:
+            width = sum(end - begin for begin, end in self.undecided)
+            told += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
+        return f"{told}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
+
+
+@dataclass(frozen=True)
+class SimulationSearch:
+    """Long simulations.
+
+    Attributes:
+        starts: Initial states.
+        seed: Of the generator that drew them.
+        settled: How many motions settled on an orbit.
+        at_rest: How many ended without further events.
+        diverged: How many grew without bound.
+        accumulated: How many stopped as their events accumulate, which most often is rest, too.
+        left: How many did none of this within the steps and events allowed.
+    """
+
+    starts: int
+    seed: int
+    settled: int
+    at_rest: int
+    diverged: int
+    accumulated: int
+    left: int
+
+    @property
+    def sentence(self) -> str:
+        """What was searched, in words."""
+        ends = (
+            (self.settled, "settled on an orbit"),
+            (self.at_rest, "came to rest"),
+            (self.diverged, "grew without bound"),
+            (self.accumulated, "ended as their events accumulate"),
+            (self.left, "did not settle in time"),
+        )
+        told = ", ".join(f"{count} {what}" for count, what in ends if count)
+        return f"stable orbits by simulation from {self.starts} initial states (seed {self.seed}: {told})"
+
+
+@dataclass(frozen=True)
+class OrbitSearched:
+    """What was searched.
+
+    Attributes:
+        guesses: How many guesses were followed.
+        predicted: Whether they are all that harmonic balance predicts.
+        failed: How many led to no orbit.
+        relay: The half-period equation, if it was solved.
+        simulations: The simulations, if there were any.
+    """
+
+    guesses: int
+    predicted: bool
+    failed: int
+    relay: RelaySearch | None
+    simulations: SimulationSearch | None
+
+    @property
+    def sentence(self) -> str:
+        """What was searched and what was not, in words."""
+        searched = [self._near_guesses]
+        searched += [part.sentence for part in (self.relay, self.simulations) if part is not None]
+        return f"searched: {'; '.join(searched)}. Not searched: {', '.join(self._not_searched)}."
+
+    @property
+    def _near_guesses(self) -> str:
+        what = "prediction of harmonic balance" if self.predicted else "guess"
+        if not self.guesses:
+            return "harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
+        led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
+        return f"near {_counted(self.guesses, what)} ({led})"
+
+    @property
+    def _not_searched(self) -> list[str]:
+        others = ["other unstable orbits"]
+        if self.simulations is None:
+            others = ["other orbits, for which OrbitSearch(simulations=Simulations.ALWAYS) simulates"]
+        else:
+            others.append("stable orbits that none of these initial states leads to")
+        return others
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicOrbits(Sequence[PeriodicOrbit]):
+    """Orbits by falling amplitude, and what was searched for them.
+
+    It is a sequence, and equal to any other with the same orbits.
+
+    Attributes:
+        orbits: The orbits.
+        search: What was searched; an empty answer means no more than that.
+    """
+
+    orbits: tuple[PeriodicOrbit, ...]
+    search: OrbitSearched
+
+    @overload
+    def __getitem__(self, place: int) -> PeriodicOrbit: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[PeriodicOrbit, ...]: ...
+    def __getitem__(self, place: int | slice) -> PeriodicOrbit | tuple[PeriodicOrbit, ...]:
+        return self.orbits[place]
+
+    def __len__(self) -> int:
+        return len(self.orbits)
+
+    def __iter__(self) -> Iterator[PeriodicOrbit]:
+        return iter(self.orbits)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sequence) and list(self) == list(other)
+
+    def __hash__(self) -> int:
+        return hash(self.orbits)
+
+
+def _counted(count: int, noun: str) -> str:
+    plural = "guesses" if noun == "guess" else noun.replace("prediction", "predictions")
+    plural = "intervals" if noun == "interval" else plural
+    return f"{count} {noun if count == 1 else plural}"

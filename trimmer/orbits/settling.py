@@ -1,0 +1,230 @@
+"""Orbits that long motions settle on."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from tqdm import tqdm
+
+from trimmer.motion.kernel import CYCLING, DIVERGED, FULL, REACHED_END, STEP_LIMIT, UNKNOWN_MODE, march
+from trimmer.orbits.describe import orbit_of
+from trimmer.orbits.distinct import same, shortest
+from trimmer.orbits.initial_states import initial_states, quiet_time
+from trimmer.orbits.return_map import empty_log, flow
+from trimmer.orbits.search import OrbitSearch, SimulationSearch
+from trimmer.orbits.shooting import Return, Shot, solve
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.motion.loops import ClosedLoop
+    from trimmer.motion.tables import Log
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+
+FIRST_EVENTS = 128
+"""Events after which the motion is first looked at; then after half as many again, and so on."""
+MOST_EVENTS = 5_000
+"""Events of one motion."""
+RECENT = 64
+"""Events at the end of a motion that show how far it swings."""
+RETURNING = 1e-2
+"""Difference of two states, relative to their sizes, below which the motion may be near an orbit."""
+CLOSER = 10.0
+"""A return counts that is at most so many times worse than the best one; the latest of them is the period."""
+ARRIVED = 1e-8
+"""Difference below which the motion is on the orbit, to rounding."""
+ITERATIONS = 12
+"""Of Newton's method, which needs about five from so near; a spiral into a point would use up any number."""
+PROGRESS = 0.2
+"""Share of the best difference so far that is worth another attempt."""
+SHRUNK = 1e-7
+"""Swing of all states, relative to the largest one of the motion, below which it has come to rest."""
+COLLAPSED = 1e-6
+"""Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
+NEAR = 0.1
+"""Change of state and span by Newton's method that leaves them near where they were."""
+SILENCE = 2.0
+"""Seconds before a progress bar shows."""
+
+
+class Ending(Enum):
+    """How a motion ended."""
+
+    SETTLED = "settled on an orbit"
+    AT_REST = "came to rest"
+    DIVERGED = "grew without bound"
+    ACCUMULATED = "ended as its events accumulate"
+    LEFT = "did none of this in time"
+
+
+@dataclass(frozen=True)
+class Turn:
+    """The last period of a motion, as it seems.
+
+    Attributes:
+        mode: Mode at an instant far from events.
+        state: Extended state there.
+        span: Duration of the period, or of half of it, s.
+        mirrored: Whether the state returns with its signs changed.
+        sizes: Size of each entry of the state.
+        miss: Difference of the states at both ends, relative to the sizes.
+    """
+
+    mode: int
+    state: Reals
+    span: float
+    mirrored: bool
+    sizes: Reals
+    miss: float
+
+
+def settled_orbits(
+    loop: ClosedLoop, search: OrbitSearch, known: list[PeriodicOrbit]
+) -> tuple[list[PeriodicOrbit], SimulationSearch]:
+    """Simulate from many initial states and find the orbits that the motions settle on or pass by.
+
+    After two seconds a progress bar shows on a terminal; an interrupt ends the search at once.
+
+    Args:
+        loop: The closed loop.
+        search: How many, how long.
+        known: Orbits that are known already.
+
+    Returns:
+        Those that are not, and how the motions ended.
+    """
+    orbits, endings = list(known), Counter[Ending]()
+    starts = initial_states(loop, search.starts, search.seed)
+    bar = tqdm(starts, desc="simulate", total=search.starts, delay=SILENCE, leave=False, disable=None)
+    for mode, state in bar:
+        endings[_follow(loop, mode, state, search.steps, orbits)] += 1
+    found = SimulationSearch(search.starts, search.seed, *(endings[each] for each in Ending))
+    return orbits[len(known) :], found
+
+
+def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> Ending:
+    """Follow a motion until it has settled, and add the orbits that it settles on or passes by."""
+    quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
+    widest = np.zeros(loop.modes.layout.order)
+    while total < MOST_EVENTS and steps > 0:
+        reason, log, end = _march(loop, mode, state, quiet, events, steps)
+        total += events
+        if reason == DIVERGED:
+            return Ending.DIVERGED
+        if reason == REACHED_END and not (np.diff(log.start) > 0).any():
+            return Ending.AT_REST
+        if reason == CYCLING:
+            return Ending.ACCUMULATED
+        if reason == STEP_LIMIT:
+            return Ending.LEFT
+        swing = np.ptp(log.state[-RECENT:, : widest.size], axis=0)
+        widest = np.maximum(widest, np.ptp(log.state[:, : widest.size], axis=0))
+        if (swing <= SHRUNK * widest).all():
+            return Ending.AT_REST
+        turn = _last_turn(loop, log)
+        if turn is not None and (turn.miss < PROGRESS * best or turn.miss < ARRIVED):
+            best = turn.miss
+            if _settles(loop, turn, orbits):
+                return Ending.SETTLED
+        steps -= _steps(loop, log, end)
+        mode, state = _quiet_state(loop, log, end)
+        events += events // 2
+    return Ending.LEFT
+
+
+def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
+    """Add the orbit near a turn, if there is one, and tell whether the motion stays there."""
+    found = _polished(loop, turn)
+    if found is None or _collapsed(found[1], turn):
+        return False
+    problem, shot = found
+    orbit = orbit_of(loop, *shortest(problem, shot), None)
+    if not any(same(orbit, other) for other in orbits):
+        orbits.append(orbit)
+    change = float((abs(shot.state - turn.state) / turn.sizes).max())
+    near = max(change, abs(shot.span / turn.span - 1.0)) < NEAR
+    return turn.miss < ARRIVED or (orbit.stable and near)
+
+
+def _collapsed(shot: Shot, turn: Turn) -> bool:
+    """Tell whether Newton's method has ended where nothing moves, or nothing happens."""
+    swing = np.ptp(np.vstack([shot.log.state, shot.state]), axis=0) / turn.sizes
+    return len(shot.log.start) < 2 or float(swing.max()) < COLLAPSED
+
+
+def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
+    """Find the orbit near a turn by Newton's method; with the symmetry if it seems to have it."""
+    symmetric = Return(loop.modes, mirrored=True, driven=False, sizes=turn.sizes)
+    trials = [(symmetric, turn.span)] if turn.mirrored else []
+    whole = 2.0 * turn.span if turn.mirrored else turn.span
+    trials.append((replace(symmetric, mirrored=False), whole))
+    for problem, span in trials:
+        shot = solve(problem, turn.mode, turn.state, span, ITERATIONS)
+        if shot is not None:
+            return problem, shot
+    return None
+
+
+def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
+    """Return the last period of a motion if its end looks like its beginning."""
+    lasting = np.flatnonzero(np.diff(log.start) > 0)
+    if len(lasting) < 2:
+        return None
+    last, earlier = lasting[-1], lasting[:-1]
+    free = slice(loop.modes.layout.sine)
+    recent = log.state[lasting[-RECENT:]]
+    sizes = abs(recent).max(axis=0)
+    sizes[sizes == 0.0] = 1.0
+    problem = Return(loop.modes, mirrored=True, driven=False, sizes=sizes)
+    state, mode = log.state[last], int(log.mode[last])
+    returns = []
+    for mirrored in (True, False):
+        back = earlier[log.mode[earlier] == (problem.final(mode) if mirrored else mode)]
+        target = problem.signs * state if mirrored else state
+        misses = (abs(log.state[back] - target) / sizes)[:, free].max(axis=1, initial=0.0)
+        returns += [(float(miss), int(place), mirrored) for miss, place in zip(misses, back, strict=True)]
+    if not returns:
+        return None
+    good = max(CLOSER * min(miss for miss, _, _ in returns), ARRIVED)
+    if good > CLOSER * RETURNING:
+        return None
+    miss, place, mirrored = max((each for each in returns if each[0] <= good), key=lambda each: each[1])
+    span = float(log.start[last] - log.start[place])
+    inside = lasting[(lasting >= place) & (lasting < last)]
+    longest = int(inside[np.argmax(log.start[inside + 1] - log.start[inside])])
+    part = type(log)._make(column[: longest + 1] for column in log)
+    quiet, middle = _quiet_state(loop, part, float(log.start[longest + 1]))
+    return Turn(quiet, middle, span, mirrored, np.maximum(sizes, abs(middle)), miss)
+
+
+def _march(
+    loop: ClosedLoop, mode: int, state: Reals, duration: float, events: int, steps: int
+) -> tuple[int, Log, float]:
+    """Follow a motion for a time, s, or some events; return why it stopped, the log, and its end."""
+    modes, log, segment = loop.modes, empty_log(events + 2, mode, state), 0
+    while True:
+        reason, segment, reached = march(modes.tables, log, segment, duration, events + 1, steps)
+        if reason == UNKNOWN_MODE:
+            modes.tabulate(int(log.mode[segment]))
+        else:
+            assert reason != FULL, "there is room for all events"
+            return reason, type(log)._make(column[: segment + 1].copy() for column in log), reached
+
+
+def _steps(loop: ClosedLoop, log: Log, end: float) -> int:
+    """Return about how many steps a motion took."""
+    durations = np.diff(np.append(log.start, end))
+    return int((durations / loop.modes.tables.step[log.mode] + 1.0).sum())
+
+
+def _quiet_state(loop: ClosedLoop, log: Log, end: float) -> tuple[int, Reals]:
+    """Return mode and extended state in the middle of the last segment that lasts, far from events."""
+    stops = np.append(log.start[1:], end)
+    last = int(np.flatnonzero(stops > log.start)[-1])
+    mode = int(log.mode[last])
+    return mode, flow(loop.modes, mode, 0.5 * float(stops[last] - log.start[last])) @ log.state[last]
