@@ -1,6 +1,10 @@
 """The public names, for type checkers and for the package itself, which imports each on first use."""
 
+from .balance.feasible_frequencies import BandEnd as BandEnd
+from .balance.feasible_frequencies import FeasibleBand as FeasibleBand
+from .balance.identification import Identification as Identification
 from .balance.identification import IdentifiedTimeConstant as IdentifiedTimeConstant
+from .balance.identification import TimeConstantInterval as TimeConstantInterval
 from .balance.identification import identify_time_constant as identify_time_constant
 from .balance.leakage import harmonic_leakage as harmonic_leakage
 from .balance.limit_cycle import Certificate as Certificate
@@ -34,6 +38,7 @@ from .errors import TrimmerError as TrimmerError
 from .errors import UndecidedWarning as UndecidedWarning
 from .errors import UnsupportedElementError as UnsupportedElementError
 from .errors import UnsupportedMotionError as UnsupportedMotionError
+from .errors import WrongTypeError as WrongTypeError
 from .files import FileWriteError as FileWriteError
 from .files import write_atomically as write_atomically
 from .linear.crossings import RealAxisCrossing as RealAxisCrossing
@@ -43,7 +48,7 @@ from .linear.extrema import Extremum as Extremum
 from .linear.extrema import antiresonances as antiresonances
 from .linear.extrema import resonance_peaks as resonance_peaks
 from .linear.frequency_response import UnsupportedSystemError as UnsupportedSystemError
-from .linear.frequency_response import frequency_response as frequency_response
+from .linear.frequency_response import response_at as response_at
 from .linear.low_pass import asymptotic_roll_off as asymptotic_roll_off
 from .linear.low_pass import bandwidth as bandwidth
 from .linear.low_pass import bandwidth_crossings as bandwidth_crossings
@@ -68,6 +73,7 @@ from .linear.time_response import time_response as time_response
 from .linear.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
 from .motion.energy import EnergyBalance as EnergyBalance
 from .motion.energy import energy_balance as energy_balance
+from .motion.loop_signal import LoopSignal as LoopSignal
 from .motion.loops import ClosedLoop as ClosedLoop
 from .motion.loops import Drive as Drive
 from .motion.loops import OpenLoop as OpenLoop
@@ -81,6 +87,7 @@ from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .orbits.forced_orbit import forced_orbit as forced_orbit
 from .orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
+from .orbits.orbit_measures import Impact as Impact
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
@@ -110,6 +117,7 @@ from .spectra.classification import Harmonic as Harmonic
 from .spectra.classification import LimitCycleLine as LimitCycleLine
 from .spectra.classification import Match as Match
 from .spectra.classification import NaturalMode as NaturalMode
+from .spectra.classification import Tolerance as Tolerance
 from .spectra.classification import classify as classify
 from .spectra.harmonics import HarmonicFit as HarmonicFit
 from .spectra.harmonics import fit_harmonics as fit_harmonics

@@ -7,6 +7,13 @@ class TrimmerError(Exception):
     """An input of the user cannot be used; the message is complete in itself and says what to do."""
 
 
+class WrongTypeError(TrimmerError, TypeError, ValueError):
+    """An argument of another type than the one that is needed; the message names argument and value.
+
+    It is a ``ValueError`` as well, so that what catches unusable values catches it too.
+    """
+
+
 class FrequencyRangeError(TrimmerError, ValueError):
     """A range of frequencies is not of the form 0 < lowest < highest < inf."""
 

@@ -8,6 +8,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, Self
 
+from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
 
 
@@ -117,7 +118,7 @@ class TrimmerParameters:
         """
         from trimmer.parameter_files import read_parameters
 
-        return read_parameters(Path(path))
+        return read_parameters(file_path("path", path))
 
     def to_toml(self) -> str:
         """Return the parameters as TOML text, each with its meaning and unit; it reads back equal."""
@@ -128,6 +129,16 @@ class TrimmerParameters:
     def values(self) -> tuple[float, ...]:
         """Return the thirteen values, SI units, as the generated functions take them: m1-m4, k1-k5, c1-c4."""
         return tuple(getattr(self, parameter.symbol) for parameter in parameter_table())
+
+
+def require_parameters(parameters: object) -> None:
+    """Check that the parameters of a trimmer were given.
+
+    Raises:
+        WrongTypeError: if they were not.
+    """
+    wanted = "the trimmer.TrimmerParameters of a trimmer, such as TrimmerParameters.thesis()"
+    require_instance("parameters", parameters, TrimmerParameters, wanted)
 
 
 def parameter_table() -> tuple[Parameter, ...]:

@@ -11,7 +11,7 @@ from report.claim import Confirmation
 from report.numbers.independent import loci, waveforms
 from report.numbers.independent.waveforms import ODD_ORDERS, Values, at_the_jump, sampled_gain
 from report.parts import close, equal, small, so
-from trimmer import Element, LimitCycle, PeriodicOrbit, frequency_response
+from trimmer import Element, LimitCycle, PeriodicOrbit, response_at
 
 DIGITS = 30
 RELATIVE = 1e-12
@@ -66,7 +66,7 @@ def by_waveform(
     worst = max(
         abs(1 + sampled_gain(element, cycle.amplitude, cycle.omega) * complex(response))
         for element, cycle in pairs
-        for response in [frequency_response(system, cycle.omega)]
+        for response in [response_at(system, cycle.omega)]
     )
     return small("the first line in the spectrum of the waveform", worst, CLOSES)
 

@@ -11,7 +11,7 @@ import numpy as np
 from report.drawing.marks import beside
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, Look
-from trimmer import frequency_response
+from trimmer import response_at
 
 if TYPE_CHECKING:
     import control
@@ -38,7 +38,7 @@ def critical_point(axes: Axes) -> None:
 
 def locus(axes: Axes, system: control.lti.LTI) -> None:
     """Draw G for rising frequency."""
-    response = frequency_response(system, OMEGA)
+    response = response_at(system, OMEGA)
     plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="$G$", **LINES[0])
     critical_point(axes)
 
@@ -78,6 +78,6 @@ def mark(
 ) -> None:
     """Mark limit cycles on G, full where stable and open where not, each with its text beside it."""
     for cycle, text, offset in zip(cycles, texts, offsets, strict=True):
-        point, fill = complex(frequency_response(system, cycle.omega)), BLACK if cycle.stable else "white"
+        point, fill = complex(response_at(system, cycle.omega)), BLACK if cycle.stable else "white"
         axes.plot([point.real], [point.imag], "o", color=BLACK, markersize=5.5, markerfacecolor=fill)
         beside(axes, text, point, offset, ha="left" if offset[0] > 0 else "right", **READABLE)

@@ -17,7 +17,7 @@ import mpmath
 from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
-from trimmer import CoulombFriction, Element, InputChannels, LimitCycle, frequency_response, limit_cycles
+from trimmer import CoulombFriction, Element, InputChannels, LimitCycle, limit_cycles, response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 
 FORCE = 0.6
@@ -149,7 +149,7 @@ def _newton(
 
     def residual(log_amplitude: float, log_omega: float) -> tuple[float, float]:
         a, w = amplitude * math.exp(log_amplitude), omega * math.exp(log_omega)
-        loop = 1 + element(a, w) * complex(frequency_response(system, w))
+        loop = 1 + element(a, w) * complex(response_at(system, w))
         return loop.real, loop.imag
 
     log_amplitude, log_omega = mpmath.findroot(residual, (0, 0))

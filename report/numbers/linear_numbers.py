@@ -128,7 +128,7 @@ def pin_and_output(parameters: TrimmerParameters, times: Reals) -> tuple[Reals, 
     """
     pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)
     system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
-    return pin, time_response(system, pin, times).output
+    return pin, time_response(system, times, pin).outputs
 
 
 def lightly_damped(parameters: TrimmerParameters) -> TrimmerParameters:

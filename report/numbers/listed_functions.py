@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from report.thesis import TURN
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.arrays import Complexes, Reals
 
 STEPS = 60
@@ -104,7 +104,7 @@ def _gain(gamma: float, ratio: float, angle: complex) -> complex:
 
 def intersections(contour: Complexes, system: control.lti.LTI) -> tuple[float, ...]:
     """Return the angular frequencies, rad/s, at which a polygon in the plane of G crosses the locus of G."""
-    response = frequency_response(system, RESPONSE_OMEGA)
+    response = response_at(system, RESPONSE_OMEGA)
     start, side = contour[:-1, np.newaxis], np.diff(contour)[:, np.newaxis]
     locus, along = response[np.newaxis, :-1], np.diff(response)[np.newaxis, :]
     with np.errstate(divide="ignore", invalid="ignore"):

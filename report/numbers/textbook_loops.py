@@ -14,7 +14,7 @@ import control
 import numpy as np
 
 from report.numbers.time_stepping import linear_step
-from trimmer import FrictionBacklash, Relay, frequency_response, limit_cycles
+from trimmer import FrictionBacklash, Relay, limit_cycles, response_at
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -76,7 +76,7 @@ def graphical_intersections(loop: Loop, omegas: Reals, amplitudes: Reals) -> Rea
     Returns:
         Frequency and amplitude at each intersection, interpolated along the lines, shape (intersections, 2).
     """
-    locus, inverse = frequency_response(loop.plant, omegas), loop.inverse_element(amplitudes)
+    locus, inverse = response_at(loop.plant, omegas), loop.inverse_element(amplitudes)
     along, across = np.diff(locus)[:, None], np.diff(inverse)[None, :]
     apart = inverse[None, :-1] - locus[:-1, None]
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -101,7 +101,7 @@ def encirclements_of(plant: control.TransferFunction, point: complex) -> int:
     The locus is followed in small steps. The plant must be strictly proper, without poles on the axis.
     """
     angles = np.linspace(-np.pi / 2, np.pi / 2, _LOCUS_POINTS)[1:-1]
-    response = np.concatenate([[0.0], frequency_response(plant, np.tan(angles)), [0.0]]) - point
+    response = np.concatenate([[0.0], response_at(plant, np.tan(angles)), [0.0]]) - point
     turned = np.angle(response[1:] / response[:-1])
     return -round(float(np.sum(turned)) / (2 * np.pi))
 
@@ -125,7 +125,7 @@ def backlash_history() -> History:
     step = 2 * np.pi / first.omega / _STEPS
     space = control.ss(loop.plant)
     starts = np.array(STARTS) * first.amplitude
-    drive = -1 / complex(frequency_response(loop.plant, first.omega))
+    drive = -1 / complex(response_at(loop.plant, first.omega))
     state = np.linalg.solve(1j * first.omega * np.eye(3) - space.A, space.B * drive).real * starts
     inputs = _play_in_loop(linear_step(space, step), space.C[0], state, starts)
     windows = inputs.reshape(WINDOWS, _STEPS, starts.size)

@@ -52,6 +52,10 @@ def test_wheel_holds_every_file_of_the_packages(wheel: Path, project_folder: Pat
         assert any(name.startswith(folder) for name in shipped), folder
 
 
+def test_wheel_says_that_it_is_typed(wheel: Path) -> None:
+    assert "trimmer/py.typed" in zipfile.ZipFile(wheel).namelist()
+
+
 def test_wheel_holds_the_licences(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert any(name.endswith(".dist-info/licenses/LICENSE") for name in names)

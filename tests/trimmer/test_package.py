@@ -58,6 +58,19 @@ def test_no_module_hides_a_public_name() -> None:
     assert modules.isdisjoint(trimmer.__all__)
 
 
+def test_the_package_says_that_it_is_typed() -> None:
+    """PEP 561: without this file a type checker takes everything in the package for Any."""
+    assert (Path(trimmer.__file__).parent / "py.typed").read_text() == ""
+
+
+def test_the_package_can_be_run_as_the_command(project_folder: Path) -> None:
+    for words, code in ((["--version"], 0), (["linear", "--no-such-option"], 2)):
+        command = [sys.executable, "-m", "trimmer", *words]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False, cwd=project_folder)
+        assert ended.returncode == code
+        assert (ended.stdout or ended.stderr).split()[code and 1] == "trimmer"
+
+
 def test_star_import_gives_the_public_names() -> None:
     names: dict[str, object] = {}
     exec("from trimmer import *", names)

@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.arguments import require_instance, require_instances, whole_number
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.loop import require_element
+from trimmer.linear.frequency_response import require_siso, response_at
 
 if TYPE_CHECKING:
     import control
 
-    from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
 HARMONICS = (3, 5, 7)
@@ -40,10 +42,16 @@ def harmonic_leakage(
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.
         ValueError: if a harmonic is not an integer >= 1.
     """
+    require_siso(G)
+    require_element(element)
+    require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
+    numbers = require_instances("harmonics", harmonics, object, "a whole number")
+    for place, number in enumerate(numbers):
+        whole_number(f"harmonics[{place}]", number, 1)
 
     def returned(harmonic: int) -> float:
         gain = element.describing_function(cycle.amplitude, cycle.omega, harmonic)
-        return float(np.abs(gain * frequency_response(G, harmonic * cycle.omega)))
+        return float(np.abs(gain * response_at(G, harmonic * cycle.omega)))
 
     fundamental = returned(1)
-    return tuple(returned(harmonic) / fundamental for harmonic in harmonics)
+    return tuple(returned(harmonic) / fundamental for harmonic in numbers)

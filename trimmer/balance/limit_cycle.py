@@ -167,3 +167,18 @@ class HarmonicBalance:
         if self.certificate.winding_number is None:
             return None
         return self.certificate.winding_number == sum(cycle.index for cycle in self.limit_cycles)
+
+    @property
+    def success(self) -> bool:
+        """Whether no limit cycle is missing, as far as the search went: see ``certificate``."""
+        return self.certificate.complete and self.confirmed is not False
+
+    @property
+    def message(self) -> str:
+        """What came out, in words."""
+        found = f"{len(self.limit_cycles)} limit cycle{'' if len(self.limit_cycles) == 1 else 's'} found"
+        return (
+            "; ".join([found, *self.certificate.doubts])
+            if self.certificate.doubts
+            else f"{found}, and no more"
+        )

@@ -8,6 +8,7 @@ from functools import lru_cache
 import control
 import numpy as np
 
+from trimmer.arguments import shown
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain, parted, with_feedback
@@ -34,6 +35,21 @@ class LoopEquation:
     linear: LinearGain = field(default=_NOTHING)
 
 
+def require_element(element: object) -> None:
+    """Check that an element was given.
+
+    Raises:
+        UnsupportedElementError: if it was not.
+    """
+    if isinstance(element, type):
+        raise UnsupportedElementError(
+            f"element: the class {element.__name__} is not an element: give an instance, such as "
+            "FrictionBacklash(4e-5)"
+        )
+    if not isinstance(element, Element):
+        raise UnsupportedElementError(f"element: {shown(element)} is not an element: give a trimmer.Element")
+
+
 def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
     """Return the equation of a loop with negative feedback, with the linear part of the element split off.
 
@@ -46,8 +62,7 @@ def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
         LinearElementError: if the element is linear.
         UnsupportedElementError: if it is no element.
     """
-    if not isinstance(element, Element):
-        raise UnsupportedElementError(f"{element!r} is not an element: give a trimmer.Element")
+    require_element(element)
     response = inverse_response(G)
     linear, rest = parted(element)
     if rest is None:

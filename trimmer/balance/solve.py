@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import real_number, real_values
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.limit_cycle import (
     Certificate,
@@ -16,7 +17,7 @@ from trimmer.balance.limit_cycle import (
     UndecidedRegion,
     doubts_of_search,
 )
-from trimmer.balance.loop import loop_equation
+from trimmer.balance.loop import loop_equation, require_element
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
@@ -136,6 +137,7 @@ def _solve(
     given = None if omega_range is None else _checked_range(omega_range)
     if frozen_omega is not None:
         _require_positive(frozen_omega)
+        require_element(element)
         element = element.at(frozen_omega)
     loop = loop_equation(G, element)
     unbounded = bool(np.isinf(loop.curve.edge(np.zeros(1))).any())
@@ -143,7 +145,8 @@ def _solve(
 
 
 def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
-    lowest, highest = omega_range if len(omega_range) == 2 else (math.nan, math.nan)
+    limits = real_values("omega_range", omega_range)
+    lowest, highest = limits.tolist() if limits.shape == (2,) else (math.nan, math.nan)
     if not 0 < lowest < highest < math.inf:
         raise FrequencyRangeError(
             "omega_range must be (lowest, highest) with 0 < lowest < highest < inf, rad/s, "
@@ -153,7 +156,7 @@ def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
 
 
 def _require_positive(frozen_omega: float) -> None:
-    if not 0 < frozen_omega < math.inf:
+    if not 0 < real_number("frozen_omega", frozen_omega, "rad/s") < math.inf:
         raise ValueError(f"frozen_omega must be positive and finite, rad/s, not {frozen_omega!r}")
 
 

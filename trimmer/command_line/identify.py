@@ -14,6 +14,13 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--frequency", type=float, metavar="HZ", required=True, help="frequency of the limit cycle, Hz"
     )
+    parser.add_argument(
+        "--uncertainty",
+        type=float,
+        metavar="HZ",
+        default=0.0,
+        help="how far the frequency may be off, either way, Hz (default: 0); gives M/D as an interval",
+    )
     add_loop_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
 
@@ -26,7 +33,9 @@ def _run(arguments: Namespace) -> int:
     require_positive(arguments, "frequency", "Hz")
     G = linear_part(arguments)
     try:
-        found = identify_time_constant(G, arguments.gap, arguments.frequency)
+        found = identify_time_constant(
+            G, arguments.gap, arguments.frequency, frequency_uncertainty=arguments.uncertainty
+        )
     except ValueError as error:
         raise OptionError(str(error)) from error
     print((identified_as_json if arguments.json else identified_as_text)(found))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
 from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
@@ -15,7 +15,8 @@ from trimmer.command_line.table import table
 if TYPE_CHECKING:
     import control
 
-    from trimmer.balance.identification import IdentifiedTimeConstant
+    from trimmer.balance.feasible_frequencies import FeasibleBand
+    from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
 
@@ -58,21 +59,74 @@ def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def identified_as_text(found: Sequence[IdentifiedTimeConstant]) -> str:
-    """Return time constants, s, as a table with the limit cycle of each; a sentence if there are none."""
-    if not found:
-        return "no M/D gives a limit cycle at this frequency"
+def identified_as_text(identified: Identification) -> str:
+    """Return time constants, s, as a table, followed by their intervals and by the feasible frequencies."""
+    lines = ["no M/D gives a limit cycle at this frequency"]
+    if identified.time_constants:
+        lines = ["Time constants M/D", *_table_of(identified.time_constants)]
+    spread = identified.frequency_uncertainty
+    if spread > 0:
+        around = f"{identified.frequency:.9g} +- {spread:.3g} Hz"
+        lines += [f"M/D within {around}: {_interval(each)}" for each in identified.intervals]
+        if not identified.intervals:
+            lines.append(f"no M/D gives a limit cycle within {around}")
+    lines += [f"feasible: {_band(band)}" for band in identified.bands]
+    if not identified.bands:
+        lines.append("feasible: no frequency; no M/D gives a limit cycle at all")
+    if identified.nearest is not None:
+        away = identified.nearest.limit_cycle.frequency - identified.frequency
+        lines += [f"The nearest limit cycle, {away:+.3g} Hz from there", *_table_of((identified.nearest,))]
+    return "\n".join(lines)
+
+
+def identified_as_json(identified: Identification) -> str:
+    """Return what was identified as JSON; an infinite M/D, which is inertia-controlled backlash, is null."""
+    nearest = identified.nearest
+    content = {
+        "frequency": identified.frequency,
+        "frequency_uncertainty": identified.frequency_uncertainty,
+        "time_constants": [_time_constant(each) for each in identified.time_constants],
+        "intervals": [
+            {
+                "lowest": finite(each.lowest),
+                "highest": finite(each.highest),
+                "frequencies": each.frequencies,
+            }
+            for each in identified.intervals
+        ],
+        "bands": [
+            {
+                "frequencies": [finite(frequency) for frequency in band.frequencies],
+                "time_constants": [finite(end.time_constant) for end in (band.lower, band.upper)],
+            }
+            for band in identified.bands
+        ],
+        "nearest": None if nearest is None else _time_constant(nearest),
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _table_of(found: Sequence[IdentifiedTimeConstant]) -> list[str]:
     rows = [(f"{each.time_constant:.6g}", *_cycle_row(each.limit_cycle)) for each in found]
-    return "\n".join(["Time constants M/D", *table(("M/D, s", *_HEADS[:5]), rows)])
+    return table(("M/D, s", *_HEADS[:5]), rows)
 
 
-def identified_as_json(found: Sequence[IdentifiedTimeConstant]) -> str:
-    """Return time constants, s, as JSON; an infinite one, which is inertia-controlled backlash, is null."""
-    content = [
-        {"time_constant": finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
-        for each in found
-    ]
-    return json.dumps({"time_constants": content}, indent=2, allow_nan=False)
+def _time_constant(each: IdentifiedTimeConstant) -> dict[str, Any]:
+    return {"time_constant": finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
+
+
+def _interval(interval: TimeConstantInterval) -> str:
+    low, high = interval.frequencies
+    return f"{interval.lowest:.6g} to {interval.highest:.6g} s ({low:.9g} to {high:.9g} Hz)"
+
+
+def _band(band: FeasibleBand) -> str:
+    low, high = band.frequencies
+    ends = " to ".join(
+        "no end" if math.isnan(end.time_constant) else f"{end.time_constant:.6g} s"
+        for end in (band.lower, band.upper)
+    )
+    return f"{low:.9g} to {high:.9g} Hz, with M/D from {ends}"
 
 
 def _cycle(cycle: LimitCycle) -> dict[str, float | bool]:

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
     import control
@@ -39,12 +39,12 @@ def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_fo
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
     omega = np.geomspace(*balance.certificate.omegas, _POINTS)
-    response = frequency_response(G, omega)
+    response = response_at(G, omega)
     axes.plot(response.real, response.imag, label="G(jω)")
     for label, curve in _element_curves(element, balance):
         axes.plot(curve.real, curve.imag, label=label)
     for cycle in balance.limit_cycles:
-        point = complex(frequency_response(G, cycle.omega))
+        point = complex(response_at(G, cycle.omega))
         kind = "stable" if cycle.stable else "unstable"
         text = f"{cycle.frequency:.4g} Hz, {cycle.amplitude:.4g} ({kind})"
         axes.plot(

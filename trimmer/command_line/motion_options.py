@@ -31,7 +31,13 @@ def add_motion_options(parser: ArgumentParser) -> None:
         metavar="DISPLACEMENT=N",
         help="Coulomb friction between two bodies, such as q2-q4=0.5; may be given several times",
     )
-    parser.add_argument("--drive", type=float, metavar="HZ", help="drive the pin at a frequency (open loop)")
+    parser.add_argument(
+        "--drive",
+        "--drive-frequency",
+        type=float,
+        metavar="HZ",
+        help="drive the pin at a frequency, Hz (open loop)",
+    )
     parser.add_argument("--amplitude", type=float, metavar="M", help="amplitude of the drive, m")
     parser.add_argument(
         "--impulse", type=float, metavar="M*S", help="impulse that sets the closed loop in motion, m s"
@@ -90,7 +96,7 @@ def _drive(arguments: Namespace) -> Drive | None:
     require_positive(arguments, "drive", "Hz")
     if not 0 <= arguments.amplitude < math.inf:
         raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
-    return Drive(arguments.amplitude, 2.0 * math.pi * arguments.drive)
+    return Drive(arguments.amplitude, frequency=arguments.drive)
 
 
 def _friction(text: str) -> BodyFriction:

@@ -42,6 +42,8 @@ def as_json(motion: Motion) -> str:
     content = {
         "duration": motion.duration,
         "outcome": motion.outcome.name.lower(),
+        "success": motion.success,
+        "message": motion.message,
         "touches": motion.touches,
         "events": [
             {"time": each.time, "kind": each.kind.value, "component": each.component, "mode": each.mode}

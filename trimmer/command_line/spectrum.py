@@ -34,9 +34,10 @@ def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
     parser.add_argument(
         "--drive",
+        "--drive-frequency",
         type=positive("Hz"),
         metavar="HZ",
-        help="frequency of the drive, whose harmonics are fitted, and looked for among the peaks",
+        help="frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",
     )
     parser.add_argument(
         "--gap",
@@ -44,6 +45,12 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="M",
         help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",
+    )
+    parser.add_argument(
+        "--closed-loop",
+        action="store_true",
+        help="the pin follows the output although there is a drive; else a driven trimmer is not said to "
+        "have a limit cycle, which needs that feedback",
     )
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
     parser.add_argument(
@@ -125,6 +132,7 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
             predictions.limit_cycles,
             arguments.window,
             arguments.limit,
+            closed_loop=arguments.closed_loop,
         )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from trimmer.spectra.analysis import SpectrumAnalysis
     from trimmer.spectra.harmonics import HarmonicFit
 
+_WIDTH = 110
 _SMALLEST_HARMONIC = 1e-4
 """Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""
 
@@ -74,8 +76,9 @@ def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wa
         "harmonics": None if fit is None else _fit(fit),
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
+        "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
         "peaks": [_peak(classified) for classified in analysis.peaks],
-        "notes": analysis.doubts,
+        "notes": [*analysis.doubts, *analysis.notes],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
     }
     return json.dumps(content, indent=2, allow_nan=False)
@@ -99,11 +102,11 @@ def _head(file: Path, analysis: SpectrumAnalysis) -> Iterator[str]:
 def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
     largest = float(fit.amplitudes.max())
     rows = [
-        (str(order), f"{order * fit.drive:.6g}", f"{amplitude:.6g}", f"{np.angle(c, deg=True):.1f}")
+        (str(order), f"{order * fit.frequency:.6g}", f"{amplitude:.6g}", f"{np.angle(c, deg=True):.1f}")
         for order, amplitude, c in zip(fit.orders, fit.amplitudes, fit.coefficients, strict=True)
         if amplitude > _SMALLEST_HARMONIC * largest
     ]
-    yield f"Harmonics of the drive at {fit.drive:.9g} Hz, by least squares with Hann weights"
+    yield f"Harmonics of the drive at {fit.frequency:.9g} Hz, by least squares with Hann weights"
     yield from table(("order", "Hz", _with_unit("amplitude", unit), "phase, deg"), rows)
     yield f"  they explain {100 * fit.explained:.4g} % of the variance; {fit.residual:.3g} rms is left"
 
@@ -129,7 +132,7 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
 def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterator[str]:
     yield "Candidates"
     if analysis.harmonics is not None:
-        yield f"  harmonics of {analysis.harmonics.drive:.9g} Hz"
+        yield f"  harmonics of {analysis.harmonics.frequency:.9g} Hz"
     listed = _listed(frequency for frequency in predictions.natural_frequencies if frequency > 0)
     yield f"  natural modes of {predictions.source}: {listed}"
     if predictions.gap is not None:
@@ -139,6 +142,8 @@ def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterato
         f"  a peak may be what is within {TOLERANCE_BINS:g} bin of it, or {100 * MODEL_TOLERANCE:g} % for "
         "modes and limit cycles"
     )
+    for note in analysis.notes:
+        yield from textwrap.wrap(note, _WIDTH, initial_indent="  ", subsequent_indent="  ")
 
 
 def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:
@@ -153,7 +158,8 @@ def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:
 
 def _fit(fit: HarmonicFit) -> dict[str, Any]:
     return {
-        "drive": fit.drive,
+        "drive": fit.frequency,
+        "frequency": fit.frequency,
         "amplitudes": fit.amplitudes.tolist(),
         "phases": np.angle(fit.coefficients).tolist(),
         "residual": fit.residual,

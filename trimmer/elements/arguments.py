@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import operator
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from trimmer.arguments import positive_number, real_number, real_values, shown
+from trimmer.errors import WrongTypeError
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -18,19 +20,20 @@ def require_positive(field: str, value: float, unit: str) -> None:
     """Check that a field of an element is a positive, finite number.
 
     Raises:
-        ValueError: if it is not; the message names field, value and unit.
+        WrongTypeError: if it is no real number.
+        ValueError: if it is out of range; the message names field, value and unit.
     """
-    if not (math.isfinite(value) and value > 0):
-        raise ValueError(f"{field} must be positive and finite ({unit}), not {value!r}")
+    positive_number(field, value, unit)
 
 
 def require_not_negative(field: str, value: float, unit: str) -> None:
     """Check that a field of an element is zero, positive or infinite, and not NaN.
 
     Raises:
-        ValueError: if it is not; the message names field, value and unit.
+        WrongTypeError: if it is no real number.
+        ValueError: if it is out of range; the message names field, value and unit.
     """
-    if not value >= 0:
+    if not real_number(field, value, unit) >= 0:
         raise ValueError(f"{field} must be zero, positive or infinite ({unit}), not {value!r}")
 
 
@@ -71,9 +74,11 @@ def positive_omegas(omega: ArrayLike) -> Reals:
 
 
 def _positive(name: str, values: ArrayLike, unit: str) -> Reals:
-    array = np.asarray(values)
+    array = np.asarray(values) if isinstance(values, np.ndarray | float) else real_values(name, values)
     if array.dtype.kind not in "fiu":
-        raise ValueError(f"{name} must be a real number or an array of such ({unit}), not {values!r}")
+        raise WrongTypeError(
+            f"{name} must be a real number or an array of such ({unit}), not {shown(values)}"
+        )
     array = array.astype(float, copy=False)
     wrong = array <= 0
     if np.count_nonzero(wrong):

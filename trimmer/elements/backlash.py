@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.arguments import require_positive
+from trimmer.elements.arguments import positive_amplitudes, require_positive
 from trimmer.elements.backlash_bounds import BacklashBox
 from trimmer.elements.backlash_frequency import slope_by_log_gamma
 from trimmer.elements.backlash_harmonics import harmonic_of
@@ -85,7 +85,7 @@ class Backlash(Element):
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 1: the load follows the mean of the pin, wherever that is."""
-        return np.ones(np.shape(amplitude))[()]
+        return np.ones(positive_amplitudes(amplitude).shape)[()]
 
     def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:
         # Both impacts in one go: the solver takes little longer for them than for one.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar, final
 
 import numpy as np
 
-from trimmer.elements.arguments import require_positive
+from trimmer.elements.arguments import positive_amplitudes, require_positive
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class CoulombFriction(SquareWaveElement):
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
-        return np.zeros(np.shape(amplitude))[()]
+        return np.zeros(positive_amplitudes(amplitude).shape)[()]
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.force * np.sign(np.cos(phase))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
+from trimmer.arguments import real_values
 from trimmer.elements.arguments import harmonic_number, positive_amplitudes, positive_omegas
 from trimmer.elements.expansion import Derivatives, Expansion
 
@@ -111,7 +112,7 @@ class Element(ABC):
         amplitudes, omegas = self._inputs(amplitude, omega)
         if np.isinf(amplitudes).any():
             raise ValueError("amplitude must be finite for a waveform, not inf")
-        phases, amplitudes, omegas = np.broadcast_arrays(np.asarray(phase, dtype=float), amplitudes, omegas)
+        phases, amplitudes, omegas = np.broadcast_arrays(real_values("phase", phase), amplitudes, omegas)
         with np.errstate(all="ignore"):
             values = self._waveform(phases.ravel(), amplitudes.ravel(), omegas.ravel())
         values = values.reshape(phases.shape)

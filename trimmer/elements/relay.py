@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar, final
 
 import numpy as np
 
-from trimmer.elements.arguments import require_positive
+from trimmer.elements.arguments import positive_amplitudes, require_positive
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Relay(SquareWaveElement):
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 2 level / (π A), half of N_1: the mean output is (2/π) level asin(b/A)."""
-        return np.asarray(2.0 * self.level / (np.pi * np.asarray(amplitude, dtype=float)))[()]
+        return np.asarray(2.0 * self.level / (np.pi * positive_amplitudes(amplitude)))[()]
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.level * np.sign(np.sin(phase))

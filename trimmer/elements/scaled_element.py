@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
+from trimmer.arguments import real_number, require_instance
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -34,7 +35,8 @@ class ScaledElement(Element):
     factor: float
 
     def __post_init__(self) -> None:
-        if not math.isfinite(self.factor) or self.factor == 0:
+        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        if not math.isfinite(real_number("factor", self.factor)) or self.factor == 0:
             raise ValueError(f"factor must be finite and not zero, not {self.factor!r}")
 
     @property

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
+from trimmer.arguments import require_instances
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -34,6 +35,8 @@ class SumOfElements(Element):
     terms: tuple[Element, ...]
 
     def __post_init__(self) -> None:
+        terms = require_instances("terms", self.terms, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "terms", terms)
         if not self.terms:
             raise ValueError("terms must hold at least one element")
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.arguments import require_positive
+from trimmer.elements.arguments import positive_amplitudes, require_positive
 from trimmer.elements.bounds import range_shape, unlimited_domain
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
@@ -67,7 +67,7 @@ class ViscousFriction(Element):
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
-        return np.zeros(np.shape(amplitude))[()]
+        return np.zeros(positive_amplitudes(amplitude).shape)[()]
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return 1j * (self.damping * omega if harmonic == 1 else 0.0 * omega).astype(complex)

@@ -1,6 +1,6 @@
 """The linear trimmer, and the analysis of any linear system.
 
 ``model`` builds the trimmer and ``modes`` finds its modes; ``zero_pole_gain`` factors a system, on which
-``extrema``, ``crossings``, ``low_pass`` and ``nyquist`` rest; ``frequency_response`` and ``time_response``
+``extrema``, ``crossings``, ``low_pass`` and ``nyquist`` rest; ``response_at`` and ``time_response``
 evaluate it; ``summary`` collects all of that for one trimmer.
 """

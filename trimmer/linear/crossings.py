@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import real_number
 from trimmer.linear.extrema import polished_root, stationary_gains, stationary_phases
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
@@ -60,8 +61,8 @@ def gain_crossings(system: control.lti.LTI, level: float = 1.0) -> tuple[float, 
         ValueError: if the level is not positive and finite.
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.
     """
-    if not (math.isfinite(level) and level > 0):
-        raise ValueError(f"a gain to cross must be positive and finite, not {level!r}")
+    if not 0 < real_number("level", level) < math.inf:
+        raise ValueError(f"level, a gain to cross, must be positive and finite, not {level!r}")
     factored = ZeroPoleGain.of(system)
     log_level = math.log(level)
 

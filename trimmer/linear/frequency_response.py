@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
+from trimmer.arguments import real_values, shown
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
@@ -31,7 +32,8 @@ def require_siso(system: control.lti.LTI) -> None:
     """
     if not isinstance(system, control.StateSpace | control.TransferFunction):
         raise UnsupportedSystemError(
-            f"{type(system).__name__} is not accepted: give a control.StateSpace or control.TransferFunction"
+            f"as the system (G) {type(system).__name__} is not accepted: give a control.StateSpace or "
+            f"control.TransferFunction, not {shown(system)}"
         )
     if not system.isctime():
         raise UnsupportedSystemError(f"a discrete-time system (dt = {system.dt}) is not accepted")
@@ -42,7 +44,7 @@ def require_siso(system: control.lti.LTI) -> None:
         )
 
 
-def frequency_response(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
+def response_at(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
     """Evaluate G(j omega) (equations 2.15 and 2.16 of the thesis).
 
     Args:
@@ -56,6 +58,6 @@ def frequency_response(system: control.lti.LTI, omega: ArrayLike) -> Complexes:
         UnsupportedSystemError: see ``require_siso``.
     """
     require_siso(system)
-    frequencies = np.asarray(omega, dtype=float)
+    frequencies = real_values("omega", omega)
     response = system(1j * frequencies.ravel(), squeeze=True)
     return np.asarray(response, dtype=complex).reshape(frequencies.shape)

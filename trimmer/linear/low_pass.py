@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import finite_number, real_values, whole_number
 from trimmer.linear.crossings import gain_crossings
-from trimmer.linear.frequency_response import UnsupportedSystemError, frequency_response
+from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 if TYPE_CHECKING:
@@ -25,39 +26,40 @@ DECIBELS_PER_DECADE = 20.0
 """Roll-off of one pole in excess of the zeros, dB per decade."""
 
 
-def bandwidth(system: control.lti.LTI, drop: float = 3.0) -> float:
+def bandwidth(system: control.lti.LTI, dbdrop: float = -3.0) -> float:
     """Find the lowest frequency where |G| falls below its value at zero frequency by a number of decibels.
 
-    The definition is that of ``control.bandwidth``. A drop of 3 dB is a factor 0.7079, not 1/sqrt(2).
+    Definition and arguments are those of ``control.bandwidth``; without a gain at zero frequency this is an
+    error, where that gives NaN or infinity. A drop of 3 dB is a factor 0.7079, not 1/sqrt(2).
 
     Args:
         system: A system with one input and one output.
-        drop: How far below the gain at zero frequency, dB, > 0.
+        dbdrop: Level relative to the gain at zero frequency, dB, < 0.
 
     Returns:
         Angular frequency, rad/s; infinite if |G| never falls so far.
 
     Raises:
-        ValueError: if the drop is not positive and finite.
+        ValueError: if ``dbdrop`` is not negative and finite.
         UnsupportedSystemError: see ``require_siso``; or if G(0) is zero or infinite.
     """
-    return next(iter(bandwidth_crossings(system, drop)), math.inf)
+    return next(iter(bandwidth_crossings(system, dbdrop)), math.inf)
 
 
-def bandwidth_crossings(system: control.lti.LTI, drop: float = 3.0) -> tuple[float, ...]:
+def bandwidth_crossings(system: control.lti.LTI, dbdrop: float = -3.0) -> tuple[float, ...]:
     """Find all frequencies, rad/s, where |G| crosses the level that defines the bandwidth, in rising order.
 
     A resonance above the bandwidth can lift |G| past the level again. Arguments and errors are those of
     ``bandwidth``.
     """
-    if not (math.isfinite(drop) and drop > 0):
-        raise ValueError(f"the drop must be a positive number of decibels, not {drop!r}")
+    if not finite_number("dbdrop", dbdrop, "dB") < 0:
+        raise ValueError(f"dbdrop must be a negative number of decibels, not {dbdrop!r}")
     static_gain = abs(ZeroPoleGain.of(system).static_gain)
     if static_gain == 0 or not math.isfinite(static_gain):
         raise UnsupportedSystemError(
             f"a system whose gain at zero frequency is {static_gain:g} has no bandwidth relative to it"
         )
-    return gain_crossings(system, static_gain * 10 ** (-drop / 20))
+    return gain_crossings(system, static_gain * 10 ** (dbdrop / 20))
 
 
 def asymptotic_roll_off(system: control.lti.LTI) -> float:
@@ -86,7 +88,7 @@ def local_slope(system: control.lti.LTI, omega: ArrayLike) -> Reals:
         UnsupportedSystemError: see ``require_siso``.
     """
     factored = ZeroPoleGain.of(system)
-    frequencies = np.asarray(omega, dtype=float)
+    frequencies = real_values("omega", omega)
     slopes = [each * factored.log_gain_slope_terms(each).sum() for each in frequencies.ravel()]
     return DECIBELS_PER_DECADE * np.reshape(slopes, frequencies.shape)
 
@@ -106,8 +108,8 @@ def filtering_ratio(system: control.lti.LTI, omega: ArrayLike, harmonic: int) ->
         ValueError: if the harmonic is less than 2.
         UnsupportedSystemError: see ``require_siso``.
     """
-    if harmonic < 2:
+    if whole_number("harmonic", harmonic) < 2:
         raise ValueError(f"harmonics above the fundamental start at 2, not {harmonic!r}")
-    fundamental = np.asarray(omega, dtype=float)
-    passed = frequency_response(system, harmonic * fundamental) / frequency_response(system, fundamental)
+    fundamental = real_values("omega", omega)
+    passed = response_at(system, harmonic * fundamental) / response_at(system, fundamental)
     return np.asarray(np.abs(passed))

@@ -11,7 +11,7 @@ import numpy as np
 from trimmer.choices import Choice
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
-from trimmer.parameters import ParameterError
+from trimmer.parameters import ParameterError, require_parameters
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -63,6 +63,7 @@ def linear_model(
     outputs = tuple(map(Displacement.parse, listed))
     if not outputs:
         raise ValueError("a linear model needs at least one output displacement")
+    require_parameters(parameters)
     values = parameters.values()
     return control.ss(
         np.array(linear_trimmer.state_matrix(*values)),
@@ -147,6 +148,7 @@ def transfer_function(
         DisplacementError: if the output is no displacement.
         ParameterError: if the parameters are so far apart that the coefficients overflow.
     """
+    require_parameters(parameters)
     output, channels = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     values = parameters.values()
     weights = np.array(output.row)

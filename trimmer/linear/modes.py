@@ -11,6 +11,7 @@ from scipy.linalg import eig, eigh
 
 from trimmer.displacement import Body
 from trimmer.generated import linear_trimmer
+from trimmer.parameters import require_parameters
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes
@@ -81,6 +82,7 @@ def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
     Returns:
         Four modes, or up to eight if some are overdamped.
     """
+    require_parameters(parameters)
     A = np.array(linear_trimmer.state_matrix(*parameters.values()))
     # Time is scaled so that displacements and velocities are of one size; else real parts lose digits.
     n = len(Body)
@@ -101,6 +103,7 @@ def undamped_modes(parameters: TrimmerParameters) -> tuple[UndampedMode, ...]:
     Args:
         parameters: The trimmer, SI units; its dampers do not count.
     """
+    require_parameters(parameters)
     values = parameters.values()
     M = np.array(linear_trimmer.mass_matrix(*values))
     K = np.array(linear_trimmer.stiffness_matrix(*values))

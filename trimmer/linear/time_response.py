@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
-from trimmer.linear.frequency_response import UnsupportedSystemError, frequency_response, require_siso
+from trimmer.arguments import positive_number, real_array, real_number, real_values
+from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -17,19 +18,27 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 
+SPACING_TOLERANCE = 1e-6
+"""How far a distance between instants may be off, relative to the first; time stamps are rounded."""
+
+
 @dataclass(frozen=True, eq=False)
 class TimeResponse:
-    """A sampled response.
+    """A sampled response, with the names and shapes of python-control's ``TimeResponseData``.
 
     Attributes:
-        times: Instants, s, shape (n,).
-        output: Output at them, shape (n,), or (number of outputs, n) if the system has several; in its unit.
+        time: Instants, s, shape (n,).
+        outputs: Outputs at them in their units, shape (n,) for a system with one input and one output, else
+            (number of outputs, n).
         states: States at them, shape (number of states, n), in their units.
+        inputs: Inputs at them in their units, shape (n,) for a system with one input and one output, else
+            (number of inputs, n).
     """
 
-    times: Reals
-    output: Reals
+    time: Reals
+    outputs: Reals
     states: Reals
+    inputs: Reals
 
 
 @dataclass(frozen=True)
@@ -48,40 +57,89 @@ class SteadyState:
 
     def at(self, times: ArrayLike) -> Reals:
         """Evaluate the output at instants (s), in the shape of ``times``."""
-        return np.asarray(self.amplitude * np.sin(self.omega * np.asarray(times) + self.phase))
+        return np.asarray(self.amplitude * np.sin(self.omega * real_values("times", times) + self.phase))
 
 
 def time_response(
     system: control.StateSpace,
-    samples: ArrayLike,
     times: ArrayLike,
+    inputs: ArrayLike,
     initial_state: ArrayLike | float = 0.0,
 ) -> TimeResponse:
     """Compute the response to an input that is linear between its samples; for such an input it is exact.
 
+    The order of the arguments is that of ``control.forced_response``.
+
     Args:
         system: A continuous-time system. A transfer function is refused: its states are not defined, and
             converting it loses digits; build the state space instead (``pin_model``), or use ``control.ss``.
-        samples: Input at the instants in its unit, shape (n,), or (number of inputs, n) if there are several.
-        times: Instants, s, shape (n,), at equal distances.
+        times: Instants, s, shape (n,), n >= 2, rising at equal distances.
+        inputs: Input at the instants in its unit, shape (n,), or (number of inputs, n) if there are several.
         initial_state: State at the first instant, shape (number of states,), or one number for every state.
 
     Raises:
         UnsupportedSystemError: if the system is not a continuous-time StateSpace.
-        ValueError: if the shapes do not fit together or the instants are not at equal distances.
+        ValueError: if the instants do not rise at equal distances, the shapes do not fit together, or a
+            number is not real and finite.
     """
     if not isinstance(system, control.StateSpace) or not system.isctime():
-        raise UnsupportedSystemError("a time response needs a continuous-time control.StateSpace")
+        raise UnsupportedSystemError(
+            f"system: a time response needs a continuous-time control.StateSpace, not {system!r}"
+        )
+    instants = _checked_times(times)
+    samples = _checked_inputs(inputs, instants.size, system.ninputs)
     response = control.forced_response(
         system,
-        timepts=np.asarray(times),
-        inputs=np.asarray(samples),
-        initial_state=initial_state,
+        timepts=instants,
+        inputs=samples,
+        initial_state=_checked_state(initial_state, system.nstates),
         squeeze=False,
     )
-    outputs = np.asarray(response.outputs)
-    output = outputs[0] if system.noutputs == 1 else outputs
-    return TimeResponse(np.asarray(response.time), output, np.asarray(response.states))
+    outputs, given = np.asarray(response.outputs), samples.reshape(system.ninputs, -1)
+    if system.issiso():
+        outputs, given = outputs[0], given[0]
+    return TimeResponse(np.asarray(response.time), outputs, np.asarray(response.states), given)
+
+
+def _checked_times(times: ArrayLike) -> Reals:
+    instants = real_array("times", times)
+    if instants.ndim != 1 or instants.size < 2:
+        raise ValueError(
+            f"times must be two or more instants in one dimension, not of shape {instants.shape}"
+        )
+    distances = np.diff(instants)
+    if (distances <= 0).any():
+        place = int(np.argmax(distances <= 0))
+        raise ValueError(
+            f"times must rise, but {float(instants[place])!r} s is followed by "
+            f"{float(instants[place + 1])!r} s; the instants come before the inputs"
+        )
+    uneven = abs(distances - distances[0]) > SPACING_TOLERANCE * distances[0]
+    if uneven.any():
+        place = int(np.argmax(uneven))
+        raise ValueError(
+            f"times must be at equal distances: they begin {float(distances[0])!r} s apart, but after "
+            f"{float(instants[place])!r} s the distance is {float(distances[place])!r} s; resample the input"
+        )
+    return instants
+
+
+def _checked_inputs(inputs: ArrayLike, count: int, ninputs: int) -> Reals:
+    samples = real_array("inputs", inputs)
+    fitting = [(ninputs, count)] if ninputs > 1 else [(count,), (1, count)]
+    if samples.shape not in fitting:
+        raise ValueError(
+            f"inputs must have shape {fitting[0]}, for {ninputs} of the system at {count} times, not "
+            f"{samples.shape}"
+        )
+    return samples
+
+
+def _checked_state(initial_state: ArrayLike | float, count: int) -> Reals:
+    state = real_array("initial_state", initial_state)
+    if state.shape not in ((), (count,)):
+        raise ValueError(f"initial_state must have shape ({count},), or be one number, not {state.shape}")
+    return np.broadcast_to(state, (count,)).copy()
 
 
 def steady_state(system: control.lti.LTI, omega: float, amplitude: float = 1.0) -> SteadyState:
@@ -102,5 +160,6 @@ def steady_state(system: control.lti.LTI, omega: float, amplitude: float = 1.0) 
         raise UnsupportedSystemError(
             f"the system has a pole with real part {slowest:g} 1/s: it does not settle into a steady state"
         )
-    gain = complex(frequency_response(system, omega))
-    return SteadyState(omega, amplitude * abs(gain), cmath.phase(gain))
+    frequency = positive_number("omega", omega, "rad/s")
+    gain = complex(response_at(system, frequency))
+    return SteadyState(frequency, real_number("amplitude", amplitude) * abs(gain), cmath.phase(gain))

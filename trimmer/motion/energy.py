@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
+from trimmer.arguments import require_instance
 from trimmer.displacement import Body
 from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import InputChannels
 from trimmer.motion.components_of_elements import components_of
+from trimmer.motion.motion import Motion
 from trimmer.motion.taylor import DEGREE
 from trimmer.motion.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.mode import SwitchedMode
-    from trimmer.motion.motion import Motion
 
 
 NODES = DEGREE + 1
@@ -107,6 +108,7 @@ def energy_balance(motion: Motion) -> EnergyBalance:
     Raises:
         UnsupportedMotionError: if it is the motion of another loop.
     """
+    require_instance("motion", motion, Motion, "a trimmer.Motion, which simulate returns")
     loop = motion.loop
     if not isinstance(loop, TrimmerLoop):
         raise UnsupportedMotionError(f"an energy balance needs the motion of a TrimmerLoop, not of {loop!r}")

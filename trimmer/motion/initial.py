@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import real_number, real_values
 from trimmer.motion.interconnection import acts
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def initial_segment(
             for a system without states of its own.
     """
     started = _plant_state(loop, initial_state, impulse)
-    if not math.isfinite(element_output):
+    if not math.isfinite(real_number("element_output", element_output)):
         raise ValueError(f"element_output must be finite, not {element_output!r}")
     return segment_from(modes, started, element_output)
 
@@ -75,14 +76,12 @@ def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) ->
             raise ValueError(
                 "initial_state: a transfer function has no states of its own; give a control.StateSpace"
             )
-        if np.iscomplexobj(initial_state):
-            raise ValueError("initial_state must be real")
-        state = np.array(initial_state, dtype=float)
+        state = real_values("initial_state", initial_state).copy()
         if state.shape != (model.nstates,):
             raise ValueError(f"initial_state must have shape ({model.nstates},), not {state.shape}")
         if not np.isfinite(state).all():
             raise ValueError("initial_state must be finite")
-    if not math.isfinite(impulse):
+    if not math.isfinite(real_number("impulse", impulse)):
         raise ValueError(f"impulse must be finite, not {impulse!r}")
     started: Reals = state + model.B[:, 0] * impulse
     return started

@@ -12,12 +12,26 @@ import control
 import numpy as np
 import scipy.signal
 
+from trimmer.arguments import shown
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.loops import Drive
     from trimmer.motion.switched_component import Component
+
+
+def require_system(system: object) -> None:
+    """Check that a system is one of python-control's transfer functions or state-space models.
+
+    Raises:
+        UnsupportedMotionError: if it is neither.
+    """
+    if not isinstance(system, control.StateSpace | control.TransferFunction):
+        raise UnsupportedMotionError(
+            f"system: give a control.StateSpace or control.TransferFunction, not {type(system).__name__} "
+            f"({shown(system)})"
+        )
 
 
 def realized(system: control.LTI) -> control.StateSpace:
@@ -28,10 +42,7 @@ def realized(system: control.LTI) -> control.StateSpace:
             models in continuous time, has several inputs or outputs, or is improper.
         ValueError: if a coefficient is not finite.
     """
-    if not isinstance(system, control.StateSpace | control.TransferFunction):
-        raise UnsupportedMotionError(
-            f"give a control.StateSpace or control.TransferFunction, not {type(system).__name__}"
-        )
+    require_system(system)
     if system.isdtime(strict=True):
         raise UnsupportedMotionError("the system must be continuous in time, not sampled")
     if (system.ninputs, system.noutputs) != (1, 1):

@@ -6,24 +6,26 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, final
+from typing import Any, final
 
 import control
 import numpy as np
 
+from trimmer.arguments import finite_number, require_instance
+from trimmer.elements.element import Element
+from trimmer.linear.stored_system import restored, stored
 from trimmer.motion.components_of_elements import components_of
-from trimmer.motion.interconnection import Interconnection, realized
+from trimmer.motion.interconnection import Interconnection, realized, require_system
 from trimmer.motion.linear_components import RigidComponent
 from trimmer.motion.mode_tables import ModeTables
 
-if TYPE_CHECKING:
-    from trimmer.elements.element import Element
-
 
 @final
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Drive:
     """A sinusoidal displacement amplitude * sin(omega t + phase).
+
+    ``Drive(1.5e-3, omega=691.0)`` and ``Drive(1.5e-3, frequency=110.0)`` are two ways to give one.
 
     Attributes:
         amplitude: Half of peak to peak, >= 0, m (or the unit of the element's input).
@@ -31,21 +33,36 @@ class Drive:
         phase: Phase at t = 0, rad.
 
     Raises:
-        ValueError: if a value is not finite, the amplitude negative or omega not positive.
+        WrongTypeError: if a value is no real number.
+        ValueError: if a value is not finite, the amplitude negative or the frequency not positive; or unless
+            exactly one of omega (rad/s) and frequency (Hz) is given.
     """
 
     amplitude: float
     omega: float
     phase: float = 0.0
 
-    def __post_init__(self) -> None:
-        for name in ("amplitude", "omega", "phase"):
-            if not math.isfinite(getattr(self, name)):
-                raise ValueError(f"{name} of the drive must be finite, not {getattr(self, name)!r}")
+    def __init__(
+        self,
+        amplitude: float,
+        omega: float | None = None,
+        phase: float = 0.0,
+        *,
+        frequency: float | None = None,
+    ) -> None:
+        if (omega is None) == (frequency is None):
+            given = "neither" if omega is None else f"omega={omega!r} and frequency={frequency!r}"
+            raise ValueError(f"a drive needs omega (rad/s) or frequency (Hz), and one only: {given} is given")
+        if frequency is not None:
+            omega = 2.0 * math.pi * _checked("frequency", frequency, "Hz")
+        object.__setattr__(self, "amplitude", _checked("amplitude", amplitude, "m"))
+        object.__setattr__(self, "omega", _checked("omega", omega, "rad/s"))
+        object.__setattr__(self, "phase", _checked("phase", phase, "rad"))
         if self.amplitude < 0:
-            raise ValueError(f"amplitude of the drive must not be negative, not {self.amplitude!r}")
-        if self.omega <= 0:
-            raise ValueError(f"omega of the drive must be positive (rad/s), not {self.omega!r}")
+            raise ValueError(f"amplitude of the drive must not be negative, not {amplitude!r}")
+        for name, value, unit in (("frequency", frequency, "Hz"), ("omega", self.omega, "rad/s")):
+            if value is not None and value <= 0:
+                raise ValueError(f"{name} of the drive must be positive ({unit}), not {value!r}")
 
     @property
     def frequency(self) -> float:
@@ -56,6 +73,14 @@ class Drive:
     def period(self) -> float:
         """Period of the drive, s."""
         return 2.0 * math.pi / self.omega
+
+
+def _checked(name: str, value: object, unit: str) -> float:
+    return finite_number(f"{name} of the drive", value, unit)
+
+
+COMPUTED = ("model", "modes")
+"""What a loop computes from its fields and keeps."""
 
 
 class Loop(ABC):
@@ -80,6 +105,23 @@ class Loop(ABC):
         """The modes of the loop with their tables, which are kept for the next simulation."""
         return ModeTables(self.interconnection())
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what the loop is made of, for pickling; what is computed from that is computed again."""
+        return {name: stored(value) for name, value in vars(self).items() if name not in COMPUTED}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled."""
+        vars(self).update((name, restored(value)) for name, value in state.items())
+
+
+def require_loop(loop: object) -> None:
+    """Check that a loop was given.
+
+    Raises:
+        WrongTypeError: if it was not.
+    """
+    require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop or TrimmerLoop")
+
 
 @final
 @dataclass(frozen=True, eq=False)
@@ -89,10 +131,19 @@ class ClosedLoop(Loop):
     Attributes:
         system: Strictly proper, one input, one output, continuous in time.
         element: Any element with a description in time.
+
+    Raises:
+        WrongTypeError: if the element is none, such as a class in place of an instance.
+        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
+            models.
     """
 
     system: control.LTI
     element: Element
+
+    def __post_init__(self) -> None:
+        require_system(self.system)
+        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the input -y of the element.
@@ -123,11 +174,21 @@ class OpenLoop(Loop):
         system: Strictly proper, one input, one output, continuous in time.
         element: Any element with a description in time.
         drive: The motion of the pin.
+
+    Raises:
+        WrongTypeError: if element or drive is none.
+        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
+            models.
     """
 
     system: control.LTI
     element: Element
     drive: Drive
+
+    def __post_init__(self) -> None:
+        require_system(self.system)
+        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        require_instance("drive", self.drive, Drive, "a trimmer.Drive")
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the drive as the input of the element.

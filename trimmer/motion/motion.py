@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import real_values
 from trimmer.motion.marching import changes
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
@@ -104,6 +105,24 @@ class Motion:
         return np.array([event.time for event in self.events])
 
     @property
+    def success(self) -> bool:
+        """Whether the motion reached the end that was asked for."""
+        return self.outcome is Outcome.COMPLETED
+
+    @property
+    def message(self) -> str:
+        """How the simulation ended, in words."""
+        return self.outcome.value
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled, and tabulate again the modes that the motion goes through."""
+        vars(self).update(state)
+        modes = self.loop.modes
+        for number in np.unique(self.log.mode).tolist():
+            if not modes.tables.known[number]:
+                modes.tabulate(number)
+
+    @property
     def touches(self) -> int:
         """How many times an event function came to zero, to rounding, without crossing (grazing contact)."""
         return int(self.log.touches.sum())
@@ -190,7 +209,7 @@ class Motion:
         Raises:
             ValueError: if a time lies outside the motion, or is NaN.
         """
-        instants = np.asarray(times, dtype=float)
+        instants = real_values("times", times)
         if not ((instants >= 0) & (instants <= self.duration)).all():
             raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
         flat = instants.ravel().copy() if not instants.flags.writeable else instants.ravel()

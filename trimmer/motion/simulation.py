@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from trimmer.arguments import real_number
 from trimmer.motion.initial import initial_segment
 from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
+from trimmer.motion.loops import require_loop
 from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.motion import Motion, Outcome
 
@@ -68,10 +70,11 @@ def simulate(
             well posed (``IllPosedLoopError``).
         UnsupportedMotionError: if the element or the system cannot be simulated.
     """
-    if not (math.isfinite(duration) and duration > 0):
+    require_loop(loop)
+    if not 0 < real_number("duration", duration, "s") < math.inf:
         raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
     for name, limit in (("event_limit", event_limit), ("step_limit", step_limit)):
-        if not (limit >= 1 and limit % 1 == 0):
+        if not (real_number(name, limit) >= 1 and limit % 1 == 0):
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
     mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)

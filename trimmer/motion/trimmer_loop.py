@@ -9,18 +9,17 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 import scipy.linalg
 
+from trimmer.arguments import require_instance, require_instances
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.interconnection import Interconnection
-from trimmer.motion.loops import Loop, element_around
+from trimmer.motion.loops import Drive, Loop, element_around
+from trimmer.parameters import TrimmerParameters, require_parameters
 
 if TYPE_CHECKING:
     import control
-
-    from trimmer.elements.element import Element
-    from trimmer.motion.loops import Drive
-    from trimmer.parameters import TrimmerParameters
 
 
 @final
@@ -42,6 +41,7 @@ class BodyFriction:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "between", Displacement.parse(self.between))
+        require_instance("law", self.law, Element, "an element, such as CoulombFriction(0.5)")
 
 
 @final
@@ -76,6 +76,13 @@ class TrimmerLoop(Loop):
     def __post_init__(self) -> None:
         object.__setattr__(self, "output", Displacement.parse(self.output))
         object.__setattr__(self, "channels", InputChannels.chosen(self.channels, "channels"))
+        require_parameters(self.parameters)
+        if self.element is not None:
+            require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        if self.drive is not None:
+            require_instance("drive", self.drive, Drive, "a trimmer.Drive")
+        frictions = require_instances("frictions", self.frictions, BodyFriction, "a trimmer.BodyFriction")
+        object.__setattr__(self, "frictions", frictions)
 
     @cached_property
     def model(self) -> control.StateSpace:

@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import whole_number
 from trimmer.errors import OrbitNotFoundError
 from trimmer.motion.initial import initial_segment
+from trimmer.motion.loops import require_loop
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.return_map import arcs, flow, follow
 from trimmer.orbits.shooting import Return, solve
@@ -41,11 +43,12 @@ def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
         OrbitNotFoundError: if Newton's method finds no motion with the period of the drive, or if events
             accumulate.
     """
+    require_loop(loop)
     drive = loop.modes.system.drive
     if drive is None:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
-    if settling is not None and settling < 0:
-        raise ValueError(f"settling must not be negative, not {settling!r}")
+    if settling is not None:
+        whole_number("settling", settling, 0)
     mode, state = initial_segment(loop, loop.modes, None, 0.0, 0.0)
     followed = 0
     for periods in SETTLING if settling is None else (settling,):

@@ -10,9 +10,10 @@ from trimmer.motion.taylor import DEGREE
 from trimmer.orbits.return_map import flow
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from trimmer.arrays import Complexes, Reals
+    from trimmer.motion.mode import SwitchedMode
     from trimmer.motion.mode_tables import ModeTables
     from trimmer.orbits.return_map import Arc
 
@@ -29,9 +30,20 @@ NEWTON_STEPS = 4
 
 def extremes(modes: ModeTables, chain: Sequence[Arc]) -> tuple[float, float]:
     """Return the smallest and the largest input of the first component along a chain of arcs, in its unit."""
-    values = [
-        value for arc in chain for value in _candidates(modes, arc, modes.mode(arc.mode).signals[0].input)
-    ]
+    return extremes_of(modes, chain, lambda mode: mode.signals[0].input)
+
+
+def extremes_of(
+    modes: ModeTables, chain: Sequence[Arc], row: Callable[[SwitchedMode], Reals]
+) -> tuple[float, float]:
+    """Return the smallest and the largest value of a signal along a chain, in its unit.
+
+    Args:
+        modes: Modes of the loop.
+        chain: Arcs of the motion.
+        row: Gives the row of the signal in a mode, shape (n,) over the extended state.
+    """
+    values = [value for arc in chain for value in _candidates(modes, arc, row(modes.mode(arc.mode)))]
     return min(values), max(values)
 
 

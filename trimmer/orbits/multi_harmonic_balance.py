@@ -10,7 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.optimize
 
+from trimmer.arguments import require_instance, require_instances, whole_number
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.loop import require_element
 from trimmer.errors import OrbitNotFoundError
+from trimmer.linear.frequency_response import require_siso
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
 
@@ -18,7 +22,6 @@ if TYPE_CHECKING:
     import control
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
 
@@ -73,6 +76,11 @@ def multi_harmonic_balance(
         ValueError: if the orders are not odd, positive and rising.
         OrbitNotFoundError: if there is no solution near the one before.
     """
+    require_siso(system)
+    require_element(element)
+    require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
+    for place, order in enumerate(require_instances("orders", orders, object, "a whole number")):
+        whole_number(f"orders[{place}]", order, 1)
     if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
         raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
     return list(solutions(system, element, (cycle.amplitude, cycle.omega), orders))

@@ -8,12 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.motion.loop_signal import LoopSignal, row_in_modes
 from trimmer.orbits.measures import harmonics
+from trimmer.orbits.orbit_measures import Impact, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
+    from trimmer.displacement import Displacement
+    from trimmer.motion.loops import Drive
     from trimmer.motion.motion import Motion
 
 
@@ -62,6 +66,8 @@ class PeriodicOrbit:
 
         e = Im Σ harmonics[n-1] exp(j n omega t), with t counted from the start of ``motion``.
         """
+        if self.driven:  # The closed form has no answer there: the drive turns with omega itself.
+            return self.harmonics_of(LoopSignal.ELEMENT_INPUT)
         return harmonics(self.motion.loop.modes, arcs(self.motion.loop.modes, self.motion.log, self.period))
 
     @property
@@ -97,3 +103,51 @@ class PeriodicOrbit:
         if self.prediction is None:
             return float("nan")
         return self.prediction.frequency / self.frequency - 1.0
+
+    @property
+    def drive(self) -> Drive | None:
+        """The drive, with its amplitude in m; None without one."""
+        return self.motion.loop.modes.system.drive
+
+    def stroke_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
+        """Return peak to peak of a signal, in its unit, such as m.
+
+        Args:
+            signal: The output y, input or output of the element, or any displacement of a trimmer.
+
+        Raises:
+            UnsupportedMotionError: for a displacement, if the loop's linear system has not the states of a
+                trimmer.
+        """
+        return stroke(self.motion, row_in_modes(self.motion.loop, signal))
+
+    def harmonics_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> Complexes:
+        """Return the complex amplitudes of a signal at 1, 2, 3 ... times the frequency, shape (15,).
+
+        The signal is Im Σ c_n exp(j n omega t) + constant, with t counted from the start of ``motion``.
+        Argument and errors are those of ``stroke_of``.
+        """
+        return harmonics_by_quadrature(self.motion, row_in_modes(self.motion.loop, signal))
+
+    def phase_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
+        """Return by how much the first harmonic of a signal leads the drive, rad, in (-pi, pi].
+
+        Argument and errors are those of ``stroke_of``.
+
+        Raises:
+            ValueError: if there is no drive.
+        """
+        if self.drive is None:
+            raise ValueError("without a drive there is nothing that a phase would be relative to")
+        turn = np.exp(-1j * self.drive.phase)
+        return float(np.angle(self.harmonics_of(signal)[0] * turn))
+
+    @cached_property
+    def impacts(self) -> tuple[Impact, ...]:
+        """All impacts of a period, with the speeds at which pin and load meet, in order of time."""
+        return tuple(impacts(self.motion))
+
+    @property
+    def impact_speeds(self) -> Reals:
+        """Speeds of the impacts of a period, m/s, in order of time."""
+        return np.array([impact.speed for impact in self.impacts])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from dataclasses import dataclass
 
+from trimmer.arguments import whole_number
 from trimmer.signals.csv_table import CsvTable
 from trimmer.signals.signal import split_heading
 from trimmer.signals.text_file import SignalFileError
@@ -67,8 +68,8 @@ def _place(table: CsvTable, choice: int | str) -> int:
             return places[0]
         if not choice.strip().isdecimal():
             raise SignalFileError(f"{table.path}: no column is named {choice!r}{_similar(table, choice)}")
-    number = int(choice)
-    if isinstance(choice, bool) or not 1 <= number <= table.width:
+    number = int(choice) if isinstance(choice, str) else whole_number("column", choice)
+    if not 1 <= number <= table.width:
         raise SignalFileError(f"{table.path}: there is no column {choice}; {_listed(table)}")
     return number - 1
 

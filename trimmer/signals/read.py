@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trimmer.arguments import file_path, require_instance
 from trimmer.signals.cells import numbers_in
 from trimmer.signals.columns import ColumnChoice, Columns, chosen_columns
 from trimmer.signals.csv_layout import CsvLayout
@@ -52,7 +53,8 @@ def read_signal(
             infinite values; for time stamps that are not at equal distances; if the sample rate is not known.
         SignalError: if the sample rate is not a positive number.
     """
-    path = Path(path)
+    path = file_path("path", path)
+    require_instance("layout", layout, CsvLayout, "a trimmer.CsvLayout")
     missing = MissingValues.chosen(missing, "missing")
     given = None if sample_rate is None else checked_rate(sample_rate)
     table = read_table(path, layout)

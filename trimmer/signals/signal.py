@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import real_number, whole_number
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from trimmer.arrays import Reals
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
@@ -50,13 +53,19 @@ class Signal:
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", checked_samples(self.values))
         object.__setattr__(self, "sample_rate", checked_rate(self.sample_rate))
-        if not math.isfinite(self.start):
+        whole_number("interpolated", self.interpolated, 0)
+        if not math.isfinite(real_number("start", self.start, "s")):
             raise SignalError(f"start is {self.start!r}: the time of the first sample must be finite")
         if split_heading(self.heading) != (self.name, self.unit) or not self.name:
             raise SignalError(
                 f"a signal cannot have the name {self.name!r} and the unit {self.unit!r}: both are one line "
                 "of printable signs with single spaces and no brackets at the end; the name is not empty"
             )
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled; the values are not writable again."""
+        vars(self).update(state)
+        self.values.flags.writeable = False
 
     @property
     def heading(self) -> str:
@@ -87,7 +96,7 @@ def split_heading(heading: str) -> tuple[str, str]:
     return (match["name"], unit.strip()) if match["name"] else (text, "")
 
 
-def checked_samples(values: Reals) -> Reals:
+def checked_samples(values: ArrayLike) -> Reals:
     """Copy samples into an array, shape (n,), that cannot be written to.
 
     Raises:
@@ -119,6 +128,6 @@ def checked_rate(sample_rate: float) -> float:
     Raises:
         SignalError: if it is not a positive and finite number.
     """
-    if isinstance(sample_rate, bool) or not 0 < sample_rate < math.inf:
+    if isinstance(sample_rate, bool) or not 0 < real_number("sample_rate", sample_rate, "Hz") < math.inf:
         raise SignalError(f"the sample rate must be a positive number of hertz, not {sample_rate!r}")
     return float(sample_rate)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import file_path
 from trimmer.choices import Choice
 from trimmer.files import write_atomically
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
@@ -112,7 +113,7 @@ def write_wav(
             or nothing of it could be heard (shorter than ``SHORTEST``, or slower than ``LOWEST_AUDIBLE``).
         FileWriteError: if the file cannot be written.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     bit_depth = BitDepth.chosen(bit_depth, "bit_depth")
     if not 0 < peak <= 1:
@@ -129,7 +130,8 @@ def write_wav(
     sound = _resampled(vibration, used)
     loudest = float(np.abs(sound).max())
     samples = np.rint(sound * (peak * bit_depth.full_scale / loudest if loudest else 0.0)).astype("<i4")
-    write_atomically(Path(path), _content(samples, wav_rate, bit_depth), overwrite=overwrite)
+    content = _content(samples, wav_rate, bit_depth)
+    write_atomically(file_path("path", path), content, overwrite=overwrite)
     return WavFile(
         sample_rate=wav_rate,
         samples=samples.size,

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from trimmer.arguments import file_path, require_instance, require_instances
 from trimmer.files import write_atomically
 from trimmer.signals.columns import TIME_NAMES
 from trimmer.signals.signal import Signal, SignalError
@@ -33,7 +34,10 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal, overwrite: b
             their times are too large to distinguish neighbouring samples.
         FileWriteError: if the file cannot be written.
     """
+    target = file_path("path", path)
     signals = (signal, *others)
+    require_instance("signal", signal, Signal, "a trimmer.Signal")
+    require_instances("others", others, Signal, "a trimmer.Signal")
     _check_names(signals)
     if any(
         (each.values.size, each.sample_rate, each.start)
@@ -48,7 +52,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal, overwrite: b
     csv.writer(text, lineterminator="\n").writerow([TIME_HEADING, *(each.heading for each in signals)])
     columns = [map(repr, each.tolist()) for each in (times, *(each.values for each in signals))]
     text.write("\n".join(map(",".join, zip(*columns, strict=True))) + "\n")
-    write_atomically(Path(path), text.getvalue(), overwrite=overwrite)
+    write_atomically(target, text.getvalue(), overwrite=overwrite)
 
 
 def _check_names(signals: tuple[Signal, ...]) -> None:

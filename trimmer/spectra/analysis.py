@@ -6,9 +6,16 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from trimmer.arguments import require_instance
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
-from trimmer.spectra.classification import ClassifiedPeak, classify, fundamentals
+from trimmer.spectra.classification import (
+    OPEN_LOOP,
+    ClassifiedPeak,
+    classify,
+    frequencies_of,
+    fundamentals,
+)
 from trimmer.spectra.doubts import doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
@@ -21,9 +28,15 @@ USUAL_LIMIT = 20
 
 @dataclass(frozen=True, eq=False)
 class SpectrumAnalysis:
-    """Spectrum of a signal, harmonics of its drive (None without one), and peaks by falling amplitude.
+    """Results of the analysis of a signal.
 
-    ``doubts`` says in sentences without a full stop what makes it doubtful.
+    Attributes:
+        signal: The signal.
+        spectrum: Its amplitude spectrum, in its unit.
+        harmonics: Harmonics of its drive; None without one.
+        peaks: Peaks by falling amplitude, each with what it may be.
+        doubts: What makes it doubtful, in sentences without a full stop.
+        notes: What is left out and why, in sentences without a full stop.
     """
 
     signal: Signal
@@ -31,25 +44,30 @@ class SpectrumAnalysis:
     harmonics: HarmonicFit | None
     peaks: tuple[ClassifiedPeak, ...]
     doubts: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def analyse_signal(
     signal: Signal,
-    drive: float | None = None,
+    drive_frequency: float | None = None,
     natural_frequencies: Sequence[float] = (),
-    limit_cycles: Sequence[float] = (),
+    limit_cycle_frequencies: Sequence[float] = (),
     window: Window | str = Window.HANN,
     limit: int = USUAL_LIMIT,
+    *,
+    closed_loop: bool = False,
 ) -> SpectrumAnalysis:
     """Compute the spectrum of a signal, find its peaks and say what they may be.
 
     Args:
         signal: The signal.
-        drive: Frequency of the drive, Hz; None without one.
+        drive_frequency: Frequency of the drive, Hz; None without one.
         natural_frequencies: Frequencies of the natural modes, Hz.
-        limit_cycles: Frequencies of the limit cycles, Hz.
+        limit_cycle_frequencies: Frequencies of the limit cycles, Hz. With a drive they are no candidates,
+            unless the loop is closed.
         window: Window function of the spectrum, a member or its word, such as ``hann``.
         limit: Number of peaks, the largest.
+        closed_loop: Whether the pin follows the output although there is a drive.
 
     Warns:
         SignalWarning: if many samples have the extreme value, as in a clipped record; or if the record is too
@@ -58,21 +76,33 @@ def analyse_signal(
     Raises:
         ChoiceError: if there is no such window.
         SignalError: see ``amplitude_spectrum``, ``fit_harmonics``, ``peaks`` and ``classify``.
+        WrongTypeError: if an argument is of another type.
     """
+    require_instance("signal", signal, Signal, "a trimmer.Signal")
+    predicted = frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies)
+    left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
-    origins = fundamentals(drive, natural_frequencies, limit_cycles)
-    doubtful = doubts(signal.values, spectrum, drive, origins)
+    origins = fundamentals(drive_frequency, natural_frequencies, () if left_out else predicted)
+    doubtful = doubts(signal.values, spectrum, drive_frequency, origins)
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)
     return SpectrumAnalysis(
         signal=signal,
         spectrum=spectrum,
-        harmonics=None if drive is None else _harmonics(signal, drive),
-        peaks=classify(peaks(spectrum, limit), spectrum.bin_width, drive, natural_frequencies, limit_cycles),
+        harmonics=None if drive_frequency is None else _harmonics(signal, drive_frequency),
+        peaks=classify(
+            peaks(spectrum, limit),
+            spectrum.bin_width,
+            drive_frequency,
+            natural_frequencies,
+            limit_cycle_frequencies,
+            closed_loop=closed_loop,
+        ),
         doubts=doubtful,
+        notes=(OPEN_LOOP,) if left_out else (),
     )
 
 
-def _harmonics(signal: Signal, drive: float) -> HarmonicFit:
+def _harmonics(signal: Signal, drive_frequency: float) -> HarmonicFit:
     """Fit the harmonics so that other lines, which are what is looked for, hardly leak into them."""
-    return fit_harmonics(signal.values, signal.sample_rate, drive, window=Window.HANN)
+    return fit_harmonics(signal.values, signal.sample_rate, drive_frequency, window=Window.HANN)

@@ -7,8 +7,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import final
 
+from trimmer.arguments import real_number, require_instance, require_instances, shown
+from trimmer.errors import WrongTypeError
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.peaks import Peak
+
+OPEN_LOOP = (
+    "limit cycles are left out: under a drive the pin's motion is given, so that nothing feeds the output "
+    "back and no limit cycle can sustain itself; say that the loop is closed (--closed-loop) if the pin "
+    "follows the output as well"
+)
+"""Why a driven trimmer is not said to have a limit cycle."""
 
 TOLERANCE_BINS = 1.0
 """How far from its frequency a peak may be, in bins: the resolution of a record."""
@@ -141,14 +150,46 @@ class ClassifiedPeak:
         return self.second is not None
 
 
+def _require_positive(name: str, value: float) -> None:
+    if not 0 < real_number(f"the {name}", value) < math.inf:
+        raise SignalError(f"the {name} must be positive and finite, not {value!r}")
+
+
+@final
+@dataclass(frozen=True)
+class Tolerance:
+    """How far a peak may be from a candidate; the larger of the two counts.
+
+    Attributes:
+        bins: What the record cannot tell apart, in bins, > 0.
+        model: How far off modes and limit cycles may be predicted, relative, from 0 on and below 1.
+
+    Raises:
+        SignalError: if one is out of its range.
+        WrongTypeError: if one is no number.
+    """
+
+    bins: float = TOLERANCE_BINS
+    model: float = MODEL_TOLERANCE
+
+    def __post_init__(self) -> None:
+        _require_positive("tolerance in bins", self.bins)
+        if not 0 <= real_number("the model tolerance", self.model) < 1:
+            raise SignalError(f"the model tolerance must be 0 <= tolerance < 1, not {self.model!r}")
+
+
+USUAL_TOLERANCE = Tolerance()
+
+
 def classify(
     peaks: Sequence[Peak],
     bin_width: float,
-    drive: float | None = None,
+    drive_frequency: float | None = None,
     natural_frequencies: Sequence[float] = (),
-    limit_cycles: Sequence[float] = (),
-    tolerance_bins: float = TOLERANCE_BINS,
-    model_tolerance: float = MODEL_TOLERANCE,
+    limit_cycle_frequencies: Sequence[float] = (),
+    *,
+    closed_loop: bool = False,
+    tolerance: Tolerance = USUAL_TOLERANCE,
 ) -> tuple[ClassifiedPeak, ...]:
     """Find for each peak whether it may be a harmonic of the drive, a natural mode or a limit cycle.
 
@@ -157,20 +198,23 @@ def classify(
     Args:
         peaks: Peaks, frequencies in Hz.
         bin_width: Bin width of their spectrum, Hz.
-        drive: Frequency of the drive, Hz; None without one.
+        drive_frequency: Frequency of the drive, Hz; None without one.
         natural_frequencies: Frequencies of the natural modes, Hz; those that are not positive, of overdamped
             modes, are left out, and the others keep their numbers.
-        limit_cycles: Frequencies of the limit cycles, Hz.
-        tolerance_bins: How far a peak may be from a candidate, in bins.
-        model_tolerance: How far off modes and limit cycles may be predicted, relative; counts if it is more.
+        limit_cycle_frequencies: Frequencies of the limit cycles, Hz. With a drive they are no candidates,
+            unless the loop is closed: a limit cycle needs feedback from the output to the pin.
+        closed_loop: Whether the pin follows the output although there is a drive.
+        tolerance: How far a peak may be from a candidate.
 
     Returns:
         The peaks in their order.
 
     Raises:
-        SignalError: if a frequency, the bin width or a tolerance is out of its range.
+        SignalError: if a frequency or the bin width is out of its range.
+        WrongTypeError: if an argument is of another type.
     """
-    _check(bin_width, drive, limit_cycles, tolerance_bins, model_tolerance)
+    _check(peaks, bin_width, drive_frequency, natural_frequencies, limit_cycle_frequencies)
+    require_instance("tolerance", tolerance, Tolerance, "a trimmer.Tolerance")
     modes: list[Origin] = [
         NaturalMode(number, frequency)
         for number, frequency in enumerate(natural_frequencies, start=1)
@@ -178,31 +222,34 @@ def classify(
     ]
     lines: list[Origin] = [
         LimitCycleLine(number, order, order * frequency)
-        for number, frequency in enumerate(limit_cycles, start=1)
+        for number, frequency in enumerate(limit_cycle_frequencies, start=1)
         for order in ODD_ORDERS
+        if drive_frequency is None or closed_loop
     ]
 
     def candidates(peak: Peak) -> Iterator[Match]:
-        if drive is not None:
-            order = max(1, round(peak.frequency / drive))
-            yield _match(peak, Harmonic(order, order * drive), bin_width, tolerance_bins)
+        if drive_frequency is not None:
+            order = max(1, round(peak.frequency / drive_frequency))
+            yield _match(peak, Harmonic(order, order * drive_frequency), bin_width, tolerance.bins)
         for origins in filter(None, (modes, lines)):
             nearest = min(origins, key=lambda origin: abs(origin.frequency - peak.frequency))
-            allowed = max(tolerance_bins, model_tolerance * nearest.frequency / bin_width)
+            allowed = max(tolerance.bins, tolerance.model * nearest.frequency / bin_width)
             yield _match(peak, nearest, bin_width, allowed)
 
     return tuple(ClassifiedPeak(peak, tuple(sorted(candidates(peak), key=_share))) for peak in peaks)
 
 
 def fundamentals(
-    drive: float | None, natural_frequencies: Sequence[float], limit_cycles: Sequence[float]
+    drive_frequency: float | None,
+    natural_frequencies: Sequence[float],
+    limit_cycle_frequencies: Sequence[float],
 ) -> tuple[Origin, ...]:
     """List what a peak may be but for the higher harmonics; arguments are those of ``classify``."""
     modes = [
         NaturalMode(number, each) for number, each in enumerate(natural_frequencies, start=1) if each > 0
     ]
-    cycles = [LimitCycleLine(number, 1, each) for number, each in enumerate(limit_cycles, start=1)]
-    return (*([] if drive is None else [Harmonic(1, drive)]), *modes, *cycles)
+    cycles = [LimitCycleLine(number, 1, each) for number, each in enumerate(limit_cycle_frequencies, start=1)]
+    return (*([] if drive_frequency is None else [Harmonic(1, drive_frequency)]), *modes, *cycles)
 
 
 def _match(peak: Peak, origin: Origin, bin_width: float, tolerance: float) -> Match:
@@ -213,18 +260,33 @@ def _share(match: Match) -> float:
     return abs(match.distance) / match.tolerance
 
 
+def frequencies_of(name: str, values: Sequence[float]) -> tuple[float, ...]:
+    """Return frequencies, Hz, as floats.
+
+    Raises:
+        SignalError: if one is infinite or NaN.
+        WrongTypeError: if they are no sequence of numbers.
+    """
+    if isinstance(values, str | bytes) or not hasattr(type(values), "__iter__"):
+        raise WrongTypeError(f"{name} must be a sequence of frequencies (Hz), not {shown(values)}")
+    given = tuple(real_number(f"{name}[{place}]", value, "Hz") for place, value in enumerate(values))
+    for place, value in enumerate(given):
+        if not math.isfinite(value):
+            raise SignalError(f"{name}[{place}] must be finite (Hz), not {value!r}")
+    return given
+
+
 def _check(
+    peaks: Sequence[Peak],
     bin_width: float,
-    drive: float | None,
-    limit_cycles: Sequence[float],
-    tolerance_bins: float,
-    model_tolerance: float,
+    drive_frequency: float | None,
+    natural_frequencies: Sequence[float],
+    limit_cycle_frequencies: Sequence[float],
 ) -> None:
-    named = [("bin width", bin_width), ("tolerance in bins", tolerance_bins)]
-    named += [] if drive is None else [("frequency of the drive", drive)]
-    named += [("frequency of a limit cycle", frequency) for frequency in limit_cycles]
-    for name, value in named:
-        if not 0 < value < math.inf:
-            raise SignalError(f"the {name} must be positive and finite, not {value!r}")
-    if not 0 <= model_tolerance < 1:
-        raise SignalError(f"the model tolerance must be 0 <= tolerance < 1, not {model_tolerance!r}")
+    require_instances("peaks", peaks, Peak, "a trimmer.Peak")
+    _require_positive("bin width", bin_width)
+    if drive_frequency is not None:
+        _require_positive("frequency of the drive", drive_frequency)
+    frequencies_of("natural_frequencies", natural_frequencies)
+    for frequency in frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies):
+        _require_positive("frequency of a limit cycle", frequency)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import real_number, whole_number
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
@@ -25,10 +26,10 @@ _BLOCK = 16384
 
 @dataclass(frozen=True, eq=False)
 class HarmonicFit:
-    """The periodic signal mean + sum(Re(c_n exp(2 pi j n drive t)), n = 1 .. count) nearest to a record.
+    """The periodic signal mean + sum(Re(c_n exp(2 pi j n frequency t)), n = 1 .. count) nearest to a record.
 
     Attributes:
-        drive: Frequency of the drive, Hz.
+        frequency: Frequency of the drive, Hz.
         mean: Constant part, in the signal's unit.
         coefficients: Complex amplitudes c_1 to c_count, in the signal's unit, shape (count,), with t = 0 at
             the first sample.
@@ -36,7 +37,7 @@ class HarmonicFit:
         explained: Share of the signal's variance that the harmonics explain, 0 to 1; 1 for a constant signal.
     """
 
-    drive: float
+    frequency: float
     mean: float
     coefficients: Complexes
     residual: float
@@ -54,7 +55,7 @@ class HarmonicFit:
 
     def at(self, times: ArrayLike) -> Reals:
         """Evaluate the fit at times after the first sample (s), in their shape and in the signal's unit."""
-        cycles = self.drive * np.asarray(times, dtype=np.float64)
+        cycles = self.frequency * np.asarray(times, dtype=np.float64)
         vibration = self.coefficients @ _powers(cycles.ravel(), self.coefficients.size)[1:]
         return np.asarray(self.mean + vibration.real.reshape(cycles.shape))
 
@@ -62,7 +63,7 @@ class HarmonicFit:
 def fit_harmonics(
     signal: ArrayLike,
     sample_rate: float,
-    drive: float,
+    drive_frequency: float,
     count: int | None = None,
     window: Window | str = Window.RECTANGULAR,
 ) -> HarmonicFit:
@@ -76,7 +77,7 @@ def fit_harmonics(
     Args:
         signal: Samples, shape (n,), in any unit.
         sample_rate: Samples per second, Hz.
-        drive: Frequency of the drive, Hz; an error of it counts n times at harmonic n.
+        drive_frequency: Frequency of the drive, Hz; an error of it counts n times at harmonic n.
         count: Number of harmonics. If not given ``MOST_HARMONICS``, or as many as the rate allows.
         window: Weights of the squares, a window or its word; the flat-top window has negative ones and cannot
             be used.
@@ -88,21 +89,24 @@ def fit_harmonics(
             the window's main lobe has bins (1 rectangular, 2 Hann), or a harmonic is nearer to half the
             sample rate than half of that.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
+    real_number("drive_frequency", drive_frequency, "Hz")
+    if count is not None:
+        whole_number("count", count, 0)
     window = Window.chosen(window, "window")
-    count = _checked_count(values.size, rate, drive, count, window)
+    count = _checked_count(values.size, rate, drive_frequency, count, window)
     scale = float(np.abs(values).max()) or 1.0
     relative = values / scale
-    coefficients = _least_squares(relative, drive / rate, count, window)[count:]
+    coefficients = _least_squares(relative, drive_frequency / rate, count, window)[count:]
     coefficients[1:] *= 2.0  # the real part of twice c stands for c and its conjugate at -n
     squares = sum(
         float(np.sum((relative[block] - (coefficients @ turned).real) ** 2))
-        for block, turned in _turned(values.size, drive / rate, count)
+        for block, turned in _turned(values.size, drive_frequency / rate, count)
     )
     left, variance = squares / values.size, float(relative.var())
     return HarmonicFit(
-        drive=float(drive),
+        frequency=float(drive_frequency),
         mean=scale * float(coefficients[0].real),
         coefficients=scale * coefficients[1:],
         residual=scale * math.sqrt(left),
@@ -113,7 +117,7 @@ def fit_harmonics(
 def _checked_count(samples: int, rate: float, drive: float, count: int | None, window: Window) -> int:
     if window is Window.FLAT_TOP:
         raise SignalError("harmonics cannot be fitted with the flat-top window; use another one")
-    if isinstance(drive, bool) or not 0 < drive < math.inf:
+    if not 0 < drive < math.inf:
         raise SignalError(f"the frequency of the drive must be a positive number of hertz, not {drive!r}")
     if samples * drive < window.half_width * rate:
         raise SignalError(

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
+from trimmer.spectra.spectrum import Spectrum
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Places, Reals
-    from trimmer.spectra.spectrum import Spectrum
 
 MOST_PEAKS = 200
 """Most peaks that are looked for, the largest; it bounds the time."""
@@ -112,6 +113,7 @@ def peaks(
     Raises:
         SignalError: if limit, smallest or false_alarm is out of its range.
     """
+    require_instance("spectrum", spectrum, Spectrum, "a trimmer.Spectrum")
     _check(limit, smallest, false_alarm)
     threshold = _threshold(spectrum, smallest, false_alarm)
     candidates = _maxima(spectrum, threshold)
@@ -147,11 +149,11 @@ def _peak(spectrum: Spectrum, place: float, amplitude: complex, noise: float) ->
 
 
 def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
-    if limit is not None and limit < 1:
+    if limit is not None and whole_number("limit", limit) < 1:
         raise SignalError(f"limit is {limit}: ask for one peak or more")
-    if not 0 <= smallest < 1:
+    if not 0 <= real_number("smallest", smallest) < 1:
         raise SignalError(f"smallest is {smallest}: it is relative to the largest bin, 0 <= smallest < 1")
-    if not 0 < false_alarm < 1:
+    if not 0 < real_number("false_alarm", false_alarm) < 1:
         raise SignalError(f"false_alarm is {false_alarm}: it is a probability, 0 < false_alarm < 1")
 
 

@@ -67,7 +67,7 @@ def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window | s
         ChoiceError: if there is no such window.
         SignalError: if samples or sample rate cannot be used, or there are too few samples.
     """
-    values = checked_samples(np.asarray(signal))
+    values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     window = Window.chosen(window, "window")
     if values.size < FEWEST_SAMPLES:

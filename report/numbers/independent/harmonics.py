@@ -15,7 +15,7 @@ import numpy as np
 from report.numbers.friction_in_place import force_response
 from report.numbers.record import line_amplitudes
 from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA, TURN
-from trimmer import Body, Element, FrictionBacklash, TrimmerParameters, frequency_response
+from trimmer import Body, Element, FrictionBacklash, TrimmerParameters, response_at
 from trimmer.arrays import Complexes, Reals
 
 BY_THE_PIN = np.array([-1.0, 1.0, 0.0, 0.0])
@@ -55,7 +55,7 @@ def displacements(parameters: TrimmerParameters, omega: float, forces: Complexes
 
 def harmonic_of_friction(parameters: TrimmerParameters, force: float, order: int) -> float:
     """Return the amplitude of a harmonic without play, friction (N) being a square wave, m."""
-    response = complex(frequency_response(force_response(parameters), order * MEASURED_DRIVE_OMEGA))
+    response = complex(response_at(force_response(parameters), order * MEASURED_DRIVE_OMEGA))
     return 4 * force / (order * math.pi) * abs(response)
 
 
@@ -72,7 +72,7 @@ def harmonic_behind(
         order: Of the harmonic.
     """
     gain = complex(element.describing_function(amplitude, omega, harmonic=order))
-    return abs(gain * complex(frequency_response(system, order * omega))) * amplitude
+    return abs(gain * complex(response_at(system, order * omega))) * amplitude
 
 
 def guard_over_cutter(parameters: TrimmerParameters, gap: float, force: float) -> float:
@@ -101,5 +101,5 @@ def ripple_behind_backlash(system: control.StateSpace, gap: float, amplitude: fl
     waveform = FrictionBacklash(gap).waveform(TURN * np.arange(PHASES) / PHASES, amplitude)
     lines = np.fft.rfft(waveform)
     passed = np.zeros_like(lines)
-    passed[RIPPLE] = lines[RIPPLE] * frequency_response(system, omega * RIPPLE)
+    passed[RIPPLE] = lines[RIPPLE] * response_at(system, omega * RIPPLE)
     return float(np.ptp(np.fft.irfft(passed))) / 2

@@ -18,7 +18,7 @@ from report.numbers.friction_in_place import Merger, force_response
 from report.numbers.independent.exact_response import quotient
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR, TURN
-from trimmer import FrictionBacklash, LimitCycle, frequency_response
+from trimmer import FrictionBacklash, LimitCycle, response_at
 
 DIGITS = 30
 LISTING = tuple(tuple(map(Fraction, each)) for each in (LISTING_NUMERATOR, LISTING_DENOMINATOR))
@@ -96,7 +96,7 @@ def frequency_of_strong_friction(system: control.TransferFunction, near: float) 
     """
 
     def real_part(frequency: float) -> float:
-        return (1 / complex(frequency_response(system, TURN * frequency))).real + 1
+        return (1 / complex(response_at(system, TURN * frequency))).real + 1
 
     return float(brentq(real_part, near - 1, near + 1))
 
@@ -107,6 +107,6 @@ def loop_at_merger(numbers: LinearNumbers, merger: Merger) -> complex:
     by_force = complex(
         (model.C @ np.linalg.solve(1j * omega * np.eye(model.nstates) - model.A, model.B)).item()
     )
-    by_pin = complex(frequency_response(numbers.displacement_only, omega))
+    by_pin = complex(response_at(numbers.displacement_only, omega))
     backlash = complex(FrictionBacklash(1.0).describing_function(merger.amplitude))
     return backlash * by_pin + 4j * merger.force_per_gap / (math.pi * merger.amplitude) * by_force

@@ -86,7 +86,7 @@ def settled_gain(parameters: TrimmerParameters) -> complex:
     """Fit a sine to the last of many simulated periods at the drive; return output over input (m/m)."""
     system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
     times = np.arange(0, SETTLING_TIME, 1 / (DRIVE_FREQUENCY * SAMPLES_PER_PERIOD))
-    output = time_response(system, np.sin(DRIVE_OMEGA * times), times).output[-SAMPLES_PER_PERIOD:]
+    output = time_response(system, times, np.sin(DRIVE_OMEGA * times)).outputs[-SAMPLES_PER_PERIOD:]
     turning = np.exp(-1j * DRIVE_OMEGA * times[-SAMPLES_PER_PERIOD:])
     return complex(2j * np.mean(output * turning))
 

@@ -16,7 +16,7 @@ from trimmer import (
     InertiaBacklash,
     LimitCycle,
     ViscousBacklash,
-    frequency_response,
+    response_at,
 )
 from trimmer.arrays import Complexes
 
@@ -38,7 +38,7 @@ AMPLITUDES = np.geomspace(0.5001, 1e7, 4_000)
 
 def crossings(system: control.TransferFunction) -> int:
     """Return how often a locus crosses the negative real axis."""
-    response = frequency_response(system, GRID)
+    response = response_at(system, GRID)
     return int((np.diff(np.sign(response.imag)).astype(bool) & (response.real[1:] < 0)).sum())
 
 
@@ -48,7 +48,7 @@ def solutions(system: control.TransferFunction, share: float) -> int:
     At each frequency of a grid the real part of N, which rises with A, gives A; what is left of the imaginary
     part then changes its sign at a solution.
     """
-    needed = -1 / np.asarray(frequency_response(system, FINE_GRID))
+    needed = -1 / np.asarray(response_at(system, FINE_GRID))
     amplitudes = 0.5 + np.geomspace(1e-9, 1e6, FINE_GRID.size)
     element = FrictionBacklash(1.0).describing_function(amplitudes)
     amplitude = np.interp(needed.real, element.real, amplitudes, left=np.nan, right=np.nan)
@@ -59,7 +59,7 @@ def solutions(system: control.TransferFunction, share: float) -> int:
 
 def phase_range(system: control.TransferFunction) -> tuple[float, float]:
     """Return the lowest and the highest phase of a locus, degrees."""
-    phase = np.degrees(np.unwrap(np.angle(frequency_response(system, PHASE_GRID))))
+    phase = np.degrees(np.unwrap(np.angle(response_at(system, PHASE_GRID))))
     return float(phase.min()), float(phase.max())
 
 
@@ -67,7 +67,7 @@ def angle(system: control.TransferFunction, element: Element, cycle: LimitCycle)
     """Return the angle between N and -1/G at a limit cycle, rad, at most π/2."""
     around = np.array([1 - STEP, 1 + STEP])
     gains = element.describing_function(cycle.amplitude * around)
-    inverse = -1 / frequency_response(system, cycle.omega * around)
+    inverse = -1 / response_at(system, cycle.omega * around)
     directions = [complex(np.diff(curve)[0]) for curve in (gains, inverse)]
     turned = abs(np.angle(directions[1] / directions[0]))
     return float(min(turned, np.pi - turned))
@@ -86,7 +86,7 @@ def distance_from_curve(system: control.TransferFunction, element: Element, omeg
     """Return how far G is from the curve -1/N at an angular frequency (rad/s)."""
     ratios = np.linspace(1e-4, 0.9999, 4000) * float(element.domain(1.0))
     curve = -1 / element.describing_function(1 / ratios)
-    return float(np.abs(curve - complex(frequency_response(system, omega))).min())
+    return float(np.abs(curve - complex(response_at(system, omega))).min())
 
 
 def lies_between_the_limits(gamma: float) -> bool:
@@ -106,7 +106,7 @@ def gains_where_phases_match(system: control.StateSpace | control.TransferFuncti
     """Return the least and the largest |N G| over all frequencies where G leads by what backlash lags."""
     library = control.friction_backlash_nonlinearity(1.0)
     lag = np.array([-np.angle(library.describing_function(float(each))) for each in AMPLITUDES])
-    response = np.asarray(frequency_response(system, LEADING_OMEGA))
+    response = np.asarray(response_at(system, LEADING_OMEGA))
     response = response[np.angle(response) > 0]
     matching = np.interp(np.angle(response), lag[::-1], AMPLITUDES[::-1])
     gains = [

@@ -16,8 +16,8 @@ from trimmer import (
     OpenLoop,
     Relay,
     TrimmerParameters,
-    frequency_response,
     pin_model,
+    response_at,
     simulate,
 )
 
@@ -48,7 +48,7 @@ def on_the_imaginary_axis(numbers: LinearNumbers) -> list[float]:
 
 def highest_phase(system: control.TransferFunction) -> float:
     """Return the largest phase of G (rad) on a grid of frequencies."""
-    return float(np.angle(frequency_response(system, np.geomspace(1.0, 1e6, 20000))).max())
+    return float(np.angle(response_at(system, np.geomspace(1.0, 1e6, 20000))).max())
 
 
 def difference_of_last_periods(parameters: TrimmerParameters, level: float) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 import sympy
 
 from derivations.elements.waveform import THETA, Segment, Waveform
-from trimmer import Element, frequency_response
+from trimmer import Element, response_at
 
 DIGITS = 30
 PHASES = 2**15
@@ -50,5 +50,5 @@ def at_the_jump(system: control.TransferFunction, frequency: float, feedback: fl
 
     ``feedback`` is a gain round the system.
     """
-    response = frequency_response(system, 2 * np.pi * frequency * ODD_ORDERS)
+    response = response_at(system, 2 * np.pi * frequency * ODD_ORDERS)
     return float(np.sum((response / (1 + feedback * response)).imag / ODD_ORDERS))

@@ -14,7 +14,7 @@ from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displa
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
 from report.parts import so
 from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
-from trimmer import Body, frequency_response, real_axis_crossings
+from trimmer import Body, real_axis_crossings, response_at
 
 CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
 
@@ -35,9 +35,9 @@ def test_the_matrices_written_by_hand_give_the_responses_of_the_model(evidence, 
     numbers = evidence.numbers
     pin = displacements(numbers.parameters, omega, numbers.parameters.k2 * BY_THE_PIN)
     friction = displacements(numbers.parameters, omega, BY_FRICTION)
-    expected = complex(frequency_response(numbers.displacement_only, omega))
+    expected = complex(response_at(numbers.displacement_only, omega))
     assert pin[CUTTER] - pin[GUARD] == pytest.approx(expected, rel=1e-9)
-    expected = complex(frequency_response(force_response(numbers.parameters), omega))
+    expected = complex(response_at(force_response(numbers.parameters), omega))
     assert friction[CUTTER] - friction[GUARD] == pytest.approx(expected, rel=1e-9)
 
 

@@ -8,7 +8,7 @@ import pytest
 from report.chapters.chapter_5.figures import contours, friction
 from report.drawing import plane
 from tests.report.figures.lines import curve
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 
@@ -55,9 +55,7 @@ def test_the_larger_gap_has_an_open_and_a_full_point(drawn_axes, evidence):
     assert outer_full
     cycles = evidence.cycles.friction
     for point, cycle in ((inner, cycles.unstable), (outer, cycles.stable)):
-        assert point == pytest.approx(
-            complex(frequency_response(evidence.numbers.displacement_only, cycle.omega))
-        )
+        assert point == pytest.approx(complex(response_at(evidence.numbers.displacement_only, cycle.omega)))
     (text,) = (each.get_text() for each in near.texts)
     assert "332.6" in text
 
@@ -65,7 +63,7 @@ def test_the_larger_gap_has_an_open_and_a_full_point(drawn_axes, evidence):
 def test_the_thick_band_reaches_both_ends_of_the_thesis(drawn_axes, evidence):
     (axes,) = drawn_axes("fig-5.15")
     ends = curve(axes, "ends of the band")
-    expected = frequency_response(evidence.numbers.displacement_only, np.array(contours.BAND))
+    expected = response_at(evidence.numbers.displacement_only, np.array(contours.BAND))
     np.testing.assert_allclose(ends, expected)
     points_of_curve = curve(axes, "$-1/N$, inertia-controlled")
     farthest = max(np.abs(points_of_curve - end).min() for end in ends)
@@ -99,7 +97,7 @@ def test_friction_of_the_caption_leaves_one_point_on_the_listings_curve(drawn_ax
     ((point, _),) = points(near)
     points_of_curve = curve(near, "$-1/N$, Listing A.6")
     assert np.abs(points_of_curve - point).min() < 0.02
-    response = frequency_response(evidence.numbers.displacement_only, plane.OMEGA)
+    response = response_at(evidence.numbers.displacement_only, plane.OMEGA)
     right = curve(near, "$-1/N$, right term over $k_2$")
     close = np.abs(right + 1) > 0.05
     assert np.abs(right[close][:, np.newaxis] - response[np.newaxis, :]).min() > 0.05

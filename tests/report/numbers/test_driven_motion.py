@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from report.numbers.driven_motion import FORCES, difference_energy, transient_peaks
 from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
-from trimmer import frequency_response, linear_model
+from trimmer import linear_model, response_at
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -24,7 +24,7 @@ def driven(evidence):
 @pytest.mark.parametrize("order", [1, 3, 5, 7, 9])
 def test_without_friction_harmonics_are_describing_function_times_response(gap, order, driven, evidence):
     element = FrictionBacklash(gap).describing_function(DRIVE_AMPLITUDE, harmonic=order)
-    gain = frequency_response(evidence.numbers.both_channels, order * OMEGA)
+    gain = response_at(evidence.numbers.both_channels, order * OMEGA)
     expected = abs(complex(element) * complex(gain)) * DRIVE_AMPLITUDE
     assert driven.run(gap, 0.0).harmonics[order] == pytest.approx(expected, rel=1e-4)
 

@@ -13,7 +13,7 @@ from report.numbers.equivalent_nonlinearity import (
     right_element,
 )
 from report.thesis import DRIVE_OMEGA, SMALL_GAP
-from trimmer import frequency_response
+from trimmer import response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -83,7 +83,7 @@ def test_the_printed_equation_needs_pi_and_the_amplitude_in_its_real_part():
 
 def test_every_prediction_closes_its_loop(numbers, system, evidence):
     def distance(gain, omega, plant=system):
-        return abs(1 + gain * complex(frequency_response(plant, omega)))
+        return abs(1 + gain * complex(response_at(plant, omega)))
 
     rounded = evidence.cycles.listing
     for cycle in numbers.rounded:
@@ -118,7 +118,7 @@ def test_without_force_it_is_backlash(system, evidence):
 
 def test_the_frequency_tends_to_where_the_real_part_of_the_inverse_is_minus_one(numbers, system):
     strongest = numbers.by_force[-1]
-    inverse = 1 / complex(frequency_response(system, strongest.omega))
+    inverse = 1 / complex(response_at(system, strongest.omega))
     assert inverse.real == pytest.approx(-1, abs=1e-4)
     assert all(np.diff([cycle.frequency for cycle in numbers.by_force]) > 0)
 

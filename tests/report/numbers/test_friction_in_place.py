@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import fsolve
 
 from report.numbers.friction_in_place import force_response, friction_branch
-from trimmer import InputChannels, TrimmerParameters, frequency_response, pin_model
+from trimmer import InputChannels, TrimmerParameters, pin_model, response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.friction_backlash import FrictionBacklash
 
@@ -42,18 +42,18 @@ def closed(parameters, system, amplitude, omega, force):
     """1 + N_r G + N_f H for a gap of one metre, with the force response by hand."""
     backlash = complex(FrictionBacklash(1.0).describing_function(amplitude))
     friction = 4j * force / (math.pi * amplitude)
-    pin = complex(frequency_response(system, omega))
+    pin = complex(response_at(system, omega))
     return 1 + backlash * pin + friction * by_newtons_laws(parameters, omega)
 
 
 def test_the_force_moves_cutter_and_guard_as_newtons_laws_say():
     parameters = TrimmerParameters.thesis()
-    ours = frequency_response(force_response(parameters), OMEGA)
+    ours = response_at(force_response(parameters), OMEGA)
     np.testing.assert_allclose(ours, [by_newtons_laws(parameters, omega) for omega in OMEGA], rtol=1e-10)
 
 
 def test_friction_between_cutter_and_guard_can_only_take_energy():
-    response = frequency_response(force_response(TrimmerParameters.thesis()), np.geomspace(10, 1e5, 4000))
+    response = response_at(force_response(TrimmerParameters.thesis()), np.geomspace(10, 1e5, 4000))
     assert (response.imag < 0).all()
 
 
@@ -115,8 +115,8 @@ def test_no_other_force_closes_the_loop(loop):
     """Over all amplitudes of the domain and all frequencies the closing force is real on the branch alone."""
     parameters, system, (unstable, stable), branch = loop
     omegas = 2 * math.pi * np.linspace(20, 4000, 8000)
-    pin = frequency_response(system, omegas)
-    friction = frequency_response(force_response(parameters), omegas)
+    pin = response_at(system, omegas)
+    friction = response_at(force_response(parameters), omegas)
     for ratio in np.linspace(0.002, 1.998, 160):
         backlash = complex(FrictionBacklash(1.0).describing_function(1 / ratio))
         force = -(1 + backlash * pin) / (4j / math.pi * ratio * friction)

@@ -15,7 +15,7 @@ from report.numbers.textbook_loops import (
     growing_poles,
     relay_loop,
 )
-from trimmer import encirclements, frequency_response
+from trimmer import encirclements, response_at
 
 
 def test_the_relay_loop_has_the_limit_cycle_of_its_closed_form():
@@ -44,7 +44,7 @@ def test_an_encircled_operating_point_has_a_growing_pole(ratio):
     """The argument principle, for a complex N and a plant without unstable poles."""
     loop = backlash_loop()
     point = complex(loop.inverse_element(ratio))
-    nearest = np.abs(frequency_response(loop.plant, np.geomspace(0.01, 100, 4000)) - point).min()
+    nearest = np.abs(response_at(loop.plant, np.geomspace(0.01, 100, 4000)) - point).min()
     if nearest > 1e-3 * abs(point):
         assert encirclements_of(loop.plant, point) == growing_poles(loop, ratio)
 
@@ -67,7 +67,7 @@ def test_time_steps_agree_with_the_simulation_from_event_to_event():
     loop, history = backlash_loop(), backlash_history()
     first = loop.limit_cycles()[0]
     space = control.ss(loop.plant)
-    drive = -1 / complex(frequency_response(loop.plant, first.omega))
+    drive = -1 / complex(response_at(loop.plant, first.omega))
     oscillation = np.linalg.solve(1j * first.omega * np.eye(3) - space.A, space.B * drive).real[:, 0]
     window = history.times[1] - history.times[0]
     for ratio, stepped in zip(STARTS, history.amplitudes.T, strict=True):

@@ -15,11 +15,11 @@ from trimmer import (
     InputChannels,
     TrimmerParameters,
     ViscousBacklash,
-    frequency_response,
     limit_cycles,
     linear_model,
     modes,
     pin_model,
+    response_at,
     transfer_function,
 )
 
@@ -65,7 +65,7 @@ def test_eigenvalues(octave_run):
 
 
 def test_state_space_of_the_control_package(octave_run):
-    same(complexes(octave_run.grid["response"]), frequency_response(pin_model(THESIS), points.OMEGAS))
+    same(complexes(octave_run.grid["response"]), response_at(pin_model(THESIS), points.OMEGAS))
 
 
 @pytest.mark.parametrize("name", ["friction", "friction_again"])

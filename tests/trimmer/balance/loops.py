@@ -11,7 +11,7 @@ from scipy.linalg import expm
 from trimmer.arrays import Complexes
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.frequency_response import response_at
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 
@@ -30,7 +30,7 @@ def count_on_grid(G: control.lti.LTI, element: Element, omegas: tuple[float, flo
     place = np.linspace(0.0, np.pi, 1502)[1:-1]
     u = float(element.domain()) * 0.5 * (1.0 - np.cos(place))
     gain = element.describing_function(element.amplitude_scale / u)
-    target = -1.0 / frequency_response(G, omega)
+    target = -1.0 / response_at(G, omega)
     near = np.minimum(np.abs(target[1:]), np.abs(target[:-1])) < 5.0
     starts, sides = target[:-1][near], np.diff(target)[near]
     return sum(_crossings(start, side, gain) for start, side in zip(starts, sides, strict=True))
@@ -62,7 +62,7 @@ def solutions_on_grid(
     else:
         amplitude = np.broadcast_to(np.geomspace(*amplitudes, 200)[:, None], (200, omega.size))
     gain = element.describing_function(amplitude, np.broadcast_to(omega, amplitude.shape))
-    phase = np.angle(1.0 + gain * frequency_response(G, omega))
+    phase = np.angle(1.0 + gain * response_at(G, omega))
     corners = (phase[:-1, :-1], phase[1:, :-1], phase[1:, 1:], phase[:-1, 1:])
     steps = (end - start for start, end in zip(corners, (*corners[1:], corners[0]), strict=True))
     turns = np.rint(sum((step + np.pi) % (2 * np.pi) - np.pi for step in steps) / (2 * np.pi))

@@ -3,19 +3,26 @@ from __future__ import annotations
 import math
 
 import control
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
 from trimmer.balance.identification import identify_time_constant
 from trimmer.balance.solve import limit_cycles
+from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear.model import pin_model
+from trimmer.parameters import TrimmerParameters
 
 
 @pytest.mark.parametrize("time_constant", [0.0, 3e-5, 1e-3, 0.1, math.inf])
 def test_the_time_constant_of_a_predicted_limit_cycle_is_found_again(time_constant: float) -> None:
     for cycle in limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, time_constant)):
-        found = identify_time_constant(THESIS_LOOP, GAP, cycle.frequency)
+        found = identify_time_constant(THESIS_LOOP, GAP, cycle.frequency).time_constants
         nearest = min(found, key=lambda each: abs(each.amplitude / cycle.amplitude - 1))
         assert nearest.time_constant == pytest.approx(time_constant, rel=1e-8)
         assert nearest.amplitude == pytest.approx(cycle.amplitude, rel=1e-8)
@@ -27,9 +34,9 @@ def test_no_time_constant_gives_a_frequency_outside_the_range() -> None:
         limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, time_constant))[-1].frequency
         for time_constant in (0.0, math.inf)
     )
-    assert identify_time_constant(THESIS_LOOP, GAP, 1.01 * highest) == ()
-    assert identify_time_constant(THESIS_LOOP, GAP, 0.99 * lowest) == ()
-    assert len(identify_time_constant(THESIS_LOOP, GAP, 0.5 * (lowest + highest))) == 1
+    assert identify_time_constant(THESIS_LOOP, GAP, 1.01 * highest).time_constants == ()
+    assert identify_time_constant(THESIS_LOOP, GAP, 0.99 * lowest).time_constants == ()
+    assert len(identify_time_constant(THESIS_LOOP, GAP, 0.5 * (lowest + highest)).time_constants) == 1
 
 
 @pytest.mark.parametrize("frequency", [0.0, -1.0, math.nan, math.inf])
@@ -43,3 +50,117 @@ def test_a_gap_and_a_system_that_cannot_be_used() -> None:
         identify_time_constant(THESIS_LOOP, 0.0, 700.0)
     with pytest.raises(UnsupportedSystemError, match="more zeros than poles"):
         identify_time_constant(control.tf([1, 0], [1]), GAP, 700.0)
+
+
+LOOPS = {
+    "thesis": THESIS_LOOP,
+    "thesis, both channels": pin_model(TrimmerParameters.thesis()),
+    "as a fraction": control.tf([1000], [1, 2, 3, 1]),
+    "with an integrator": control.tf([1], [1, 1, 0]),
+    "that never oscillates": control.tf([0.1], [1, 1]),
+}
+
+
+@pytest.mark.parametrize("G", LOOPS.values(), ids=LOOPS)
+def test_no_limit_cycle_of_any_load_lies_outside_the_bands(G: control.lti.LTI) -> None:
+    bands = identify_time_constant(G, GAP, 1.0).bands
+    cycles = [c for tau in np.geomspace(1e-8, 1e4, 60) for c in limit_cycles(G, ViscousBacklash(GAP, tau))]
+    for cycle in cycles:
+        assert any(band.holds(cycle.frequency) for band in bands)
+    met = [band for band in bands if any(band.holds(cycle.frequency) for cycle in cycles)]
+    assert met == list(bands)
+
+
+@pytest.mark.parametrize("G", LOOPS.values(), ids=LOOPS)
+def test_right_outside_a_band_there_is_no_time_constant_and_right_inside_there_is(G: control.lti.LTI) -> None:
+    bands = identify_time_constant(G, GAP, 1.0).bands
+    for band in bands:
+        for end, inwards in ((band.lower, 1e-5), (band.upper, -1e-5)):
+            if math.isnan(end.time_constant):
+                continue
+            (inside,) = identify_time_constant(G, GAP, end.frequency * (1 + inwards)).time_constants
+            omega = 2 * math.pi * end.frequency
+            loads = [math.atan(omega * tau) for tau in (inside.time_constant, end.time_constant)]
+            assert loads[0] == pytest.approx(loads[1], abs=0.02)
+            assert identify_time_constant(G, GAP, end.frequency * (1 - inwards)).time_constants == ()
+
+
+def test_the_describing_functions_of_all_loads_cover_a_region_once() -> None:
+    """The Jacobian determinant of N over u and ln gamma has one sign: then bands end at the border only."""
+    for gamma in np.geomspace(1e-6, 1e6, 200):
+        element = ViscousBacklash(1.0, gamma)
+        u = float(element.domain(1.0)) * np.linspace(1e-3, 1 - 1e-3, 200)
+        slopes = element.derivatives(1.0 / u, 1.0)
+        assert ((slopes.by_u.conj() * slopes.by_log_omega).imag > 0).all()
+
+
+def test_two_millihertz_beside_the_limit_the_nearest_load_is_told() -> None:
+    system = LOOPS["thesis, both channels"]
+    limit = max(cycle.frequency for cycle in limit_cycles(system, FrictionBacklash(GAP)))
+    beside = identify_time_constant(system, GAP, limit - 0.002)
+    assert beside.time_constants == ()
+    assert beside.intervals == ()
+    assert not beside.success
+    assert beside.message.startswith("no M/D gives a limit cycle within the uncertainty; the nearest")
+    assert beside.nearest is not None
+    assert beside.nearest.time_constant == 0.0
+    assert beside.nearest.limit_cycle.frequency == limit
+    within = identify_time_constant(system, GAP, limit - 0.002, frequency_uncertainty=0.33 / 2)
+    (interval,) = within.intervals
+    (at_the_end,) = identify_time_constant(system, GAP, limit - 0.002 + 0.33 / 2).time_constants
+    assert (interval.lowest, interval.frequencies[0]) == (0.0, limit)
+    assert interval.highest == pytest.approx(at_the_end.time_constant, rel=1e-9)
+    assert within.success
+    assert within.message == f"M/D within the uncertainty: 0 to {interval.highest:.6g} s"
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.floats(-8, 2), st.floats(340, 780), st.floats(0, 30))
+def test_a_load_lies_in_an_interval_when_its_limit_cycle_has_such_a_frequency(
+    exponent: float, frequency: float, uncertainty: float
+) -> None:
+    """Compared with the limit cycles of one load after the other."""
+    tau = 10**exponent
+    told = identify_time_constant(THESIS_LOOP, GAP, frequency, frequency_uncertainty=uncertainty)
+    for cycle in limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, tau)):
+        within = [
+            each
+            for each in told.intervals
+            if each.frequencies[0] <= cycle.frequency <= each.frequencies[1]
+            and each.lowest * (1 - 1e-6) <= tau <= each.highest * (1 + 1e-6)
+        ]
+        assert bool(within) == (abs(cycle.frequency - frequency) <= uncertainty)
+
+
+def test_a_measured_range_over_a_whole_band_takes_every_load() -> None:
+    told = identify_time_constant(THESIS_LOOP, GAP, 740.0, frequency_uncertainty=20.0)
+    (interval,) = told.intervals
+    assert (interval.lowest, interval.highest) == (0.0, math.inf)
+    assert interval.frequencies == told.bands[-1].frequencies
+    assert told.nearest is None
+
+
+def test_a_loop_that_never_oscillates_has_no_nearest_load() -> None:
+    told = identify_time_constant(LOOPS["that never oscillates"], GAP, 1.0, frequency_uncertainty=0.5)
+    assert (told.success, told.bands, told.nearest) == (False, (), None)
+    assert told.message == "no M/D gives a limit cycle at any frequency"
+
+
+@pytest.mark.parametrize("uncertainty", [-1.0, math.nan, 700.0, math.inf])
+def test_an_uncertainty_out_of_range_is_told(uncertainty: float) -> None:
+    with pytest.raises(ValueError, match="frequency_uncertainty must be zero or positive and less than"):
+        identify_time_constant(THESIS_LOOP, GAP, 700.0, frequency_uncertainty=uncertainty)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((FrictionBacklash, GAP, 700.0), "FrictionBacklash"),
+        ((THESIS_LOOP, "4e-5", 700.0), "gap must be a real number .*, not '4e-5'"),
+        ((THESIS_LOOP, GAP, "700"), "frequency must be a real number .*, not '700'"),
+        ((THESIS_LOOP, GAP, None), "frequency must be a real number .*, not None"),
+    ],
+)
+def test_arguments_of_another_type_are_named(arguments, message: str) -> None:
+    with pytest.raises((WrongTypeError, UnsupportedSystemError), match=message):
+        identify_time_constant(*arguments)

@@ -27,7 +27,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_backlash import ViscousBacklash
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.frequency_response import response_at
 
 
 @pytest.mark.parametrize("guess", [(1.897, 3478.0), (0.1203, 4609.0)])
@@ -98,7 +98,7 @@ def test_python_control_finds_the_same_as_far_as_its_grid_allows() -> None:
 @given(stable_systems(), st.sampled_from([FrictionBacklash(1.0), InertiaBacklash(1.0)]), st.floats(1, 30))
 @settings(max_examples=30)
 def test_as_many_as_on_a_fine_grid(G, element, gain: float) -> None:
-    G = G * gain / max(1.0, abs(frequency_response(G, 1.0)))
+    G = G * gain / max(1.0, abs(response_at(G, 1.0)))
     balance = harmonic_balance(G, element)
     certificate = balance.certificate
     if all(is_seen_on_grid(cycle) for cycle in balance.limit_cycles) and not is_marginal(certificate):

@@ -50,6 +50,10 @@ def test_a_missing_limit_cycle_is_noticed() -> None:
     balance = harmonic_balance(THESIS_LOOP, FRICTION)
     for left in balance.limit_cycles:
         assert replace(balance, limit_cycles=(left,)).confirmed is False
+        assert not replace(balance, limit_cycles=(left,)).success
+        assert "winding number contradicts" in replace(balance, limit_cycles=(left,)).message
+    assert balance.success
+    assert "no other is in the range" in balance.message
 
 
 def test_it_counts_what_is_in_the_range_only() -> None:

@@ -16,7 +16,7 @@ LOOP = ["--element", "friction", "--gap", "4e-5", "--channels", "displacement"]
 COMMANDS = {
     "linear": [],
     "limit-cycles": LOOP,
-    "identify": ["--gap", "4e-5", "--frequency", "740", "--channels", "displacement"],
+    "identify": ["--gap", "4e-5", "--frequency", "740", "--channels", "displacement", "--uncertainty", "1"],
     "orbits": LOOP,
     "simulate": [*LOOP, "--drive", "100", "--amplitude", "0.0015", "--duration", "0.02"],
 }

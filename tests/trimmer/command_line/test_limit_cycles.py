@@ -84,6 +84,15 @@ def test_identify_gives_the_time_constant_or_says_that_there_is_none(capsys) -> 
     assert main([*words, "900"]) == 0
     assert "no M/D gives a limit cycle" in capsys.readouterr().out
     assert main([*words, "900", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out) == {"time_constants": []}
+    told = json.loads(capsys.readouterr().out)
+    assert (told["time_constants"], told["intervals"]) == ([], [])
+    assert told["nearest"]["time_constant"] is None  # inertia alone has the highest frequency of all loads
+    assert told["nearest"]["limit_cycle"]["frequency"] == told["bands"][-1]["frequencies"][1]
+    assert main([*words, "900", "--uncertainty", "1"]) == 0
+    assert "no M/D gives a limit cycle within 900 +- 1 Hz" in capsys.readouterr().out
+    assert main([*words, "740", "--uncertainty", "1"]) == 0
+    assert "M/D within 740 +- 1 Hz: " in capsys.readouterr().out
+    assert main([*words, "740", "--uncertainty", "800"]) == 2
+    assert "frequency_uncertainty must be" in capsys.readouterr().err
     assert main([*words, "-1"]) == 2
     assert "frequency must be positive" in capsys.readouterr().err

@@ -49,7 +49,7 @@ def as_json(capsys: pytest.CaptureFixture[str], *words: object) -> dict:
 
 
 def test_json_holds_the_spectrum_in_full_precision(capsys, file: Path, thesis_cycle: float) -> None:
-    printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP)
+    printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP, "--closed-loop")
     assert printed["signal"] == {
         **{"name": "q2-q4", "unit": "m", "samples": 20_000},
         **{"sample_rate": RATE, "start": 0.0, "interpolated": 0},
@@ -75,7 +75,8 @@ def test_json_holds_the_spectrum_in_full_precision(capsys, file: Path, thesis_cy
 
 
 def test_text_is_short_tables_and_says_what_was_done(capsys, file: Path) -> None:
-    assert main(["spectrum", str(file), "--drive", str(DRIVE), "--gap", str(GAP), "--limit", "4"]) == 0
+    words = ["spectrum", str(file), "--drive", str(DRIVE), "--gap", str(GAP), "--limit", "4", "--closed-loop"]
+    assert main(words) == 0
     printed = capsys.readouterr().out
     for shown in (
         f"q2-q4 [m] of {file}: 20000 samples at 20000 Hz, 1 s\n",
@@ -89,6 +90,23 @@ def test_text_is_short_tables_and_says_what_was_done(capsys, file: Path) -> None
         assert shown in printed
     assert "-0.00" not in printed
     assert max(len(line) for line in printed.splitlines() if str(file) not in line) <= 110
+
+
+def test_a_driven_trimmer_is_not_said_to_have_a_limit_cycle(capsys, file: Path, thesis_cycle: float) -> None:
+    printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP)
+    assert printed["limit_cycles"] == [thesis_cycle]
+    assert {c["kind"] for peak in printed["peaks"] for c in peak["candidates"]} == {
+        "harmonic",
+        "natural mode",
+    }
+    assert printed["peaks"][2]["explanation"] is None
+    assert "nothing feeds the output back" in printed["notes"][0]
+    assert printed["harmonics"]["frequency"] == printed["harmonics"]["drive"] == DRIVE
+    assert main(["spectrum", str(file), "--drive", str(DRIVE), "--gap", str(GAP)]) == 0
+    text = capsys.readouterr().out
+    assert "limit cycle 1" not in text
+    assert "--closed-loop" in text
+    assert max(len(line) for line in text.splitlines() if str(file) not in line) <= 110
 
 
 def test_without_drive_and_gap_only_modes_are_candidates(capsys, file: Path) -> None:

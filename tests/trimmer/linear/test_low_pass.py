@@ -40,7 +40,7 @@ def test_bandwidth_of_the_thesis_trimmer() -> None:
 def test_bandwidth_of_a_first_order_system() -> None:
     system = control.tf([1], [1, 1])
     assert bandwidth(system) == pytest.approx(math.sqrt(10**0.3 - 1), rel=1e-12)
-    assert bandwidth(system, drop=20) == pytest.approx(math.sqrt(99), rel=1e-12)
+    assert bandwidth(system, dbdrop=-20) == pytest.approx(math.sqrt(99), rel=1e-12)
     assert bandwidth(-system) == bandwidth(system)
 
 
@@ -55,10 +55,16 @@ def test_bandwidth_needs_a_gain_at_zero_frequency(system: control.TransferFuncti
         bandwidth(system)
 
 
-@pytest.mark.parametrize("drop", [0.0, -3.0, math.nan, math.inf])
-def test_the_drop_must_be_positive(drop: float) -> None:
-    with pytest.raises(ValueError, match="positive number of decibels"):
-        bandwidth(AS_IN_THE_THESIS, drop)
+@pytest.mark.parametrize("dbdrop", [-1.0, -3.0, -6.0])
+def test_the_drop_is_that_of_python_control(dbdrop: float) -> None:
+    expected = float(control.bandwidth(AS_IN_THE_THESIS, dbdrop=dbdrop))
+    assert bandwidth(AS_IN_THE_THESIS, dbdrop=dbdrop) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("dbdrop", [0.0, 3.0, math.nan, -math.inf])
+def test_the_drop_must_be_negative(dbdrop: float) -> None:
+    with pytest.raises(ValueError, match="dbdrop must be"):
+        bandwidth(AS_IN_THE_THESIS, dbdrop)
 
 
 def test_roll_off_of_the_trimmer_with_one_and_with_both_channels() -> None:

@@ -23,7 +23,7 @@ FIRST_ORDER = control.ss(-1.0, 1.0, 1.0, 0.0)
 def test_a_ramp_is_exact_on_the_coarsest_grid() -> None:
     times = np.array([0.0, 3.0, 6.0])
     response = time_response(FIRST_ORDER, times, times)
-    np.testing.assert_allclose(response.output, times - 1 + np.exp(-times), atol=1e-14)
+    np.testing.assert_allclose(response.outputs, times - 1 + np.exp(-times), atol=1e-14)
 
 
 def test_a_released_trimmer_moves_as_newton_says() -> None:
@@ -33,7 +33,7 @@ def test_a_released_trimmer_moves_as_newton_says() -> None:
     )
     times = np.linspace(0, 0.01, 201)
     start = np.array([1e-3, -2e-3, 0.5e-3, 1e-3, 0.1, 0.2, -0.3, 0.0])
-    response = time_response(linear_model(THESIS), np.zeros((2, times.size)), times, start)
+    response = time_response(linear_model(THESIS), times, np.zeros((2, times.size)), start)
 
     def motion(_: float, state: np.ndarray) -> np.ndarray:
         q, velocity = state[:4], state[4:]
@@ -41,17 +41,17 @@ def test_a_released_trimmer_moves_as_newton_says() -> None:
 
     expected = solve_ivp(motion, (0, times[-1]), start, t_eval=times, rtol=1e-10, atol=1e-12).y
     np.testing.assert_allclose(response.states[:4], expected[:4], atol=1e-9)
-    np.testing.assert_allclose(response.output, expected[1] - expected[3], atol=1e-9)
-    assert (response.times == times).all()
+    np.testing.assert_allclose(response.outputs[0], expected[1] - expected[3], atol=1e-9)
+    assert (response.time == times).all()
 
 
 def test_tying_the_inputs_gives_the_response_to_both() -> None:
     times = np.linspace(0, 0.02, 20_001)
     displacement = AMPLITUDE * np.sin(OMEGA * times)
     velocity = AMPLITUDE * OMEGA * np.cos(OMEGA * times)
-    both = time_response(linear_model(THESIS), np.array([displacement, velocity]), times)
-    tied = time_response(pin_model(THESIS), displacement, times)
-    np.testing.assert_allclose(tied.output, both.output, atol=1e-6 * AMPLITUDE)
+    both = time_response(linear_model(THESIS), times, np.array([displacement, velocity]))
+    tied = time_response(pin_model(THESIS), times, displacement)
+    np.testing.assert_allclose(tied.outputs, both.outputs[0], atol=1e-6 * AMPLITUDE)
     np.testing.assert_allclose(tied.states[:4], both.states[:4], atol=1e-6 * AMPLITUDE)
 
 
@@ -59,10 +59,10 @@ def test_tying_the_inputs_gives_the_response_to_both() -> None:
 def test_after_the_transient_the_steady_state_remains(channels: InputChannels) -> None:
     system = pin_model(THESIS, channels=channels)
     times = np.linspace(0, 0.6, 60_001)
-    simulated = time_response(system, AMPLITUDE * np.sin(OMEGA * times), times)
+    simulated = time_response(system, times, AMPLITUDE * np.sin(OMEGA * times))
     steady = steady_state(system, OMEGA, AMPLITUDE)
     last = times > 0.55
-    np.testing.assert_allclose(simulated.output[last], steady.at(times[last]), atol=1e-5 * AMPLITUDE)
+    np.testing.assert_allclose(simulated.outputs[last], steady.at(times[last]), atol=1e-5 * AMPLITUDE)
 
 
 def test_steady_state_of_a_first_order_system() -> None:
@@ -81,21 +81,67 @@ def test_without_asymptotic_stability_there_is_no_steady_state(denominator: list
 def test_several_outputs_are_rows() -> None:
     model = linear_model(THESIS, [Displacement(Body.CUTTER), Displacement(Body.GUARD)])
     times = np.linspace(0, 0.01, 101)
-    response = time_response(model, np.ones((2, times.size)), times)
-    assert response.output.shape == (2, 101)
-    np.testing.assert_array_equal(response.output, response.states[[1, 3]])
-    assert type(response.output) is type(response.states) is np.ndarray
+    response = time_response(model, times, np.ones((2, times.size)))
+    assert response.outputs.shape == (2, 101)
+    np.testing.assert_array_equal(response.outputs, response.states[[1, 3]])
+    assert type(response.outputs) is type(response.states) is np.ndarray
 
 
 @pytest.mark.parametrize("system", [transfer_function(THESIS), control.ss(-0.5, 1, 1, 0, 0.1)])
 def test_transfer_functions_and_discrete_time_are_refused(system: control.lti.LTI) -> None:
     with pytest.raises(UnsupportedSystemError, match=r"continuous-time control\.StateSpace"):
-        time_response(system, np.zeros(3), np.arange(3))
+        time_response(system, np.arange(3), np.zeros(3))
+
+
+@pytest.mark.parametrize(("noutputs", "ninputs"), [(1, 1), (1, 2), (2, 1), (2, 3)])
+def test_arguments_names_and_shapes_are_those_of_python_control(noutputs: int, ninputs: int) -> None:
+    system, times = control.rss(3, noutputs, ninputs, strictly_proper=True), np.linspace(0, 1, 11)
+    inputs = np.sin(times) * np.arange(1, ninputs + 1)[:, None]
+    given = inputs[0] if ninputs == 1 else inputs
+    ours, theirs = time_response(system, times, given), control.forced_response(system, times, given)
+    for name in ("time", "outputs", "inputs", "states"):
+        np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), atol=1e-14)
+        assert getattr(ours, name).shape == getattr(theirs, name).shape
+
+
+TIMES = np.arange(3.0)
 
 
 @pytest.mark.parametrize(
-    ("samples", "times"), [(np.zeros(4), np.arange(3.0)), (np.zeros(3), np.array([0.0, 1.0, 3.0]))]
+    ("times", "inputs", "message"),
+    [
+        (TIMES, np.zeros(4), r"inputs must have shape \(3,\).*not \(4,\)"),
+        (TIMES, np.zeros((2, 3)), r"inputs must have shape \(3,\).*not \(2, 3\)"),
+        (TIMES, np.zeros(()), r"inputs must have shape"),
+        (TIMES, np.array([0.0, math.nan, 1.0]), "inputs must be finite"),
+        (TIMES, np.zeros(3) * 1j, "inputs must be a real number"),
+        (np.array([0.0, 1.0, 3.0]), TIMES, r"times must be at equal distances.*after 1\.0 s.*2\.0 s"),
+        (np.array([0.0, 1e-7, 2.1e-7]), TIMES, "times must be at equal distances"),
+        (np.zeros(3), TIMES, r"times must rise.*before the inputs"),
+        (np.sin(TIMES * 3), TIMES, "times must rise"),
+        (TIMES[::-1], TIMES, "times must rise"),
+        (TIMES[:, None], TIMES, r"times must be two or more instants in one dimension.*\(3, 1\)"),
+        (np.zeros(1), np.zeros(1), "times must be two or more instants"),
+        (["a", "b"], TIMES, "times must be a real number"),
+        (np.array([0.0, math.inf]), np.zeros(2), "times must be finite"),
+    ],
 )
-def test_shapes_and_distances_must_fit(samples: np.ndarray, times: np.ndarray) -> None:
-    with pytest.raises(ValueError, match=r"."):
-        time_response(FIRST_ORDER, samples, times)
+def test_wrong_times_and_inputs_are_named(times: object, inputs: object, message: str) -> None:
+    with pytest.raises((ValueError, TypeError), match=message):
+        time_response(FIRST_ORDER, times, inputs)
+
+
+@pytest.mark.parametrize("state", [[0.0, 0.0], [[1.0]], "rest", [math.nan]])
+def test_a_wrong_initial_state_is_named(state: object) -> None:
+    with pytest.raises((ValueError, TypeError), match="initial_state must"):
+        time_response(FIRST_ORDER, TIMES, np.zeros(3), state)
+
+
+def test_the_names_of_the_first_version_are_no_arguments() -> None:
+    with pytest.raises(TypeError, match="samples"):
+        time_response(FIRST_ORDER, samples=np.zeros(3), times=TIMES)  # type: ignore[call-arg]
+
+
+def test_stamps_that_are_rounded_count_as_equally_spaced() -> None:
+    times = np.round(np.arange(0.0, 1.0, 1 / 3000), 10)
+    assert time_response(FIRST_ORDER, times, np.ones(times.size)).outputs.shape == times.shape

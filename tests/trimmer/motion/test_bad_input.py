@@ -47,7 +47,7 @@ DRIVE = Drive(1e-3, 100.0)
         ({"element_output": math.nan}, "element_output must be finite, not nan"),
         ({"initial_state": [1.0, 2.0]}, "initial_state must have shape (8,), not (2,)"),
         ({"initial_state": [math.nan] * 8}, "initial_state must be finite"),
-        ({"initial_state": [1j] * 8}, "initial_state must be real"),
+        ({"initial_state": [1j] * 8}, "initial_state must be a real number"),
     ],
 )
 def test_arguments_of_simulate(arguments: dict[str, object], message: str) -> None:

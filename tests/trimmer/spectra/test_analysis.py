@@ -30,7 +30,7 @@ def signal() -> Signal:
 @pytest.mark.parametrize("window", Window)
 def test_each_part_of_a_signal_is_found_and_named(tmp_path: Path, signal: Signal, window: Window) -> None:
     write_signal(tmp_path / "a.csv", signal)
-    analysis = analyse_signal(read_signal(tmp_path / "a.csv"), DRIVE, MODES, CYCLES, window)
+    analysis = analyse_signal(read_signal(tmp_path / "a.csv"), DRIVE, MODES, CYCLES, window, closed_loop=True)
     found = {round(each.peak.frequency, 3): each for each in analysis.peaks}
     assert sorted(found) == [pytest.approx(frequency, abs=0.05) for frequency in sorted(PARTS)]
     kinds = [each.explanation and type(each.explanation.origin) for _, each in sorted(found.items())]
@@ -49,7 +49,7 @@ def test_the_output_of_a_play_has_the_harmonics_of_its_describing_functions() ->
         bridge = min(max(bridge, position - gap / 2), position + gap / 2)
         outputs.append(bridge)
     steady = Signal(np.array(outputs[-(samples * 3) // 4 :]), 1e6)
-    fit = analyse_signal(steady, drive=110.0).harmonics
+    fit = analyse_signal(steady, drive_frequency=110.0).harmonics
     assert fit is not None
     element = FrictionBacklash(gap)
     for order in (1, 3, 5, 7):
@@ -64,3 +64,14 @@ def test_without_a_drive_there_are_no_harmonics(signal: Signal) -> None:
     assert analysis.harmonics is None
     assert len(analysis.peaks) == 1
     assert analysis.peaks[0].candidates == ()
+
+
+def test_a_limit_cycle_is_left_out_under_a_drive_and_the_note_says_why(signal: Signal) -> None:
+    driven = analyse_signal(signal, DRIVE, MODES, CYCLES)
+    assert not any(isinstance(m.origin, LimitCycleLine) for peak in driven.peaks for m in peak.candidates)
+    (note,) = driven.notes
+    assert "limit cycles are left out" in note
+    assert "nothing feeds the output back" in note
+    for options in ({"closed_loop": True}, {"drive_frequency": None}, {"limit_cycle_frequencies": ()}):
+        given = {"drive_frequency": DRIVE, "limit_cycle_frequencies": CYCLES} | options
+        assert analyse_signal(signal, **given).notes == ()

@@ -23,7 +23,7 @@ from report.numbers.independent.waveforms import integral as quadrature_integral
 from report.parts import assertion, close, expression, matrix, same, small
 from report.record import ClaimRecord, Record, claim, text
 from report.thesis import LIMIT_CYCLE_OMEGA
-from trimmer import frequency_response, linear_model
+from trimmer import linear_model, response_at
 
 LAPLACE = "derivations/laplace.py"
 b = sympy.Symbol("b", positive=True)
@@ -112,7 +112,7 @@ def linear_listing(known: Evidence) -> Record:
         second = same("the forces on each body", by_newton, derived.expand())
         yield matrix(label, printed, derived, second=second)
     systems = (numbers.displacement_only, numbers.both_channels)
-    kept, whole = (complex(frequency_response(system, LIMIT_CYCLE_OMEGA)) for system in systems)
+    kept, whole = (complex(response_at(system, LIMIT_CYCLE_OMEGA)) for system in systems)
     ratio = numbers.parameters.c2 / numbers.parameters.k2
     by_factor = kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio)
     yield assertion(

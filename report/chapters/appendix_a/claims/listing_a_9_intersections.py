@@ -12,7 +12,7 @@ from report.numbers.independent.limit_cycles import friction_as_listed
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
-from trimmer import ViscousBacklash, frequency_response, limit_cycles
+from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"
 GRID_END, GRID_POINTS = 0.0025, 10000
@@ -102,7 +102,7 @@ def two_systems(known: Evidence) -> Record:
         known.cycles.friction_listing.stable,
         (known.numbers.displacement_only, known.cycles.listing),
     )
-    drawn, searched = (complex(frequency_response(system, cycle.omega)) for system in systems)
+    drawn, searched = (complex(response_at(system, cycle.omega)) for system in systems)
     exact = float(gain(known.numbers, cycle.omega))
     yield assertion(
         "line 13, `nyquist(G(1))`, and lines 18 to 20, `G_1`",

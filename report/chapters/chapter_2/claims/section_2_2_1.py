@@ -18,7 +18,7 @@ from report.numbers.independent import symbolic
 from report.parts import digits, equal, expression, made_here, matrix, same
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import frequency_response
+from trimmer import response_at
 
 SYMBOLS = "derivations/symbols.py"
 ENERGIES = "derivations/energies.py"
@@ -190,7 +190,7 @@ def velocity_part() -> Part:
 
 def output_with_the_slip(known: Evidence) -> float:
     """Return the output's amplitude (m) at the drive, with the printed velocity as second input."""
-    gain = abs(complex(frequency_response(known.numbers.displacement_only, DRIVE_OMEGA)))
+    gain = abs(complex(response_at(known.numbers.displacement_only, DRIVE_OMEGA)))
     damper_over_spring = known.numbers.parameters.c2 / known.numbers.parameters.k2
     return gain * math.hypot(DRIVE_AMPLITUDE, damper_over_spring * DRIVE_OMEGA)
 

@@ -20,7 +20,7 @@ from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA
-from trimmer import frequency_response
+from trimmer import response_at
 
 SOURCE = "derivations/laplace.py"
 IN_TIME = "trimmer/linear/time_response.py"
@@ -29,7 +29,7 @@ IN_TIME = "trimmer/linear/time_response.py"
 def responses(known: Evidence) -> tuple[complex, complex, complex]:
     """Return G at the drive from the model, from a simulation, and from the exact coefficients."""
     exact = complex(exact_response(known.numbers, DRIVE_OMEGA))
-    response = complex(frequency_response(known.numbers.displacement_only, DRIVE_OMEGA))
+    response = complex(response_at(known.numbers.displacement_only, DRIVE_OMEGA))
     return response, settled_gain(known.numbers.parameters), exact
 
 

@@ -25,7 +25,7 @@ from report.numbers.textbook_loops import (
 )
 from report.parts import assertion, close, digits, equal, expression, made_here, part
 from report.record import Record, claim, text
-from trimmer import FrictionBacklash, frequency_response
+from trimmer import FrictionBacklash, response_at
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
 LOOPS = "report/numbers/textbook_loops.py"
@@ -82,7 +82,7 @@ def roles(known: Evidence) -> Record:
         printed_form=Words("the imaginary equation, free of $N$"),
     )
     cycle = known.cycles.friction.stable
-    linear = complex(frequency_response(known.numbers.displacement_only, cycle.omega))
+    linear = complex(response_at(known.numbers.displacement_only, cycle.omega))
     doubled = 2 * cycle.amplitude
     left = (complex(FrictionBacklash(1.0).describing_function(doubled)) * linear).imag
     by_listing = (friction_listing(doubled, 1.0) * linear).imag
@@ -236,7 +236,7 @@ def side_of_the_crossing() -> Part:
     loop = backlash_loop()
     cycle, around = loop.limit_cycles()[0], np.array([1 - 1e-6, 1 + 1e-6])
     # Small differences along the two curves give the angle between them.
-    locus = complex(np.diff(frequency_response(loop.plant, cycle.omega * around))[0])
+    locus = complex(np.diff(response_at(loop.plant, cycle.omega * around))[0])
     inverse = complex(np.diff(loop.inverse_element(cycle.amplitude * around))[0])
     sine = abs((locus.conjugate() * inverse).imag) / abs(locus * inverse)
     means = "the angle of the crossing in the example"

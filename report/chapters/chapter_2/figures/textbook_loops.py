@@ -16,7 +16,7 @@ from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
 from report.evidence import Evidence
 from report.numbers.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
 from report.record import figure
-from trimmer import frequency_response
+from trimmer import response_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,7 +51,7 @@ def one_limit_cycle(_: Evidence) -> Figure:
     plane.legend(loc="lower right")
     few_ticks(plane.xaxis, plane.yaxis, equations.xaxis, equations.yaxis)
     gain = loop.element.describing_function(amplitude)
-    balance = 1 + np.outer(gain, frequency_response(loop.plant, omega))
+    balance = 1 + np.outer(gain, response_at(loop.plant, omega))
     for part, line in ((balance.real, LINES[2]), (balance.imag, LINES[3])):
         equations.contour(omega, amplitude, part, [0.0], colors=line["color"], linestyles=[line["linestyle"]])
     equations.plot([], [], label="real part of $1 + NG$ is zero", **LINES[2])
@@ -84,7 +84,7 @@ def two_limit_cycles(_: Evidence) -> Figure:
         (0, whole, np.geomspace(0.45, 6, 200), np.geomspace(0.55, 6, 200)),
         (1, near, np.geomspace(1.2, 2.2, 100), np.geomspace(2, 400, 200)),
     ):
-        response = frequency_response(loop.plant, np.geomspace(0.05, 60, 400))
+        response = response_at(loop.plant, np.geomspace(0.05, 60, 400))
         closed = np.concatenate([response, response[::-1].conj()])
         axes.fill(closed.real, closed.imag, color="#e4e4e4", linewidth=0, label="encircled by $G$")
         _both(axes, loop, omega, amplitude)
@@ -124,7 +124,7 @@ def _operating_points(axes: Axes, loop: Loop, index: int) -> None:
 
 def _both(axes: Axes, loop: Loop, omega: Reals, amplitude: Reals) -> None:
     """Draw G for rising frequency and -1/N for rising amplitude."""
-    response, inverse = frequency_response(loop.plant, omega), loop.inverse_element(amplitude)
+    response, inverse = response_at(loop.plant, omega), loop.inverse_element(amplitude)
     _directed(axes, response, Along("ω", "rad/s", omega), r"$G(j\omega)$", LINES[0])
     _directed(axes, inverse, Along("A", "", amplitude), "$-1/N(A)$", LINES[1])
 

@@ -27,7 +27,7 @@ from report.numbers.linear_numbers import (
 from report.parts import assertion, close, digits, made_here, matrix, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import Body, Displacement, filtering_ratio, frequency_response, linear_model, resonance_peaks
+from trimmer import Body, Displacement, filtering_ratio, linear_model, resonance_peaks, response_at
 from trimmer.linear.extrema import Extremum
 
 MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/linear_numbers.py"
@@ -169,7 +169,7 @@ def output_matrix(known: Evidence) -> Record:
     )
     system = lightly_damped_response(parameters)
     highest = known.numbers.undamped[-1].omega
-    beside = abs(frequency_response(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
+    beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
     yield text("""
         To track four positions takes four rows. The printed row gives one output, the sum $x_1 + x_2 + x_3 +

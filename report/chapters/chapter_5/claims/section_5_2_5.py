@@ -21,7 +21,7 @@ from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, expression, made_here, same, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP, TURN
-from trimmer import LimitCycle, frequency_response
+from trimmer import LimitCycle, response_at
 
 OPERATOR, BODIES = "derivations/elements/friction.py", "report/numbers/released_bodies.py"
 PRINTED = "737.514"
@@ -144,7 +144,7 @@ def by_listing_a6(solution: LimitCycle | Point, turning: float) -> complex:
 
 def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmation:
     """Confirm a solution by the loop, with its angular frequency (rad/s) and the element's value there."""
-    response = complex(frequency_response(known.numbers.displacement_only, turning))
+    response = complex(response_at(known.numbers.displacement_only, turning))
     return close("$NG$ at that amplitude and frequency", element * response, -1)
 
 

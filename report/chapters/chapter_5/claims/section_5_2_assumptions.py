@@ -22,7 +22,7 @@ from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, frequency_response, harmonic_leakage
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage, response_at
 
 LITTLE = 0.05
 """Share of the fundamental below which a harmonic that comes back is taken as filtered."""
@@ -50,8 +50,8 @@ def assumptions(known: Evidence) -> Record:
 def _single(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     omegas = np.array([pair.unstable.omega, pair.stable.omega])
-    pin = frequency_response(numbers.displacement_only, omegas) / numbers.parameters.k2
-    quotients = frequency_response(force_response(numbers.parameters), omegas) / pin
+    pin = response_at(numbers.displacement_only, omegas) / numbers.parameters.k2
+    quotients = response_at(force_response(numbers.parameters), omegas) / pin
     # Cutter against guard: its weights are the directions of friction's forces.
     by_friction, by_pin = (
         np.array([BY_FRICTION @ displacements(numbers.parameters, omega, forces) for omega in omegas])

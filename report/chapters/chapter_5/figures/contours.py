@@ -16,7 +16,7 @@ from report.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair, cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, listing_contour
 from report.record import figure
-from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, frequency_response
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, response_at
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -111,12 +111,12 @@ def _crossings(
     axes: Axes, system: control.lti.LTI, element: Element, pair: Pair, line: Look = LINES[0]
 ) -> None:
     """Draw G, -1/N and both limit cycles with frequency and amplitude."""
-    response = frequency_response(system, OMEGA)
+    response = response_at(system, OMEGA)
     amplitudes = 1 / (RATIOS * float(element.domain(1.0)))
     inverse = -1 / element.describing_function(amplitudes)
     plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="G", **line)
     plot_along(axes, inverse, Along("A", "gaps", amplitudes), label="−1/N", **LINES[1])
-    points = frequency_response(system, np.array([pair.unstable.omega, pair.stable.omega]))
+    points = response_at(system, np.array([pair.unstable.omega, pair.stable.omega]))
     axes.plot(points.real, points.imag, "o", color=BLACK, markersize=5)
     plane.critical_point(axes)
     for cycle, point, up in zip((pair.unstable, pair.stable), points, (-12, 8), strict=True):
@@ -136,7 +136,7 @@ def _crossings(
 def higher_harmonics(known: Evidence) -> Figure:
     system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
     points = plane.inverse(InertiaBacklash(1.0))
-    ends = frequency_response(system, np.array(BAND))
+    ends = response_at(system, np.array(BAND))
     radius = float(max(np.abs(points - end).min() for end in ends))
     figure, axes = panels(3.8, width=5.6)
     # The band: what is nearer to the curve than the farther one of its ends.

@@ -13,7 +13,7 @@ from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
 from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
 from report.record import figure
-from trimmer import bandwidth_crossings, frequency_response, gain_crossings, resonance_peaks
+from trimmer import bandwidth_crossings, gain_crossings, resonance_peaks, response_at
 
 if TYPE_CHECKING:
     import control
@@ -63,7 +63,7 @@ def bode_plot(known: Evidence) -> Figure:
         (both, "displacement and velocity", LINES[1]),
     ):
         omega = _with_peaks(each)
-        phase = np.unwrap(np.angle(frequency_response(each, omega)))
+        phase = np.unwrap(np.angle(response_at(each, omega)))
         upper.semilogx(omega, _decibels(each, omega), label=label, **line)
         lower.semilogx(omega, np.degrees(phase), **line)
     unity, cutoff = gain_crossings(system)[-1], bandwidth_crossings(system)[-1]
@@ -96,7 +96,7 @@ def nyquist_locus(known: Evidence) -> Figure:
     near = [mode.omega_damped - mode.eigenvalue.real * around for mode in modes]
     omega = np.sort(np.concatenate([OMEGA, np.linspace(1, 1e4, 1500), *near]))
     omega = omega[omega > 0]
-    response, thin = frequency_response(system, omega), LINES[1] | {"linewidth": 0.9}
+    response, thin = response_at(system, omega), LINES[1] | {"linewidth": 0.9}
     figure, (whole, enlarged) = panels(3.4, 1, 2)
     for axes in (whole, enlarged):
         plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$\omega > 0$", **LINES[0])
@@ -104,7 +104,7 @@ def nyquist_locus(known: Evidence) -> Figure:
         critical_point(axes)
         beside(axes, "$-1$", (-1, 0), (-8, 8), ha="right")
         for place in (2150.0, 3350.0, 3600.0, 4400.0):
-            arrow(axes, *frequency_response(system, place * np.array([1, 1.004])), color=LINES[0]["color"])
+            arrow(axes, *response_at(system, place * np.array([1, 1.004])), color=LINES[0]["color"])
     enlarged.set(xlim=(-3, 3), ylim=(-3, 3), title="near the critical point", xlabel="real part")
     whole.set(title="whole locus", xlabel="real part", ylabel="imaginary part")
     whole.set_aspect("equal", adjustable="datalim")
@@ -138,7 +138,7 @@ def bode_plot_light_damping(known: Evidence) -> Figure:
 
 
 def _decibels(system: control.TransferFunction, omega: Reals) -> Reals:
-    return np.asarray(20 * np.log10(np.abs(frequency_response(system, omega))))
+    return np.asarray(20 * np.log10(np.abs(response_at(system, omega))))
 
 
 def _with_peaks(system: control.TransferFunction) -> Reals:

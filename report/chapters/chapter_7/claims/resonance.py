@@ -12,7 +12,7 @@ from report.numbers.linear_numbers import lightly_damped_response
 from report.parts import assertion, close, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, TURN
-from trimmer import frequency_response, resonance_peaks
+from trimmer import resonance_peaks, response_at
 
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
@@ -112,5 +112,5 @@ def resonance(known: Evidence) -> Record:
 def share_of_third(known: Evidence, omega: float) -> float:
     """Return |G| at three times an angular frequency (rad/s) over |G| at it."""
     system = known.numbers.displacement_only
-    third, first = (abs(complex(frequency_response(system, order * omega))) for order in (THIRD, 1))
+    third, first = (abs(complex(response_at(system, order * omega))) for order in (THIRD, 1))
     return float(third / first)

@@ -1,0 +1,227 @@
+"""A wrong type for any argument ends in a sentence that names argument and value, not in a traceback."""
+
+from __future__ import annotations
+
+import traceback
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import trimmer
+from trimmer import (
+    CUTTER_RELATIVE_TO_GUARD,
+    BodyFriction,
+    ClosedLoop,
+    CoulombFriction,
+    CsvLayout,
+    Drive,
+    ElementAtFrequency,
+    FrictionBacklash,
+    InertiaBacklash,
+    OpenLoop,
+    Relay,
+    ScaledElement,
+    Signal,
+    SumOfElements,
+    Tolerance,
+    TrimmerError,
+    TrimmerLoop,
+    TrimmerParameters,
+    ViscousBacklash,
+    ViscousFriction,
+    WrongTypeError,
+    amplitude_spectrum,
+    analyse_signal,
+    antiresonances,
+    asymptotic_roll_off,
+    bandwidth,
+    bandwidth_crossings,
+    classify,
+    encirclements,
+    energy_balance,
+    filtering_ratio,
+    fit_harmonics,
+    forced_orbit,
+    gain_crossings,
+    harmonic_balance,
+    harmonic_leakage,
+    identify_time_constant,
+    limit_cycles,
+    linear_model,
+    local_slope,
+    modes,
+    multi_harmonic_balance,
+    peaks,
+    periodic_orbits,
+    pin_model,
+    read_signal,
+    real_axis_crossings,
+    resonance_peaks,
+    response_at,
+    simulate,
+    steady_state,
+    summarise,
+    time_response,
+    transfer_function,
+    undamped_modes,
+    write_signal,
+    write_wav,
+)
+
+PACKAGE = Path(trimmer.__file__).parent
+THESIS = TrimmerParameters.thesis()
+SYSTEM = pin_model(THESIS)
+PLAY = FrictionBacklash(4e-5)
+DRIVE = Drive(1.5e-3, 700.0)
+LOOP, TRIMMER = ClosedLoop(SYSTEM, PLAY), TrimmerLoop(THESIS, PLAY, DRIVE)
+CYCLE = limit_cycles(SYSTEM, PLAY)[-1]
+MOTION = simulate(TRIMMER, 0.001)
+SAMPLES = np.sin(np.arange(200.0))
+SIGNAL = Signal(SAMPLES, 1000.0)
+SPECTRUM = amplitude_spectrum(SAMPLES, 1000.0)
+FRICTION = CoulombFriction(1.0)
+
+ANYTHING = {"text": "1.0", "an object": object(), "a class": FrictionBacklash, "complex": 1j}
+ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
+
+CALLS = {
+    identify_time_constant: {"G": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
+    harmonic_leakage: {"G": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
+    harmonic_balance: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    limit_cycles: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    CoulombFriction: {"force": 1.0},
+    Relay: {"level": 1.0},
+    ViscousFriction: {"damping": 1.0},
+    FrictionBacklash: {"gap": 1.0},
+    InertiaBacklash: {"gap": 1.0},
+    ViscousBacklash: {"gap": 1.0, "time_constant": 1.0},
+    ElementAtFrequency: {"element": PLAY, "omega": 1.0},
+    ScaledElement: {"element": PLAY, "factor": 2.0},
+    SumOfElements: {"terms": (PLAY,)},
+    PLAY.describing_function: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
+    PLAY.waveform: {"phase": 1.0, "amplitude": 1.0, "omega": 1.0},
+    PLAY.derivatives: {"amplitude": 1.0, "omega": 1.0},
+    PLAY.mean_gain: {"amplitude": 1.0},
+    PLAY.at: {"omega": 1.0},
+    gain_crossings: {"system": SYSTEM, "level": 1.0},
+    real_axis_crossings: {"system": SYSTEM},
+    antiresonances: {"system": SYSTEM},
+    resonance_peaks: {"system": SYSTEM},
+    response_at: {"system": SYSTEM, "omega": 1.0},
+    asymptotic_roll_off: {"system": SYSTEM},
+    bandwidth: {"system": SYSTEM, "dbdrop": -3.0},
+    bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
+    filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
+    local_slope: {"system": SYSTEM, "omega": 1.0},
+    linear_model: {"parameters": THESIS},
+    pin_model: {"parameters": THESIS},
+    transfer_function: {"parameters": THESIS},
+    modes: {"parameters": THESIS},
+    undamped_modes: {"parameters": THESIS},
+    summarise: {"parameters": THESIS},
+    encirclements: {"system": SYSTEM, "point": -1.0},
+    steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
+    steady_state(SYSTEM, 1.0).at: {"times": 1.0},
+    time_response: {"system": SYSTEM, "times": [0.0, 1.0], "inputs": [0.0, 1.0], "initial_state": 0.0},
+    energy_balance: {"motion": MOTION},
+    ClosedLoop: {"system": SYSTEM, "element": PLAY},
+    OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
+    TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
+    BodyFriction: {"between": CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
+    simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
+    | {"element_output": 0.0, "event_limit": 10, "step_limit": 1000},
+    MOTION.output: {"times": 0.0},
+    MOTION.state: {"times": 0.0},
+    forced_orbit: {"loop": TRIMMER, "settling": 8},
+    multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
+    periodic_orbits: {"system": SYSTEM, "element": PLAY},
+    TrimmerParameters.from_toml: {"path": "nothing.toml"},
+    Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
+    | {"interpolated": 0},
+    write_signal: {"path": "a.csv", "signal": SIGNAL},
+    write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0},
+    read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": CsvLayout()},
+    analyse_signal: {"signal": SIGNAL, "drive_frequency": 100.0, "natural_frequencies": (10.0,), "limit": 3}
+    | {"limit_cycle_frequencies": (10.0,)},
+    classify: {
+        "peaks": (),
+        "bin_width": 1.0,
+        "natural_frequencies": (1.0,),
+        "limit_cycle_frequencies": (1.0,),
+    }
+    | {"tolerance": Tolerance()},
+    fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0, "count": 2},
+    peaks: {"spectrum": SPECTRUM, "limit": 3},
+    amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
+    Tolerance: {"bins": 1.0, "model": 0.1},
+}
+NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
+NONE_WILL_DO |= {"settling", "drive", "element", "sample_rate", "omega"}
+"""Arguments that may be left out, somewhere."""
+ALSO_NAMED = {"G": "system", "values": "samples", "signal": "samples", "bins": "tolerance in bins"}
+ALSO_NAMED |= {
+    "model": "model tolerance",
+    "bin_width": "bin width",
+    "drive_frequency": "frequency of the drive",
+}
+ANY_TEXT = {"path", "name", "unit"}
+CASES = [
+    pytest.param(call, argument, value, id=f"{call.__qualname__}-{argument}-{kind}")
+    for call, arguments in CALLS.items()
+    for argument in arguments
+    for kind, value in ANYTHING.items()
+    if not (kind == "none" and argument in NONE_WILL_DO)
+    and not (kind == "text" and argument in ANY_TEXT)
+    and not (kind == "a loop" and argument == "loop")
+    and argument != "between"
+]
+
+
+@pytest.mark.parametrize(("call", "argument", "value"), CASES)
+def test_a_wrong_type_is_named(call, argument: str, value: object, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises((ValueError, TypeError)) as caught:
+        call(**{**CALLS[call], argument: value})
+    last = traceback.extract_tb(caught.value.__traceback__)[-1]
+    assert Path(last.filename).is_relative_to(PACKAGE), "raised by another package"
+    assert last.line is not None
+    assert last.line.startswith("raise "), "not raised on purpose"
+    message = str(caught.value)
+    assert argument in message or ALSO_NAMED.get(argument, argument) in message
+    assert isinstance(caught.value, TrimmerError | ValueError)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda: ClosedLoop(SYSTEM, FrictionBacklash),
+        lambda: OpenLoop(SYSTEM, FrictionBacklash, DRIVE),
+        lambda: TrimmerLoop(THESIS, FrictionBacklash),
+        lambda: BodyFriction(CUTTER_RELATIVE_TO_GUARD, CoulombFriction),
+        lambda: limit_cycles(SYSTEM, FrictionBacklash),
+        lambda: ElementAtFrequency(FrictionBacklash, 1.0),
+        lambda: SumOfElements((PLAY, CoulombFriction)),
+    ],
+)
+def test_a_class_in_place_of_an_instance_is_called_one(wrong) -> None:
+    with pytest.raises(TrimmerError, match=r"the class (FrictionBacklash|CoulombFriction)"):
+        wrong()
+
+
+def test_a_force_in_place_of_a_law_of_friction_is_named_at_once() -> None:
+    with pytest.raises(WrongTypeError, match=r"law must be an element, such as .*, not 0\.5"):
+        BodyFriction(CUTTER_RELATIVE_TO_GUARD, 0.5)
+
+
+def test_frictions_may_be_a_list() -> None:
+    friction = BodyFriction(CUTTER_RELATIVE_TO_GUARD, FRICTION)
+    assert TrimmerLoop(THESIS, PLAY, DRIVE, frictions=[friction]).frictions == (friction,)
+
+
+def test_numbers_of_other_kinds_are_numbers() -> None:
+    for gap in (np.float32(0.5), np.array(0.5), Fraction(1, 2)):
+        element = FrictionBacklash(float(gap))
+        assert FrictionBacklash(gap).describing_function(1.0) == element.describing_function(1.0)
+    assert Drive(1, np.int64(2)) == Drive(1.0, 2.0)
