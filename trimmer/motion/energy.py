@@ -44,6 +44,9 @@ class EnergyBalance:
             acts by its displacement alone.
         damping_loss: What the dampers dissipate.
         friction_loss: What the forces between bodies dissipate.
+        bridge_energy: Largest 1/2 k2 u^2: what the bridge would put into its spring if no body moved. Where
+            friction holds all bodies, nothing but rounding is left in the other terms, and this is what it is
+            to be compared with.
     """
 
     kinetic_at_start: float
@@ -53,10 +56,11 @@ class EnergyBalance:
     pin_work: float
     damping_loss: float
     friction_loss: float
+    bridge_energy: float = 0.0
 
     @property
     def residual(self) -> float:
-        """Modulus of the sum of all terms over the largest one, a number; 0 for a trimmer at rest."""
+        """Modulus of the sum of all terms over the largest one or the bridge's energy; 0 if nothing moves."""
         terms = (
             self.kinetic_at_end,
             -self.kinetic_at_start,
@@ -66,7 +70,7 @@ class EnergyBalance:
             self.damping_loss,
             self.friction_loss,
         )
-        largest = max(abs(term) for term in terms)
+        largest = max(self.bridge_energy, *(abs(term) for term in terms))
         return abs(sum(terms)) / largest if largest > 0 else 0.0
 
 
@@ -117,14 +121,17 @@ def energy_balance(motion: Motion) -> EnergyBalance:
             linear_trimmer.stiffness_matrix,
         )
     )
-    works = np.zeros(3)
+    works, farthest = np.zeros(3), 0.0
     for times, weights in _quadrature(motion):
-        works += _powers(loop, C, _sampled(motion, loop, times)) @ weights
+        sampled = _sampled(motion, loop, times)
+        works += _powers(loop, C, sampled) @ weights
+        farthest = max(farthest, float(abs(sampled.bridge).max()))
     ends = _sampled(motion, loop, np.array([0.0, motion.duration]))
     kinetic, potential = (
         0.5 * np.einsum("it,ij,jt->t", x, matrix, x) for x, matrix in ((ends.rate, M), (ends.q, K))
     )
-    return EnergyBalance(*kinetic.tolist(), *potential.tolist(), *works.tolist())
+    bridge_energy = 0.5 * loop.parameters.k2 * farthest**2
+    return EnergyBalance(*(float(each) for each in (*kinetic, *potential, *works, bridge_energy)))
 
 
 def _powers(loop: TrimmerLoop, C: Reals, at: _Sampled) -> Reals:

@@ -65,7 +65,7 @@ def segment_from(modes: ModeTables, plant_state: Reals, element_output: float) -
         chosen[k], state[first:end] = component.initial(
             float(signals.input @ state), switching, element_output
         )
-    return modes.number(tuple(chosen)), state
+    return modes.number(modes.coupled.closed(tuple(chosen))), state
 
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:

@@ -7,10 +7,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from trimmer.arrays import Integers
 from trimmer.motion.compilation import compiled, inlined, kept, sources
 from trimmer.motion.first_event import DEEPEST, first_event
 from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
-from trimmer.motion.tables import Log, Tables, Work
+from trimmer.motion.tables import TOGETHER, Log, Tables, Work
 from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
@@ -29,19 +30,19 @@ LARGEST_COUNT = 2**62
 """Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 
 
-def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int], tuple[int, int, float]]:
+def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int, int], tuple[int, int, float]]:
     def entry(
-        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
+        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _march(tables, log, first, end, most_segments, most_steps)
+        return _march(tables, log, first, end, most_segments, most_steps, longest)
 
     return kept(entry)
 
 
 @inlined
 def _march(
-    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int
+    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
 ) -> tuple[int, int, float]:
     work = _work(tables)
     segment, cascade, steps_left = first, 0, most_steps
@@ -74,7 +75,7 @@ def _march(
         log.mode[segment] = tables.target[mode, fired, 1 if jumped else 0]
         log.event_function[segment] = fired
         log.jumped[segment] = jumped
-        if cascade > LONGEST_CASCADE:
+        if cascade > longest:
             return CYCLING, segment, time
 
 
@@ -143,7 +144,8 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     """Write how many derivatives of each event function are known to vanish at the start of a segment.
 
     What the last transition of a component makes zero is so until time goes on, as far as it does not jump
-    with the outputs of others that have their transitions at the same instant.
+    with the outputs of others that have their transitions at the same instant. Where the modes of relays were
+    decided together, the switching functions of those are zero that were held before.
 
     Returns:
         Number of the component of the last transition, -1 for none.
@@ -153,16 +155,19 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     owners, numbers, continuous = tables.component[mode], tables.number[mode], tables.continuous[mode]
     for each in range(known.size):
         known[each] = unknown
-    while log.event_function[event] >= 0 and segment - event < LONGEST_CASCADE:
+    while log.event_function[event] != NO_EVENT and segment - event < LONGEST_CASCADE:
         before, event_function = log.mode[event - 1], log.event_function[event]
-        zeros = tables.zeros[before, event_function, 1 if log.jumped[event] else 0]
-        owner = tables.component[before, event_function]
-        if event == segment:
-            recent = owner
-        for each in range(tables.event_count[mode]):
-            if owners[each] == owner and known[each] == unknown:
-                found = zeros[numbers[each]]
-                known[each] = found if event == segment else min(found, continuous[each])
+        if event_function == TOGETHER:
+            _know_held(tables, mode, before, known, unknown)
+        else:
+            zeros = tables.zeros[before, event_function, 1 if log.jumped[event] else 0]
+            owner = tables.component[before, event_function]
+            if event == segment:
+                recent = owner
+            for each in range(tables.event_count[mode]):
+                if owners[each] == owner and known[each] == unknown:
+                    found = zeros[numbers[each]]
+                    known[each] = found if event == segment else min(found, continuous[each])
         if log.start[event] - log.start[event - 1] > AN_INSTANT * log.start[event]:
             break
         event -= 1
@@ -171,11 +176,26 @@ def _know_zeros(tables: Tables, log: Log, segment: int, work: Work) -> int:
     return recent
 
 
+@inlined
+def _know_held(tables: Tables, mode: int, before: int, known: Integers, unknown: int) -> None:
+    """Write the known zeros after relays were decided together: one for each that was held before."""
+    for each in range(tables.event_count[mode]):
+        relay = tables.relay[mode, each]
+        if known[each] == unknown and relay >= 0 and tables.held[before, relay]:
+            known[each] = 1
+
+
 _compiled_march = _entry(sources())
 
 
 def march(
-    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int = MOST_STEPS
+    tables: Tables,
+    log: Log,
+    first: int,
+    end: float,
+    most_segments: int,
+    most_steps: int = MOST_STEPS,
+    longest_cascade: int = LONGEST_CASCADE,
 ) -> tuple[int, int, float]:
     """Integrate the motion from the segment ``first`` of the log until a time, s.
 
@@ -186,11 +206,16 @@ def march(
         end: Time at which to stop, s.
         most_segments: Largest number of segments in the log.
         most_steps: Largest number of steps.
+        longest_cascade: Largest number of events at one instant.
 
     Returns:
         Reason to stop, number of the last segment, and time reached, s. The integration can go on from there,
         once the mode is tabulated or the log has more room.
     """
     # Of one type each, since the function is compiled for every combination of types.
-    most = (min(int(most_segments), LARGEST_COUNT), min(int(most_steps), LARGEST_COUNT))
+    most = (
+        min(int(most_segments), LARGEST_COUNT),
+        min(int(most_steps), LARGEST_COUNT),
+        min(int(longest_cascade), LONGEST_CASCADE),
+    )
     return _compiled_march(tables, log, int(first), float(end), *most)

@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.errors import IllPosedLoopError
-from trimmer.motion.interconnection import Layout, acts, effect
-from trimmer.motion.switched_component import Constrained, EventFunction, Explicit, RateProportional, Signals
+from trimmer.motion.interconnection import NEGLIGIBLE, Layout, acts, effect
+from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.switched_component import (
+    Constrained,
+    Explicit,
+    RateProportional,
+    Signals,
+    Transition,
+)
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from trimmer.arrays import Reals
+    from trimmer.motion.coupled_relays import CoupledRelays
     from trimmer.motion.interconnection import Interconnection
 
 
@@ -21,18 +31,34 @@ DEPENDENT = 1e-10
 
 
 @dataclass(frozen=True)
-class ComponentEventFunction:
-    """An event function with its owner.
-
-    Attributes:
-        component: Number of the component that it belongs to.
-        number: Its number among the event functions of that component.
-        event_function: The event function.
-    """
+class Change:
+    """A component, and what it does at an event."""
 
     component: int
+    transition: Transition
+
+
+@dataclass(frozen=True)
+class ModeEventFunction:
+    """A row that is positive while the mode lasts, and what changes where it does not.
+
+    Attributes:
+        owner: The component that it belongs to, or the first one of those that are coupled.
+        number: Its number among those of its owner; for coupled components that of its component among them,
+            and one more than the last for what belongs to all.
+        row: The functional.
+        reached: All that changes when it falls to zero.
+        jumped: All that changes when it is negative at once.
+        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
+            another component does.
+    """
+
+    owner: int
     number: int
-    event_function: EventFunction
+    row: Reals
+    reached: tuple[Change, ...]
+    jumped: tuple[Change, ...]
+    continuous: int = 0
 
 
 @dataclass(frozen=True)
@@ -43,20 +69,21 @@ class SwitchedMode:
         component_modes: The mode of each component.
         matrix: M of the flow Z' = M Z, n x n, 1/s.
         signals: The rows of each component.
-        event_functions: The event functions of all components, one component after the other.
+        event_functions: The event functions of all components, then those of the coupled ones together.
     """
 
     component_modes: tuple[int, ...]
     matrix: Reals
     signals: tuple[Signals, ...]
-    event_functions: tuple[ComponentEventFunction, ...]
+    event_functions: tuple[ModeEventFunction, ...]
 
 
 @dataclass(frozen=True)
 class _Open:
     """The mode before its implicit outputs v are known.
 
-    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v.
+    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v;
+    implicit: which components v belongs to, holds: whether a constraint is among them.
     """
 
     flow: Reals
@@ -66,14 +93,18 @@ class _Open:
     outputs: Reals
     outputs_through: Reals
     implicit: tuple[int, ...]
+    holds: bool
 
 
-def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> SwitchedMode:
+def assemble(
+    system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays
+) -> SwitchedMode:
     """Return the mode of an interconnection in which each component is in a given mode.
 
     Args:
         system: The interconnection.
         component_modes: Number of the mode of each component.
+        coupled: Its relays that depend on each other.
 
     Raises:
         IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
@@ -82,28 +113,102 @@ def assemble(system: Interconnection, component_modes: tuple[int, ...]) -> Switc
     layout = Layout.of(system)
     opened = _open(system, layout, component_modes)
     implicit_rows = _implicit_outputs(system, layout, component_modes, opened)
-    matrix = opened.flow + opened.push @ implicit_rows
+    matrix, sizes = opened.flow + opened.push @ implicit_rows, np.zeros_like(opened.flow)
+    if opened.holds:
+        sizes = abs(opened.flow) + abs(opened.push) @ abs(implicit_rows)
+        matrix = without_rounding(matrix, sizes)
     outputs = opened.outputs + opened.outputs_through @ implicit_rows
     inputs = opened.inputs + opened.inputs_through @ implicit_rows
     signals = tuple(
-        _signals(layout, matrix, inputs[k], outputs[k], k, component.state_count)
+        _signals(layout, (matrix, sizes), inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
-    event_functions = tuple(
-        ComponentEventFunction(k, number, event_function)
-        for k, component in enumerate(system.components)
-        for number, event_function in enumerate(
-            component.event_functions(component_modes[k], signals[k], _attracting(system, signals[k], k))
+    if opened.holds:
+        signals = _with_those_at_rest(system, component_modes, signals)
+    mode = SwitchedMode(component_modes, matrix, signals, ())
+    event_functions = (*_of_components(system, mode, coupled), *_of_coupled(system, mode, coupled, layout))
+    return replace(mode, event_functions=event_functions)
+
+
+def _with_those_at_rest(
+    system: Interconnection, component_modes: tuple[int, ...], signals: tuple[Signals, ...]
+) -> tuple[Signals, ...]:
+    """Make the rates zero that follow from switching functions that are held at zero.
+
+    Left to themselves they are rounding of the state; a pin at rest would leave its contact and come back.
+    """
+    each = zip(system.components, component_modes, signals, strict=True)
+    held = np.array(
+        [c.switching_function(s) for c, mode, s in each if isinstance(c.output_law(mode), Constrained)]
+    )
+    onto = np.linalg.pinv(held) @ held
+    nothing = np.zeros_like(signals[0].one)
+    return tuple(
+        replace(s, input_rate=nothing, input_curvature=nothing)
+        if not isinstance(c.output_law(mode), Constrained)
+        and (abs(s.input_rate - s.input_rate @ onto) <= NEGLIGIBLE * abs(s.input_rate).max()).all()
+        else s
+        for c, mode, s in zip(system.components, component_modes, signals, strict=True)
+    )
+
+
+def _of_components(
+    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays
+) -> Iterator[ModeEventFunction]:
+    """Yield the event functions that belong to one component."""
+    for k, component in enumerate(system.components):
+        place = coupled.members.index(k) if k in coupled.members else None
+        if place is not None and mode.component_modes[k] == HELD:
+            continue
+        signals = mode.signals[k]
+        found = component.event_functions(mode.component_modes[k], signals, _attracting(system, signals, k))
+        for number, each in enumerate(found):
+            reached, jumped = (
+                _with_those_that_follow(mode.component_modes, k, transition, coupled)
+                for transition in (each.reached, each.jumped)
+            )
+            owner, number = (k, number) if place is None else (coupled.members[0], place)
+            yield ModeEventFunction(owner, number, each.row, reached, jumped, each.continuous)
+
+
+def _with_those_that_follow(
+    component_modes: tuple[int, ...], k: int, transition: Transition, coupled: CoupledRelays
+) -> tuple[Change, ...]:
+    """Return the change of a component, with those that are held from then on because it is."""
+    changes = [Change(k, transition)]
+    if k in coupled.members and transition.target == HELD:
+        before = [HELD if each == k else mode for each, mode in enumerate(component_modes)]
+        after = coupled.closed(tuple(before))
+        changes += [Change(j, transition) for j in coupled.members if after[j] != before[j]]
+    return tuple(changes)
+
+
+def _of_coupled(
+    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays, layout: Layout
+) -> Iterator[ModeEventFunction]:
+    """Yield the distances of what coupled relays hold from what they can hold at most."""
+    outputs = np.array([mode.signals[k].output for k in coupled.members])
+    for vector, bound in coupled.facets(mode.component_modes):
+        sliding = [(coupled.members[each], vector[each]) for each in np.flatnonzero(vector)]
+        slips = [(k, _slip(system, k, float(sign))) for k, sign in sliding]
+        reached, jumped = (tuple(Change(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1))
+        row = without_rounding(
+            bound * layout.one - vector @ outputs, bound * layout.one + abs(vector) @ abs(outputs)
         )
-    )
-    return SwitchedMode(component_modes, matrix, signals, event_functions)
+        yield ModeEventFunction(coupled.members[0], len(coupled.members), row, reached, jumped)
+
+
+def _slip(system: Interconnection, k: int, sign: float) -> tuple[Transition, Transition]:
+    component = system.components[k]
+    assert isinstance(component, RelayComponent)
+    return component.slip(sign > 0)
 
 
 def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> _Open:
     """Resolve the outputs that are explicit functions of inputs and states, and put the flow together."""
     count = len(system.components)
     gains, own = np.zeros(count), np.zeros((count, layout.size))
-    implicit = []
+    implicit, holds = [], False
     for k, (component, mode) in enumerate(zip(system.components, component_modes, strict=True)):
         law = component.output_law(mode)
         if isinstance(law, Explicit):
@@ -113,6 +218,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
             own[k, -1] += law.constant
         else:
             implicit.append(k)
+            holds = holds or isinstance(law, Constrained)
     selection = np.eye(count)[:, implicit]
     inputs, through = _inputs(system, layout, gains, own, selection)
     outputs = gains[:, None] * inputs + own
@@ -121,7 +227,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
     flow[: layout.order] += system.B @ outputs
     push = np.zeros((layout.size, len(implicit)))
     push[: layout.order] = system.B @ outputs_through
-    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit))
+    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit), holds)
 
 
 def _inputs(
@@ -162,7 +268,8 @@ def _implicit_outputs(
     """Solve for the outputs that follow from a condition on the rates, one row each."""
     if not opened.implicit:
         return np.zeros((0, layout.size))
-    left, right = [], []
+    left, right, sizes = [], [], []
+    flow = opened.flow, np.zeros_like(opened.flow)
     for column, k in enumerate(opened.implicit):
         if opened.inputs_through[k].any():
             raise IllPosedLoopError(f"{system.labels[k]}: its input depends at once on its own output")
@@ -177,25 +284,28 @@ def _implicit_outputs(
         else:
             assert isinstance(law, Constrained)
             row = component.switching_function(
-                _signals(layout, opened.flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
+                _signals(layout, flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
             )
             row = _differentiated(row, opened, column, system.labels[k])
             left.append(row @ opened.push)
             right.append(-row @ opened.flow)
+        sizes.append(abs(row) @ abs(opened.flow) if opened.holds else np.zeros(layout.size))
     names = ", ".join(system.labels[k] for k in opened.implicit)
-    return least_outputs(np.array(left), np.array(right), names)
+    return least_outputs(np.array(left), np.array(right), names, np.array(sizes))
 
 
-def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
+def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = None) -> Reals:
     """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs.
 
     So it is where frictions between three bodies all stick, or where two act between the same bodies: the
-    motion is determined, and how they share the force is not.
+    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit
+    although others do not (``trimmer.motion.coupled_relays``).
 
     Args:
         left: Factors of the m outputs in the conditions, m x m.
         right: Right sides as rows over the extended state, m x n.
         names: The components, for the error message.
+        sizes: Sums of the moduli of the terms of ``right``, m x n; what is less than their rounding is zero.
 
     Returns:
         The outputs as rows over the extended state, m x n.
@@ -212,8 +322,18 @@ def least_outputs(left: Reals, right: Reals, names: str) -> Reals:
     missed = abs(scaled @ solution - wanted).max(axis=1)
     if (missed > DEPENDENT * (abs(scaled) @ abs(solution) + abs(wanted)).max(axis=1)).any():
         raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion")
+    if sizes is not None:
+        solution = without_rounding(solution, abs(inverse) @ (sizes / rows))
     outputs: Reals = np.asarray(solution / columns[:, None])
     return outputs
+
+
+def without_rounding(values: Reals, sizes: Reals) -> Reals:
+    """Return values with zeros where they are rounding of terms of these sizes.
+
+    What is held does not move, and a force that is just at its limit does not exceed it, to the last digit.
+    """
+    return np.where(abs(values) > NEGLIGIBLE * sizes, values, 0.0)
 
 
 def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals:
@@ -225,11 +345,16 @@ def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals
     raise IllPosedLoopError(f"{label}: its input stays at zero, and its output is not determined")
 
 
-def _signals(layout: Layout, matrix: Reals, given: Reals, output: Reals, k: int, count: int) -> Signals:
-    rate = given @ matrix
+def _signals(
+    layout: Layout, flow: tuple[Reals, Reals], given: Reals, output: Reals, k: int, count: int
+) -> Signals:
+    """Return the rows of a component; ``flow``: matrix, and sizes of the terms of its entries."""
+    matrix, sizes = flow
+    rate = without_rounding(given @ matrix, abs(given) @ sizes)
     first = layout.first_states[k]
     states = tuple(layout.unit(first + each) for each in range(count))
-    return Signals(given, rate, rate @ matrix, output, states, layout.one)
+    curvature = without_rounding(rate @ matrix, abs(rate) @ sizes)
+    return Signals(given, rate, curvature, output, states, layout.one)
 
 
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:

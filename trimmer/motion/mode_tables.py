@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
+from trimmer.motion.coupled_relays import CoupledRelays
 from trimmer.motion.interconnection import Layout
-from trimmer.motion.mode import ComponentEventFunction, SwitchedMode, assemble
+from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
+from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,
@@ -23,15 +25,18 @@ from trimmer.motion.taylor import (
 )
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Integers
     from trimmer.motion.interconnection import Interconnection
 
 
 EVENTS_OF_COMPONENT = 3
-"""No component has more event functions in a mode."""
+"""No component by itself has more event functions in a mode."""
 MOST_MODES = 4 * 3**6
 """Largest number of modes of a loop: those of a backlash and six frictions."""
 FORCING = 3
 """Entries that end the extended state and that no other forces: sine and cosine of the drive, and one."""
+UNKNOWN = -1
+"""In place of a number of known zeros: a change tells nothing about this event function."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +71,11 @@ class ModeTables:
         """Number of modes of each component."""
         return tuple(len(component.mode_names) for component in self.system.components)
 
+    @cached_property
+    def coupled(self) -> CoupledRelays:
+        """The relays that depend on each other."""
+        return CoupledRelays.of(self.system)
+
     def number(self, component_modes: tuple[int, ...]) -> int:
         """Return the number of the mode in which each component is in a given mode."""
         return int(np.ravel_multi_index(component_modes, self.shape))
@@ -81,14 +91,17 @@ class ModeTables:
             IllPosedLoopError: see ``assemble``.
         """
         if number not in self._modes:
-            self._modes[number] = assemble(self.system, self.component_modes(number))
+            self._modes[number] = assemble(self.system, self.component_modes(number), self.coupled)
         return self._modes[number]
 
     @cached_property
     def tables(self) -> Tables:
         """Tables of all modes, which ``tabulate`` fills mode by mode."""
         modes, size = int(np.prod(self.shape)), self.layout.size
-        event_functions = EVENTS_OF_COMPONENT * len(self.system.components)
+        coupled = self.coupled
+        alone = len(self.system.components) - len(coupled.members)
+        event_functions = EVENTS_OF_COMPONENT * alone + coupled.most_event_functions
+        of_one = max(EVENTS_OF_COMPONENT, len(coupled.members) + 1)
         return Tables(
             known=np.zeros(modes, dtype=np.bool_),
             step=np.zeros(modes),
@@ -103,9 +116,11 @@ class ModeTables:
             component=np.zeros((modes, event_functions), dtype=np.int64),
             target=np.zeros((modes, event_functions, 2), dtype=np.int64),
             reset=np.zeros((modes, event_functions, size, size)),
-            zeros=np.zeros((modes, event_functions, 2, EVENTS_OF_COMPONENT), dtype=np.int64),
+            zeros=np.zeros((modes, event_functions, 2, of_one), dtype=np.int64),
             continuous=np.zeros((modes, event_functions), dtype=np.int64),
             number=np.zeros((modes, event_functions), dtype=np.int64),
+            relay=np.full((modes, event_functions), -1, dtype=np.int64),
+            held=np.zeros((modes, len(self.system.components)), dtype=np.bool_),
             bernstein_from_taylor=bernstein_from_taylor(),
         )
 
@@ -124,27 +139,50 @@ class ModeTables:
         tables.terms[number] = sufficient_terms(series)
         tables.event_count[number] = len(mode.event_functions)
         for place, entry in enumerate(mode.event_functions):
-            tables.event_rows[number, place] = entry.event_function.row
-            tables.taylor[number, place] = along(entry.event_function.row, series)
+            tables.event_rows[number, place] = entry.row
+            tables.taylor[number, place] = along(entry.row, series)
             tables.bernstein[number, place] = tables.taylor[number, place] @ bernstein_from_taylor()[0]
-            tables.sizes[number, place] = along(abs(entry.event_function.row), moduli)
+            tables.sizes[number, place] = along(abs(entry.row), moduli)
             self._tabulate_guard(number, place, mode, entry)
+        tables.held[number] = [
+            self._is_relay(k) and one == HELD for k, one in enumerate(mode.component_modes)
+        ]
         tables.known[number] = True
 
-    def _tabulate_guard(
-        self, number: int, place: int, mode: SwitchedMode, entry: ComponentEventFunction
-    ) -> None:
+    def _tabulate_guard(self, number: int, place: int, mode: SwitchedMode, entry: ModeEventFunction) -> None:
         tables = self.tables
-        tables.component[number, place] = entry.component
+        tables.component[number, place] = entry.owner
         tables.number[number, place] = entry.number
-        tables.continuous[number, place] = entry.event_function.continuous
+        tables.continuous[number, place] = entry.continuous
+        first_changed = entry.reached[0].component
+        if self._is_relay(first_changed) and mode.component_modes[first_changed] != HELD:
+            tables.relay[number, place] = first_changed
         reset = np.eye(self.layout.size)
-        first = self.layout.first_states[entry.component]
-        for each, row in enumerate(entry.event_function.reached.resets):
-            reset[first + each] = row
+        for change in entry.reached:
+            first = self.layout.first_states[change.component]
+            for each, row in enumerate(change.transition.resets):
+                reset[first + each] = row
         tables.reset[number, place] = reset.T
-        for flavour, transition in enumerate((entry.event_function.reached, entry.event_function.jumped)):
+        for flavour, changes in enumerate((entry.reached, entry.jumped)):
             after = list(mode.component_modes)
-            after[entry.component] = transition.target
+            for change in changes:
+                after[change.component] = change.transition.target
             tables.target[number, place, flavour] = self.number(tuple(after))
-            tables.zeros[number, place, flavour, : len(transition.zeros)] = transition.zeros
+            tables.zeros[number, place, flavour] = self._known_zeros(changes)
+
+    def _is_relay(self, k: int) -> bool:
+        return isinstance(self.system.components[k], RelayComponent)
+
+    def _known_zeros(self, changes: tuple[Change, ...]) -> Integers:
+        """Return the known zeros of the event functions of an owner after a change, by their numbers."""
+        known = np.zeros(self.tables.zeros.shape[-1], dtype=np.int64)
+        members = self.coupled.members
+        if changes[0].component not in members:
+            zeros = changes[0].transition.zeros
+            known[: len(zeros)] = zeros
+            return known
+        known[:] = UNKNOWN
+        for change in changes:
+            if change.transition.target != HELD:
+                (known[members.index(change.component)],) = change.transition.zeros
+        return known

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arguments import real_values
+from trimmer.motion.marching import changes
+from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
-from trimmer.motion.tables import Log
+from trimmer.motion.tables import TOGETHER, Log
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
@@ -76,18 +78,26 @@ class Motion:
     def events(self) -> tuple[Event, ...]:
         """All events in order of time; simultaneous ones in the order in which they take effect.
 
-        That a load in the gap has come to rest, to rounding, is no event.
+        What a friction or relay does at one instant is one event, if it is in another mode afterwards. That a
+        load in the gap has come to rest, to rounding, is no event.
         """
-        listed: list[Event] = []
+        listed: list[_Listed] = []
+        at_instant = 0
         for segment in range(1, len(self.log.start)):
-            event = self._event(segment)
-            if event.kind is EventKind.REST:
-                continue
-            if listed and _is_reversal(listed[-1], event):
-                listed[-1] = replace(event, kind=EventKind.SWITCH)
-            else:
-                listed.append(event)
-        return tuple(listed)
+            if self.log.start[segment] > self.log.start[segment - 1]:
+                at_instant = len(listed)
+            for change in self._changes(segment):
+                _list(listed, at_instant, change)
+        modes = self.loop.modes
+        return tuple(
+            Event(
+                time=each.time,
+                kind=each.kind,
+                component=modes.system.labels[each.component],
+                mode=modes.system.components[each.component].mode_names[each.after],
+            )
+            for each in listed
+        )
 
     @property
     def event_times(self) -> Reals:
@@ -166,13 +176,23 @@ class Motion:
     def component_outputs(self, times: ArrayLike) -> Reals:
         """Return the output of every component, in the order of ``loop.interconnection().labels``.
 
-        For friction this is its force, also while it sticks, where the force is what holding needs. Shape
-        (components,) + shape of the times (s).
+        For friction this is its force, also while it sticks, where the force is what holding needs. Where
+        several stick and the motion does not determine how they share the force, it is the share within the
+        limits that ``trimmer.motion.dry_friction.admissible_split`` gives. Shape (components,) + shape of the
+        times (s).
 
         Raises:
             ValueError: see ``values``.
         """
-        return self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        coupled = self.loop.modes.coupled
+        if coupled.members:
+            flat, instants = values.reshape(len(values), -1), np.ravel(np.asarray(times, dtype=float))
+            segments = np.searchsorted(self.log.start, instants, side="right") - 1
+            for place, number in enumerate(self.log.mode[segments]):
+                modes = self.loop.modes.component_modes(int(number))
+                flat[:, place] = coupled.shared(modes, flat[:, place])
+        return values
 
     def values(self, times: ArrayLike, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
         """Return rows of the extended state, which may differ from mode to mode, at times (s).
@@ -220,25 +240,58 @@ class Motion:
         functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
         return functionals
 
-    def _event(self, segment: int) -> Event:
+    def _changes(self, segment: int) -> Iterator[_Listed]:
+        """Yield what began a segment: each component that changed its mode."""
         log, modes = self.log, self.loop.modes
-        before = modes.mode(int(log.mode[segment - 1]))
-        entry = before.event_functions[int(log.event_function[segment])]
-        transition = entry.event_function.jumped if log.jumped[segment] else entry.event_function.reached
-        component = modes.system.components[entry.component]
-        return Event(
-            time=float(log.start[segment]),
-            kind=transition.kind,
-            component=modes.system.labels[entry.component],
-            mode=component.mode_names[transition.target],
-        )
+        time = float(log.start[segment])
+        before = modes.component_modes(int(log.mode[segment - 1]))
+        if log.event_function[segment] == TOGETHER:
+            after = modes.component_modes(int(log.mode[segment]))
+            for k in (k for k, mode in enumerate(after) if mode != before[k]):
+                yield _Listed(time, k, before[k], after[k], _kind(before[k], after[k]), True)
+            return
+        for change in changes(modes, log, segment):
+            k, transition = change.component, change.transition
+            relay = isinstance(modes.system.components[k], RelayComponent)
+            yield _Listed(time, k, before[k], transition.target, transition.kind, relay)
 
 
-def _is_reversal(first: Event, second: Event) -> bool:
-    """Return whether sliding reversed without rest: friction stuck and slipped at one instant."""
-    return (
-        first.kind is EventKind.STICK
-        and second.kind is EventKind.SLIP
-        and first.component == second.component
-        and first.time == second.time
-    )
+@dataclass(frozen=True)
+class _Listed:
+    """An event, with the mode of its component before and after; ``relay``: a relay or friction."""
+
+    time: float
+    component: int
+    before: int
+    after: int
+    kind: EventKind
+    relay: bool
+
+
+def _list(listed: list[_Listed], at_instant: int, change: _Listed) -> None:
+    """Add a change to the list, or merge it with what the same relay did before at the same instant.
+
+    Args:
+        listed: The list.
+        at_instant: Where that instant begins in it.
+        change: What to add.
+    """
+    if change.kind is EventKind.REST:
+        return
+    for place in range(len(listed) - 1, at_instant - 1, -1):
+        earlier = listed[place]
+        if change.relay and earlier.component == change.component:
+            if earlier.before == change.after:
+                del listed[place]
+            else:
+                kind = _kind(earlier.before, change.after)
+                listed[place] = replace(earlier, after=change.after, kind=kind)
+            return
+    listed.append(change)
+
+
+def _kind(before: int, after: int) -> EventKind:
+    """Return what it is called when the mode of a relay changes."""
+    if after == HELD:
+        return EventKind.STICK
+    return EventKind.SLIP if before == HELD else EventKind.SWITCH

@@ -88,13 +88,15 @@ class RelayComponent(Component):
     def _limits(self, signals: Signals) -> tuple[EventFunction, EventFunction]:
         """Return the distances of the holding output from its limits; at a located slip s' is zero too."""
         level = self.level * signals.one
-        forwards, backwards = (
-            (Transition(EventKind.SLIP, target, (), (2,)), Transition(EventKind.SLIP, target, (), (1,)))
-            for target in (PLUS, MINUS)
+        return (
+            EventFunction(level - signals.output, *self.slip(forwards=True)),
+            EventFunction(level + signals.output, *self.slip(forwards=False)),
         )
-        return EventFunction(level - signals.output, *forwards), EventFunction(
-            level + signals.output, *backwards
-        )
+
+    def slip(self, forwards: bool) -> tuple[Transition, Transition]:
+        """Return what follows where the holding output reaches a limit, and where it is beyond it at once."""
+        target = PLUS if forwards else MINUS
+        return Transition(EventKind.SLIP, target, (), (2,)), Transition(EventKind.SLIP, target, (), (1,))
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start with the sign of s, held where s is zero; there are no states and no output to choose."""

@@ -5,24 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from trimmer.arguments import real_number
 from trimmer.motion.initial import initial_segment
-from trimmer.motion.kernel import (
-    CYCLING,
-    DIVERGED,
-    EVENT_LIMIT,
-    FULL,
-    MOST_STEPS,
-    REACHED_END,
-    STEP_LIMIT,
-    UNKNOWN_MODE,
-    march,
-)
+from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
 from trimmer.motion.loops import require_loop
+from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.motion import Motion, Outcome
-from trimmer.motion.tables import Log
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -90,31 +78,6 @@ def simulate(
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
     mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
-    log = _log(FIRST_ROWS, state.size)
-    log.mode[0], log.state[0], log.event_function[0] = mode, state, -1
-    segment = 0
-    while True:
-        reason, segment, reached = march(modes.tables, log, segment, duration, event_limit + 1, step_limit)
-        if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[segment]))
-        elif reason == FULL:
-            log = _longer(log)
-        else:
-            used = Log._make(column[: segment + 1].copy() for column in log)
-            return Motion(loop, float(reached), OUTCOMES[reason], used)
-
-
-def _log(rows: int, size: int) -> Log:
-    return Log(
-        start=np.zeros(rows),
-        mode=np.zeros(rows, dtype=np.int64),
-        state=np.zeros((rows, size)),
-        event_function=np.zeros(rows, dtype=np.int64),
-        jumped=np.zeros(rows, dtype=np.bool_),
-        touches=np.zeros(rows, dtype=np.int64),
-    )
-
-
-def _longer(log: Log) -> Log:
-    """Return a log with twice the room."""
-    return Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
+    log = new_log(FIRST_ROWS, mode, state)
+    reason, log, reached = march_on(modes, log, duration, event_limit + 1, step_limit)
+    return Motion(loop, float(reached), OUTCOMES[reason], log)

@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 from trimmer.arrays import Flags, Integers, Reals
 
+TOGETHER = -2
+"""In place of the number of an event function: relays and frictions were decided together."""
+
 
 class Tables(NamedTuple):
     """All that the integration needs of the modes; the first axis is the mode, the second the event function.
@@ -21,10 +24,15 @@ class Tables(NamedTuple):
         sizes: Sums of the moduli of what these are made of, in the same shape.
         event_rows: Event functions as functionals: (modes, event functions, n).
         event_count: Number of event functions in use: (modes,).
-        component: Component that owns the event function: (modes, event functions).
+        component: Component that owns the event function, the first one if several are coupled:
+            (modes, event functions).
         number: Number of the event function among those of its owner: (modes, event functions).
+        relay: Component whose switching function it is, if that is a relay or friction, else -1:
+            (modes, event functions).
+        held: Whether a component is a relay or friction that is held: (modes, components).
         target: Mode after reaching zero, and after being negative at once: (modes, event functions, 2).
-        zeros: Known zeros of the owner's event functions in these target modes: (modes, functions, 2, 3).
+        zeros: Known zeros of the owner's event functions in these target modes, by their numbers, -1 where
+            none are told: (modes, event functions, 2, numbers).
         continuous: How many of these no jump of another component's output takes away: (modes, functions).
         reset: The state afterwards, transposed, in either case: (modes, event functions, n, n).
         bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
@@ -42,6 +50,8 @@ class Tables(NamedTuple):
     event_count: Integers
     component: Integers
     number: Integers
+    relay: Integers
+    held: Flags
     target: Integers
     zeros: Integers
     continuous: Integers
@@ -56,7 +66,7 @@ class Log(NamedTuple):
         start: Time of its start, s.
         mode: Number of its mode.
         state: Extended state at its start: (rows, n).
-        event_function: That of the mode before that began it, -1 for the start of the motion.
+        event_function: That of the mode before that began it, -1 for the start of the motion, or TOGETHER.
         jumped: Whether that event function was negative at once.
         touches: How many times an event function came to zero during it without crossing, to rounding.
     """

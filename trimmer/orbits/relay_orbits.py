@@ -70,7 +70,7 @@ def _equation(loop: ClosedLoop) -> HalfPeriodEquation | None:
     mode, order = loop.modes.mode(number), loop.modes.layout.order
     kept = [*range(order), loop.modes.layout.size - 1]
     (switching,) = mode.event_functions
-    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.event_function.row[:order])
+    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.row[:order])
 
 
 def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Reals) -> PeriodicOrbit | None:

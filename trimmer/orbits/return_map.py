@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.kernel import FULL, REACHED_END, UNKNOWN_MODE, march
-from trimmer.motion.tables import Log
+from trimmer.motion.kernel import REACHED_END
+from trimmer.motion.marching import march_on, new_log
+from trimmer.motion.tables import TOGETHER
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.mode_tables import ModeTables
+    from trimmer.motion.tables import Log
 
 
 FIRST_ROWS = 64
@@ -48,18 +50,8 @@ def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log |
     Returns:
         The segments of the motion; None if events accumulate, a limit is reached or the motion diverges.
     """
-    log = empty_log(FIRST_ROWS, mode, state)
-    segment = 0
-    while True:
-        reason, segment, _ = march(modes.tables, log, segment, duration, MOST_EVENTS)
-        if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[segment]))
-        elif reason == FULL:
-            log = Log._make(np.concatenate([column, np.zeros_like(column)]) for column in log)
-        elif reason == REACHED_END:
-            return Log._make(column[: segment + 1].copy() for column in log)
-        else:
-            return None
+    reason, log, _ = march_on(modes, new_log(FIRST_ROWS, mode, state), duration, MOST_EVENTS)
+    return log if reason == REACHED_END else None
 
 
 def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
@@ -73,7 +65,8 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
     for segment, following in zip(lasting, [*lasting[1:], None], strict=True):
         reset = np.eye(modes.layout.size)
         for event in range(segment + 1, (len(stops) if following is None else following + 1)):
-            reset = modes.tables.reset[log.mode[event - 1], log.event_function[event]].T @ reset
+            if log.event_function[event] != TOGETHER:
+                reset = modes.tables.reset[log.mode[event - 1], log.event_function[event]].T @ reset
         chain.append(
             Arc(
                 duration=float(stops[segment] - log.start[segment]),
@@ -117,17 +110,3 @@ def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
             jump = np.outer(rate_after - arc.reset @ rate, row) / (row @ rate)
             total = (arc.reset + jump) @ total
     return total, before
-
-
-def empty_log(rows: int, mode: int, state: Reals) -> Log:
-    """Return a log with room for some segments, the first one filled in."""
-    log = Log(
-        start=np.zeros(rows),
-        mode=np.zeros(rows, dtype=np.int64),
-        state=np.zeros((rows, state.size)),
-        event_function=np.full(rows, -1, dtype=np.int64),
-        jumped=np.zeros(rows, dtype=np.bool_),
-        touches=np.zeros(rows, dtype=np.int64),
-    )
-    log.mode[0], log.state[0] = mode, state
-    return log

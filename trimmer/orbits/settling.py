@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
-from trimmer.motion.kernel import CYCLING, DIVERGED, FULL, REACHED_END, STEP_LIMIT, UNKNOWN_MODE, march
+from trimmer.motion.kernel import CYCLING, DIVERGED, REACHED_END, STEP_LIMIT
+from trimmer.motion.marching import march_on, new_log
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
-from trimmer.orbits.return_map import empty_log, flow
+from trimmer.orbits.return_map import flow
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
 from trimmer.orbits.shooting import Return, Shot, solve
 
@@ -206,14 +207,8 @@ def _march(
     loop: ClosedLoop, mode: int, state: Reals, duration: float, events: int, steps: int
 ) -> tuple[int, Log, float]:
     """Follow a motion for a time, s, or some events; return why it stopped, the log, and its end."""
-    modes, log, segment = loop.modes, empty_log(events + 2, mode, state), 0
-    while True:
-        reason, segment, reached = march(modes.tables, log, segment, duration, events + 1, steps)
-        if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[segment]))
-        else:
-            assert reason != FULL, "there is room for all events"
-            return reason, type(log)._make(column[: segment + 1].copy() for column in log), reached
+    log = new_log(events + 2, mode, state)
+    return march_on(loop.modes, log, duration, events + 1, steps)
 
 
 def _steps(loop: ClosedLoop, log: Log, end: float) -> int:

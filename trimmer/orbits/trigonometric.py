@@ -36,7 +36,12 @@ class OddPolynomial:
     def __call__(self, phase: Reals | float, derivative: int = 0) -> Reals:
         """Evaluate the polynomial, or a derivative by the phase, at phases, rad, in their shape."""
         factors = self.coefficients * (1j * self.numbers) ** derivative
-        values: Reals = (np.exp(1j * np.multiply.outer(phase, self.numbers)) @ factors).imag
+        # Horner's rule takes one exponential for each phase, where a matrix takes one for each harmonic too.
+        turned = np.exp(1j * np.asarray(phase))
+        square, total = turned * turned, np.zeros_like(turned)
+        for factor in factors[::-1]:
+            total = total * square + factor
+        values: Reals = (total * turned).imag
         return values
 
     def largest(self) -> float:

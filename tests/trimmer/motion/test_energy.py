@@ -86,6 +86,26 @@ def test_at_rest_nothing_is_missing() -> None:
     assert energy_balance(simulate(LOOPS["closed, friction"], 0.1)).residual == 0.0
 
 
+@pytest.mark.parametrize("element", [None, FrictionBacklash(2e-4)])
+def test_rounding_is_not_compared_with_rounding(element: FrictionBacklash | None) -> None:
+    """Friction holds the bodies against the pin: no work is done, and nothing is missing."""
+    frictions = tuple(
+        BodyFriction(Displacement(*bodies), CoulombFriction(force))
+        for *bodies, force in (
+            (Body.HOUSING, 1.0),
+            (Body.MOTOR, Body.CUTTER, 71.0),
+            (Body.CUTTER, Body.GUARD, 62.0),
+        )
+    )
+    loop = TrimmerLoop(THESIS, element, DRIVE, frictions=frictions, channels=ONE_CHANNEL)
+    balance = energy_balance(simulate(loop, 0.1))
+    assert abs(balance.pin_work) < 1e-12
+    assert balance.residual < 1e-10
+    assert balance.bridge_energy > 0.01
+    missing = replace(balance, damping_loss=balance.damping_loss + 1e-4)
+    assert missing.residual > 1e-3
+
+
 def test_stick_loses_no_energy() -> None:
     friction = replace(BLADES, law=CoulombFriction(1e4))
     stuck = TrimmerLoop(THESIS, None, DRIVE, frictions=(friction,), channels=ONE_CHANNEL)

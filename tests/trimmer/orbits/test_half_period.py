@@ -120,3 +120,44 @@ def test_viscous_friction_beside_coulomb_friction_belongs_to_the_linear_system()
     kept = np.exp(-0.15 * np.pi / w)
     assert orbit.period == pytest.approx(2 * np.pi / w, rel=1e-10)
     assert orbit.amplitude == pytest.approx((1 + kept) / (1 - kept), rel=1e-10)
+
+
+def loop_with_unequal_switches(seed: int, positive: float, negative: float) -> control.StateSpace:
+    """Build a system whose loop with a relay switches after these durations: the row C is free to choose."""
+    generator = np.random.default_rng(seed)
+    # Close to the switches too, so that the relay neither slides nor switches back.
+    edge = np.geomspace(1e-5, 0.02, 10)
+    shares = np.concatenate([edge, np.linspace(0.03, 0.97, 25), 1.0 - edge])
+    while True:
+        A, B, _, _ = scipy.signal.tf2ss([1.0], np.real(np.poly(roots(generator, 4, 0.0))))
+        rest = -np.linalg.solve(A, B[:, 0])
+        first, second = (scipy.linalg.expm(A * duration) for duration in (positive, negative))
+        # x - rest decays while the output is positive, x + rest while it is negative.
+        begin = np.linalg.solve(
+            np.eye(4) - second @ first, second @ (rest - first @ rest) + second @ rest - rest
+        )
+        middle = first @ (begin - rest) + rest
+        rows = scipy.linalg.null_space(np.array([begin, middle]))
+        course = [
+            sign * (scipy.linalg.expm(A * duration * share) @ (start - sign * rest) + sign * rest)
+            for start, duration, sign in ((begin, positive, 1.0), (middle, negative, -1.0))
+            for share in shares
+        ]
+        for angle in generator.uniform(0.0, 2.0 * np.pi, 50):
+            row = rows @ [np.cos(angle), np.sin(angle)]
+            if min(row @ x for x in course) > 0 and row @ B[:, 0] <= 0:
+                return control.ss(A, B, -row[None], 0)
+
+
+@pytest.mark.parametrize(("positive", "negative"), [(2.3, 1.1), (1.4, 1.2), (4.0, 0.6)])
+@pytest.mark.parametrize("seed", range(3))
+def test_unequal_switches_that_a_loop_was_built_for_are_found(
+    seed: int, positive: float, negative: float
+) -> None:
+    system = loop_with_unequal_switches(seed, positive, negative)
+    orbits = periodic_orbits(system, Relay(1.0), [], OrbitSearch(Simulations.NEVER))
+    nearest = min(orbits, key=lambda orbit: abs(orbit.period - positive - negative))
+    assert nearest.period == pytest.approx(positive + negative, rel=1e-8)
+    apart = float(np.diff(nearest.switching_times)[0])
+    # The motion may begin on either side of the longer duration, or on the mirror image.
+    assert min(abs(apart - positive), abs(apart - negative)) < 1e-7

@@ -74,8 +74,8 @@ def test_simulate_notes_a_drive_that_its_file_cannot_show(tmp_path: Path, capsys
     assert "drive at 110 Hz is not below half of the sample rate" in capsys.readouterr().err
     assert main([*motion, *files]) == 0
     assert capsys.readouterr().err == ""
-    assert main([*motion, "--sample-rate", "100"]) == 0
-    assert capsys.readouterr().err == ""  # no file, so nothing is sampled
+    assert main([*motion, "--sample-rate", "100"]) == 2
+    assert "--csv or --wav" in capsys.readouterr().err  # without a file nothing is sampled
 
 
 def test_a_record_too_short_for_the_harmonics_or_the_candidates_is_told() -> None:

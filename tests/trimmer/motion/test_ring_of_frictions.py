@@ -1,0 +1,254 @@
+"""Frictions in a ring: how they share the force is open, the motion is not, and it never chatters."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.trimmer.motion.peer_time_stepping import time_stepping
+from tests.trimmer.motion.peer_trimmer import PUSH, Friction, PeerTrimmer
+from trimmer import (
+    Body,
+    BodyFriction,
+    CoulombFriction,
+    Displacement,
+    Drive,
+    EventKind,
+    FrictionBacklash,
+    InertiaBacklash,
+    InputChannels,
+    Motion,
+    Outcome,
+    TrimmerLoop,
+    TrimmerParameters,
+    energy_balance,
+    simulate,
+)
+from trimmer.elements.element import Element
+from trimmer.motion.complementarity import complementary_mode
+from trimmer.motion.initial import initial_segment
+from trimmer.motion.kernel import LONGEST_CASCADE, REACHED_END
+from trimmer.motion.marching import march_on, new_log
+from trimmer.motion.relay_component import HELD, MINUS, PLUS
+from trimmer.motion.tables import TOGETHER
+
+THESIS = TrimmerParameters.thesis()
+AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
+DRIVE = Drive(AMPLITUDE, OMEGA)
+Ring = tuple[tuple[Displacement, float], ...]
+NODES = (None, *Body)
+BETWEEN_BODIES: Ring = (
+    (Displacement(Body.CUTTER, Body.MOTOR), 3.5),
+    (Displacement(Body.GUARD, Body.MOTOR), 0.12),
+    (Displacement(Body.GUARD, Body.CUTTER), 0.014),
+)
+WITH_GROUND: Ring = (
+    (Displacement(Body.CUTTER), 0.1),
+    (Displacement(Body.GUARD), 0.15),
+    (Displacement(Body.CUTTER, Body.GUARD), 18.0),
+)
+EXAMPLES = {"between bodies": BETWEEN_BODIES, "with ground": WITH_GROUND}
+
+
+def between(first: Body | None, second: Body | None) -> Displacement:
+    return (
+        Displacement(second, None) if first is None and second else Displacement(first or Body.MOTOR, second)
+    )
+
+
+def some_frictions(seed: int, fewest: int = 3, most: int = 3) -> Ring:
+    """Three frictions in a ring, or as many as asked for anywhere, of 0.01 to 100 N."""
+    random = np.random.default_rng(seed)
+    pairs = list(itertools.combinations(range(5), 2))
+    count = int(random.integers(fewest, most + 1))
+    if most == 3:
+        pairs = list(itertools.combinations(sorted(random.choice(5, 3, replace=False)), 2))
+    chosen = random.choice(len(pairs), count, replace=False)
+    return tuple(
+        (between(NODES[pairs[each][0]], NODES[pairs[each][1]]), float(10 ** random.uniform(-2.0, 2.0)))
+        for each in chosen
+    )
+
+
+def loop_of(ring: Ring, element: Element | None = None, drive: Drive | None = DRIVE) -> TrimmerLoop:
+    frictions = tuple(BodyFriction(each, CoulombFriction(force)) for each, force in ring)
+    return TrimmerLoop(THESIS, element, drive, channels=InputChannels.DISPLACEMENT_ONLY, frictions=frictions)
+
+
+def peer_of(ring: Ring) -> PeerTrimmer:
+    frictions = tuple(Friction(each.row, force) for each, force in ring)
+    return PeerTrimmer(THESIS, False, (AMPLITUDE, OMEGA), None, 0.0, frictions)
+
+
+def check_laws(ring: Ring, duration: float) -> Motion:
+    """Check Newton's and Coulomb's laws along a motion, which have one solution, and the energy."""
+    motion = simulate(loop_of(ring), duration)
+    assert motion.outcome is Outcome.COMPLETED
+    times = np.linspace(0.0, duration, 301)[1:]
+    states, forces = motion.state(times), motion.component_outputs(times)[1:]
+    accelerations = motion.values(times, lambda mode: mode.matrix[4:8])
+    rows, limits = np.array([each.row for each, _ in ring]), np.array([force for _, force in ring])[:, None]
+    masses, C, K = replace(peer_of(ring), frictions=()).matrices()
+    push = np.outer(PUSH, THESIS.k2 * AMPLITUDE * np.sin(OMEGA * times))
+    terms = [push, -K @ states[:4], -C @ states[4:], -rows.T @ forces, -masses[:, None] * accelerations]
+    assert abs(sum(terms)).max() < 1e-10 * max(abs(term).max() for term in terms)
+    sliding = rows @ states[4:]
+    slides = abs(sliding) > 1e-9 * AMPLITUDE * OMEGA
+    assert (abs(forces) <= limits * (1 + 1e-12)).all()
+    assert (forces == np.sign(sliding) * limits)[slides].all()
+    balance = energy_balance(motion)
+    assert balance.residual < 1e-10
+    return motion
+
+
+@pytest.mark.parametrize("name", sorted(EXAMPLES))
+def test_examples_go_on_to_the_end(name: str) -> None:
+    motion = check_laws(EXAMPLES[name], 0.2)
+    kinds = {event.kind for event in motion.events}
+    assert {EventKind.STICK, EventKind.SLIP} <= kinds
+    together = [time for time, events in itertools.groupby(motion.events, key=lambda each: each.time)]
+    assert len(together) < len(motion.events)  # Two of a ring stick and slip at one instant.
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(4), some_frictions(8, 5, 5)])
+def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
+    duration, steps = 0.015, 750
+    motion = simulate(loop_of(ring), duration)
+    misses = []
+    for refinement in (1, 4):
+        count = steps * refinement
+        instants = np.linspace(0.0, duration, count + 1)[1:]
+        exact = motion.state(instants)[:4]
+        misses.append(abs(time_stepping(peer_of(ring), count, duration) - exact).max() / abs(exact).max())
+    assert misses[1] < 3e-3
+    assert misses[1] < 0.5 * misses[0]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_three_frictions_in_a_ring(seed: int) -> None:
+    check_laws(some_frictions(seed), 0.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(180))
+def test_many_frictions_in_rings(seed: int) -> None:
+    check_laws(some_frictions(seed), 0.2)
+    check_laws(some_frictions(seed, 4, 6), 0.1)
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(3, 6, 6)])
+def test_the_order_of_frictions_and_of_their_ends_does_not_matter(ring: Ring) -> None:
+    turned = tuple((between(each.relative_to, each.of), force) for each, force in ring if each.relative_to)
+    others = tuple((each, force) for each, force in ring if not each.relative_to)
+    motion, permuted, other = (
+        simulate(loop_of(frictions), 0.05) for frictions in (ring, ring[::-1], (*others, *turned))
+    )
+    times = np.linspace(0.0, 0.05, 100)
+    assert permuted.state(times) == pytest.approx(motion.state(times), rel=1e-9, abs=1e-13)
+    assert other.state(times)[:4] == pytest.approx(motion.state(times)[:4], rel=1e-9, abs=1e-13)
+    assert len(motion.events) == len(permuted.events) == len(other.events) > 10
+    assert permuted.event_times == pytest.approx(motion.event_times, rel=1e-11)
+    assert other.event_times == pytest.approx(motion.event_times, rel=1e-11)
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(3, 6, 6)])
+def test_a_mirrored_drive_mirrors_the_motion(ring: Ring) -> None:
+    motion = simulate(loop_of(ring), 0.05)
+    mirrored = simulate(loop_of(ring, drive=Drive(AMPLITUDE, OMEGA, phase=math.pi)), 0.05)
+    times = np.linspace(0.0, 0.05, 100)
+    assert mirrored.state(times) == pytest.approx(-motion.state(times), rel=1e-8, abs=1e-12)
+    sides = {"plus": "minus", "minus": "plus", "held": "held"}
+    expected = sorted((round(each.time, 10), each.component, sides[each.mode]) for each in motion.events)
+    found = sorted((round(each.time, 10), each.component, each.mode) for each in mirrored.events)
+    assert [each[1:] for each in found] == [each[1:] for each in expected]
+
+
+def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -> None:
+    blades = Displacement(Body.CUTTER, Body.GUARD)
+    ground = (Displacement(Body.GUARD), 0.3)
+    one = simulate(loop_of(((blades, 2.0), ground)), 0.1)
+    three = simulate(loop_of(((blades, 0.2), (blades, 1.7), ground, (blades, 0.1))), 0.1)
+    times = np.linspace(0.0, 0.1, 200)
+    assert three.state(times) == pytest.approx(one.state(times), rel=1e-9, abs=1e-13)
+    forces = three.component_outputs(times)
+    assert forces[[1, 2, 4]].sum(axis=0) == pytest.approx(one.component_outputs(times)[1], rel=1e-9, abs=1e-9)
+    assert (abs(forces[[1, 2, 4]]).max(axis=1) <= [0.2, 1.7, 0.1]).all()
+
+
+def test_complementarity_decides_as_the_integration_does() -> None:
+    """The integration goes from event to event within an instant; or all frictions are decided together."""
+    decided = 0
+    for ring in [*EXAMPLES.values(), *(some_frictions(seed, 3, 6) for seed in range(12))]:
+        loop = loop_of(ring, FrictionBacklash(2e-4))
+        mode, state = initial_segment(loop, loop.modes, None, 0.0, 0.0)
+        motions = []
+        for longest in (LONGEST_CASCADE, 0):
+            log = new_log(64, mode, state)
+            reason, log, end = march_on(loop.modes, log, 0.03, 100_000, longest_cascade=longest)
+            assert reason == REACHED_END
+            motions.append(Motion(loop, end, Outcome.COMPLETED, log))
+            decided += int((log.event_function == TOGETHER).sum())
+        times = np.linspace(0.0, 0.03, 100)
+        first, second = (motion.state(times) for motion in motions)
+        assert second == pytest.approx(first, rel=1e-10, abs=1e-14)
+        listed = [
+            sorted((each.component, round(each.time, 12), each.mode) for each in motion.events)
+            for motion in motions
+        ]
+        assert [(name, mode) for name, _, mode in listed[0]] == [(name, mode) for name, _, mode in listed[1]]
+    assert decided > 100
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_mode_of_any_instant_is_that_of_the_complementarity_problem(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    ring = some_frictions(seed, 3, 5)
+    if seed % 2:
+        ring = tuple((each, 1.0 + round(force)) for each, force in ring)
+    loop = loop_of(ring)
+    layout, modes = loop.modes.layout, loop.modes
+    state = np.zeros(layout.size)
+    state[:4] = random.normal(size=4) * 10 ** random.uniform(-6, -3)
+    groups = random.integers(0, 3, 5)  # Bodies of a group, with the ground among them, move together.
+    speeds = random.normal(size=5)[groups]
+    state[4:8] = speeds[1:] - speeds[0]
+    state[-1] = 1.0
+    sliding = [float(np.array(each.row) @ state[4:8]) for each, _ in ring]
+    first = modes.number((0, *(HELD if v == 0 else PLUS if v > 0 else MINUS for v in sliding)))
+    at_rest = tuple(k + 1 for k, v in enumerate(sliding) if v == 0)
+    expected = complementary_mode(modes, first, state, at_rest) if at_rest else first
+    reason, log, _ = march_on(modes, new_log(64, first, state), 1e-9, 1000)
+    assert reason == REACHED_END
+    assert modes.component_modes(int(log.mode[-1])) == modes.component_modes(expected)
+
+
+@pytest.mark.parametrize("gap", [None, 2e-4])
+def test_a_force_just_at_its_limit_is_no_event_for_ever(gap: float | None) -> None:
+    """The cutter slides and pulls the guard with 1 N; the motor holds it with at most 1 N."""
+    ring = (
+        (Displacement(Body.MOTOR, Body.GUARD), 1.0),
+        (Displacement(Body.CUTTER), 1.0),
+        (Displacement(Body.MOTOR), 5.0),
+        (Displacement(Body.HOUSING, Body.GUARD), 1.0),
+        (Displacement(Body.CUTTER, Body.GUARD), 1.0),
+    )
+    motion = simulate(loop_of(ring, None if gap is None else FrictionBacklash(gap)), 0.1)
+    assert motion.outcome is Outcome.COMPLETED
+    assert energy_balance(motion).residual < 1e-10
+
+
+def test_a_load_comes_to_rest_at_a_pin_that_friction_holds() -> None:
+    ring = (
+        (Displacement(Body.CUTTER), 1.0),
+        (Displacement(Body.MOTOR, Body.GUARD), 6.0),
+        (Displacement(Body.MOTOR, Body.CUTTER), 16.0),
+        (Displacement(Body.MOTOR), 16.0),
+        (Displacement(Body.HOUSING), 1.0),
+    )
+    motion = simulate(loop_of(ring, InertiaBacklash(2e-4), None), 0.1, impulse=1e-3)
+    assert motion.outcome is Outcome.COMPLETED
+    assert energy_balance(motion).residual < 1e-10

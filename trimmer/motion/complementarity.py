@@ -1,0 +1,152 @@
+"""Which relays and frictions go on holding at an instant, and where the others go: by complementarity.
+
+The integration decides it event by event, and mostly comes to an end. Where its events repeat each other at
+one instant, this decides for all at once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.coupled_relays import attracting, direction, symmetrizing_scales
+from trimmer.motion.dry_friction import complementary_forces, elementary_vectors
+from trimmer.motion.relay_component import HELD, MINUS, PLUS, RelayComponent
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Places, Reals
+    from trimmer.motion.mode_tables import ModeTables
+
+
+CANCELLED = 1e-11
+"""A sum below this share of the moduli of its terms is zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class _AtRest:
+    """Relays whose switching functions are zero at an instant.
+
+    Attributes:
+        relays: Their numbers among the components.
+        directions: What their switching functions are made of.
+        influence: Of their forces, the outputs times scales, on the rates of the switching functions.
+        scales: These.
+        limits: Of the forces.
+    """
+
+    relays: tuple[int, ...]
+    directions: Reals
+    influence: Reals
+    scales: Reals
+    limits: Reals
+
+
+def complementary_mode(modes: ModeTables, number: int, state: Reals, relays: tuple[int, ...]) -> int | None:
+    """Return the mode that relays go on in whose switching functions are zero.
+
+    First the rates of the switching functions decide, by the complementarity problem of
+    ``trimmer.motion.dry_friction``. Where they are zero and what is held is at a limit of all, the next
+    derivatives do, as often as needed.
+
+    Args:
+        modes: The modes.
+        number: The present one; the other components keep theirs.
+        state: Extended state.
+        relays: Those whose switching functions are zero, by their numbers among the components.
+
+    Returns:
+        The number of the mode, or None if the outputs have no symmetric influence, as those of bodies have.
+    """
+    chosen = list(modes.component_modes(number))
+    for k in relays:
+        chosen[k] = PLUS
+    at_rest = _at_rest(modes, tuple(chosen), tuple(k for k in relays if attracting(modes.system, k)))
+    if at_rest is None:
+        return None
+    mode = modes.mode(modes.number(tuple(chosen)))
+    rows = np.array([_switching(modes, tuple(chosen), k) for k in at_rest.relays])
+    drift = rows @ mode.matrix @ state + at_rest.influence @ at_rest.limits
+    noise = CANCELLED * (abs(rows) @ abs(mode.matrix) @ abs(state))
+    every = np.arange(len(at_rest.relays))
+    held = _distribute(at_rest, every, drift, (-at_rest.limits, at_rest.limits), noise, chosen)
+    for derivative in range(1, modes.layout.order + 1):
+        bounds = _bounds_of_rates(modes, at_rest, held, state, derivative, tuple(chosen))
+        if bounds is None:
+            break
+        forces, sizes = _forces(modes, at_rest, held, state, derivative, tuple(chosen))
+        influence = at_rest.influence[np.ix_(held, held)]
+        noise = CANCELLED * (abs(influence) @ sizes)
+        held = _distribute(at_rest, held, influence @ forces, bounds, noise, chosen)
+    return modes.number(tuple(chosen))
+
+
+def _at_rest(modes: ModeTables, chosen: tuple[int, ...], relays: tuple[int, ...]) -> _AtRest | None:
+    if not relays:
+        return None
+    rows = np.array([_switching(modes, chosen, k)[: modes.layout.order] for k in relays])
+    influence = -rows @ modes.system.B[:, list(relays)]
+    scales = symmetrizing_scales(influence)
+    if scales is None:
+        return None
+    components = [modes.system.components[k] for k in relays]
+    levels = np.array([each.level for each in components if isinstance(each, RelayComponent)])
+    directions = np.array([direction(modes.system, k) for k in relays])
+    return _AtRest(relays, directions, influence / scales, scales, levels * scales)
+
+
+def _distribute(
+    at_rest: _AtRest,
+    held: Places,
+    drift: Reals,
+    bounds: tuple[Reals, Reals],
+    noise: Reals,
+    chosen: list[int],
+) -> Places:
+    """Choose the modes of what is held by the sign with which each leaves zero; return what stays held."""
+    influence = at_rest.influence[np.ix_(held, held)]
+    _, rates = complementary_forces(influence, drift, *bounds, noise)
+    for each, rate in zip(held, rates, strict=True):
+        chosen[at_rest.relays[each]] = HELD if rate == 0.0 else PLUS if rate > 0.0 else MINUS
+    still: Places = held[rates == 0.0]
+    return still
+
+
+def _bounds_of_rates(
+    modes: ModeTables, at_rest: _AtRest, held: Places, state: Reals, derivative: int, chosen: tuple[int, ...]
+) -> tuple[Reals, Reals] | None:
+    """Return where a derivative of the forces may go; None if they are inside all facets, or there are none.
+
+    A facet is touched if its distance and all its derivatives before this one are zero.
+    """
+    if not held.size:
+        return None
+    vectors = elementary_vectors(at_rest.directions[held])
+    vectors = np.vstack([vectors, -vectors])
+    touched = np.ones(len(vectors), dtype=bool)
+    for order in range(derivative):
+        forces, sizes = _forces(modes, at_rest, held, state, order, chosen)
+        bound = abs(vectors) @ at_rest.limits[held] if order == 0 else 0.0
+        touched &= abs(bound - vectors @ forces) <= CANCELLED * (bound + abs(vectors) @ sizes)
+    if not touched.any():
+        return None
+    upper = np.where((vectors[touched] > 0).any(axis=0), 0.0, np.inf)
+    lower = np.where((vectors[touched] < 0).any(axis=0), 0.0, -np.inf)
+    return lower, upper
+
+
+def _forces(
+    modes: ModeTables, at_rest: _AtRest, held: Places, state: Reals, order: int, chosen: tuple[int, ...]
+) -> tuple[Reals, Reals]:
+    """Return a derivative in time of the forces that hold, and the sizes of the terms of each."""
+    mode = modes.mode(modes.number(chosen))
+    rows = np.array([at_rest.scales[each] * mode.signals[at_rest.relays[each]].output for each in held])
+    sizes = abs(rows)
+    for _ in range(order):
+        rows, sizes = rows @ mode.matrix, sizes @ abs(mode.matrix)
+    return rows @ state, sizes @ abs(state)
+
+
+def _switching(modes: ModeTables, chosen: tuple[int, ...], k: int) -> Reals:
+    return modes.system.components[k].switching_function(modes.mode(modes.number(chosen)).signals[k])
