@@ -177,8 +177,6 @@ class HarmonicBalance:
     def message(self) -> str:
         """What came out, in words."""
         found = f"{len(self.limit_cycles)} limit cycle{'' if len(self.limit_cycles) == 1 else 's'} found"
-        return (
-            "; ".join([found, *self.certificate.doubts])
-            if self.certificate.doubts
-            else f"{found}, and no more"
+        return "; ".join(
+            [found, *(self.certificate.doubts or ["no other is in the range that was searched"])]
         )

@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from trimmer.arguments import require_instance
+from trimmer.arguments import real_number, require_instance
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
@@ -80,9 +80,12 @@ def analyse_signal(
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
     predicted = frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies)
+    known = frequencies_of("natural_frequencies", natural_frequencies)
+    if drive_frequency is not None:
+        real_number("drive_frequency", drive_frequency, "Hz")
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
-    origins = fundamentals(drive_frequency, natural_frequencies, () if left_out else predicted)
+    origins = fundamentals(drive_frequency, known, () if left_out else predicted)
     doubtful = doubts(signal.values, spectrum, drive_frequency, origins)
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)

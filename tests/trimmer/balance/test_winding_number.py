@@ -51,7 +51,6 @@ def test_a_missing_limit_cycle_is_noticed() -> None:
     for left in balance.limit_cycles:
         assert replace(balance, limit_cycles=(left,)).confirmed is False
         assert not replace(balance, limit_cycles=(left,)).success
-        assert "winding number contradicts" in replace(balance, limit_cycles=(left,)).message
     assert balance.success
     assert "no other is in the range" in balance.message
 

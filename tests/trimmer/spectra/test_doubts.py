@@ -81,12 +81,12 @@ def test_simulate_notes_a_drive_that_its_file_cannot_show(tmp_path: Path, capsys
 def test_a_record_too_short_for_the_harmonics_or_the_candidates_is_told() -> None:
     record = Signal(SINE[:125], RATE)  # 25 ms: bins 40 Hz apart
     with pytest.warns(SignalWarning, match="holds 2.75 periods of the drive.*0.02732 s or more"):
-        told = analyse_signal(record, drive=109.8).doubts
+        told = analyse_signal(record, drive_frequency=109.8).doubts
     assert len(told) == 1
     with pytest.warns(
         SignalWarning, match="natural mode 1 at 222 Hz and limit cycle 1 at 252 Hz are 0.75 bins"
     ):
-        analyse_signal(record, natural_frequencies=(222.0,), limit_cycles=(252.0,))
+        analyse_signal(record, natural_frequencies=(222.0,), limit_cycle_frequencies=(252.0,))
 
 
 @pytest.mark.parametrize("window", Window)
@@ -95,7 +95,7 @@ def test_the_length_that_is_named_is_enough(window: Window) -> None:
         warnings.simplefilter("error", SignalWarning)
         duration = 1.001 * window.parted / 30.0
         values = np.sin(2 * np.pi * 109.8 * np.arange(int(duration * RATE) + 1) / RATE)
-        options = {"natural_frequencies": (222.0,), "limit_cycles": (252.0, 222.0)}
+        options = {"natural_frequencies": (222.0,), "limit_cycle_frequencies": (252.0, 222.0)}
         assert analyse_signal(Signal(values, RATE), window=window, **options).doubts == ()
 
 
