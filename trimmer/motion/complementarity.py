@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.coupled_relays import attracting, direction, symmetrizing_scales
+from trimmer.motion.coupled_relays import direction, symmetrizing_scales
 from trimmer.motion.dry_friction import complementary_forces, elementary_vectors
 from trimmer.motion.relay_component import HELD, MINUS, PLUS, RelayComponent
 
@@ -54,7 +54,8 @@ def complementary_mode(modes: ModeTables, number: int, state: Reals, relays: tup
         modes: The modes.
         number: The present one; the other components keep theirs.
         state: Extended state.
-        relays: Those whose switching functions are zero, by their numbers among the components.
+        relays: Those whose switching functions are zero, by their numbers among the components; the output of
+            each must work against the rate of its switching function.
 
     Returns:
         The number of the mode, or None if the outputs have no symmetric influence, as those of bodies have.
@@ -62,7 +63,7 @@ def complementary_mode(modes: ModeTables, number: int, state: Reals, relays: tup
     chosen = list(modes.component_modes(number))
     for k in relays:
         chosen[k] = PLUS
-    at_rest = _at_rest(modes, tuple(chosen), tuple(k for k in relays if attracting(modes.system, k)))
+    at_rest = _at_rest(modes, tuple(chosen), relays)
     if at_rest is None:
         return None
     mode = modes.mode(modes.number(tuple(chosen)))

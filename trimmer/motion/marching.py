@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.motion.complementarity import complementary_mode
+from trimmer.motion.coupled_relays import attracting
 from trimmer.motion.kernel import (
     CYCLING,
     FULL,
@@ -15,7 +16,7 @@ from trimmer.motion.kernel import (
     UNKNOWN_MODE,
     march,
 )
-from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.relay_component import HELD
 from trimmer.motion.tables import TOGETHER, Log
 
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ def _decide_together(modes: ModeTables, log: Log, last: int) -> int | None:
             kept = each
             continue
         changed = {change.component for change in changes(modes, log, each)}
-        switched = {k for k in changed if isinstance(modes.system.components[k], RelayComponent)}
+        switched = {k for k in changed if attracting(modes.system, k)}
         at_rest |= switched
         kept = each if changed != switched else kept
     if np.count_nonzero(log.event_function[first : last + 1] == TOGETHER) >= MOST_TOGETHER:
@@ -119,7 +120,8 @@ def _decide_together(modes: ModeTables, log: Log, last: int) -> int | None:
     for segment, number in ((kept + 1, modes.number(tuple(held))), (kept + 2, mode)):
         log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, log.state[last]
         log.event_function[segment], log.jumped[segment], log.touches[segment] = TOGETHER, False, 0
-        modes.tabulate(number)
+        if not modes.tables.known[number]:
+            modes.tabulate(number)
     return kept + 2
 
 
@@ -129,7 +131,4 @@ def _all_at_rest(modes: ModeTables, number: int, some: set[int]) -> tuple[int, .
     for k in some:
         held[k] = HELD
     closed = modes.coupled.closed(tuple(held))
-    components = modes.system.components
-    return tuple(
-        k for k, each in enumerate(components) if isinstance(each, RelayComponent) and closed[k] == HELD
-    )
+    return tuple(k for k, one in enumerate(closed) if attracting(modes.system, k) and one == HELD)
