@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any
 
 import sympy
-from jinja2 import Environment, StrictUndefined, Template, TemplateError, meta, nodes
+from jinja2 import Environment, StrictUndefined, Template, TemplateError, Undefined, meta, nodes
 
 from report.comparisons.printed import power, power_of
 from trimmer.errors import TrimmerError
@@ -20,7 +20,7 @@ from trimmer.errors import TrimmerError
 SPACE = re.compile(r"[ \n]+")
 """Spaces that may be one; not a no-break space."""
 MOST_PLACES = 12
-CALCULATING = (nodes.BinExpr, nodes.UnaryExpr, nodes.Call, nodes.Getattr, nodes.Getitem)
+CALCULATING = (nodes.BinExpr, nodes.UnaryExpr, nodes.Call)
 
 
 class RecordError(TrimmerError, ValueError):
@@ -104,7 +104,11 @@ def _environment() -> Environment:
 
 
 def _formatted(specification: str) -> Callable[[Any], str]:
-    return lambda value: format(value, specification)
+    def write(value: Any) -> str:
+        # The word of a missing attribute says which one it is; its format does not.
+        return str(value) if isinstance(value, Undefined) else format(value, specification)
+
+    return write
 
 
 def _power(places: int) -> Callable[[float], str]:

@@ -47,7 +47,7 @@ def test_a_no_break_space_is_no_space_to_break_at():
         ("[[ here | f1 ]]", {"here": 1.0, "there": 2.0}, "is given there, not used"),
         ("no number", {"here": 1.0}, "is given here, not used"),
         ("[[ 100 * here | f1 ]]", {"here": 1.0}, "calculates"),
-        ("[[ here.size | f1 ]]", {"here": 1.0}, "calculates"),
+        ("[[ here.size | f1 ]]", {"here": 1.0}, "'float object' has no attribute 'size'"),
         ("[[ here | f99 ]]", {"here": 1.0}, "f99"),
         ("[[ here | f1 ", {"here": 1.0}, "cannot be filled in"),
         ("[[ here | f1 ]]", {"here": "words"}, "cannot be filled in"),
