@@ -80,7 +80,7 @@ def multi_harmonic_balance(
     require_element(element)
     require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
     for place, order in enumerate(require_instances("orders", orders, object, "a whole number")):
-        whole_number(f"orders[{place}]", order, 1)
+        whole_number(f"orders[{place}]", order)
     if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
         raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
     return list(solutions(system, element, (cycle.amplitude, cycle.omega), orders))
