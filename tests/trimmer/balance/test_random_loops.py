@@ -11,7 +11,7 @@ from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.viscous_backlash import ViscousBacklash
-from trimmer.linear.frequency_response import frequency_response
+from trimmer.linear.frequency_response import response_at
 
 
 def random_loop(random: np.random.Generator) -> tuple[control.TransferFunction, Element]:
@@ -40,7 +40,7 @@ def solutions_next_to_the_edge_too(
     share = np.concatenate([np.geomspace(1e-6, 0.5, 150), 1 - np.geomspace(0.5, 1e-11, 300)[1:]])
     amplitude = element.amplitude_scale / (share[:, None] * element.domain(omega))
     gain = element.describing_function(amplitude, np.broadcast_to(omega, amplitude.shape))
-    phase = np.angle(1.0 + gain * frequency_response(G, omega))
+    phase = np.angle(1.0 + gain * response_at(G, omega))
     corners = (phase[:-1, :-1], phase[1:, :-1], phase[1:, 1:], phase[:-1, 1:])
     steps = (end - start for start, end in zip(corners, (*corners[1:], corners[0]), strict=True))
     turns = np.rint(sum((step + np.pi) % (2 * np.pi) - np.pi for step in steps) / (2 * np.pi))
