@@ -13,7 +13,7 @@ from typing import Any, Protocol, Self
 
 
 class Verdict(Enum):
-    """Outcome of a judgement, in rising order of severity."""
+    """Agreement of a judgement, in rising order of severity."""
 
     REPRODUCED = "reproduced"
     EXPLAINED = "explained"
@@ -37,7 +37,7 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
-class Entry:
+class Statement:
     """A statement to judge: its kind, where it stands in the thesis, and what it is about."""
 
     id: str
@@ -112,7 +112,7 @@ Shown = Mathematics | Number | Words
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Agreement:
     """Whether printed and derived agree, and the method by which that was settled."""
 
     agrees: bool
@@ -122,7 +122,7 @@ class Outcome:
 class Check(Protocol):
     """Whether two sides agree; its tolerance lives in it."""
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Say whether the two sides agree."""
         ...
 
@@ -256,7 +256,7 @@ class ContradictionError(Exception):
     """Two independent derivations of this project disagree: nothing may be judged with either."""
 
 
-def judge(claim: Claim, entry: Entry) -> Finding:
+def judge(claim: Claim, entry: Statement) -> Finding:
     """Judge every part of a claim and give it the most severe of their verdicts.
 
     Args:
@@ -303,7 +303,7 @@ def _judge_part(claim_id: str, part: Part | Uncheckable) -> JudgedPart:
     return JudgedPart(part.label, verdict, printed, derived, method, slip)
 
 
-def _verdict_of(part: Part, outcome: Outcome) -> tuple[Verdict, str]:
+def _verdict_of(part: Part, outcome: Agreement) -> tuple[Verdict, str]:
     if outcome.agrees:
         return Verdict.REPRODUCED, ""
     if part.slip is not None and part.comparison.with_derived(part.slip.derived).compare().agrees:

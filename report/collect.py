@@ -8,7 +8,7 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 from report import chapters
-from report.claim import Entry
+from report.claim import Statement
 from report.record import ClaimRecord, FigureRecord
 from report.text import RecordError
 
@@ -35,7 +35,7 @@ class Records:
         return {record.id: record for group in self.claims.values() for record in group}
 
 
-def collect(inventory: Mapping[str, Entry]) -> Records:
+def collect(inventory: Mapping[str, Statement]) -> Records:
     """Import all modules of the chapters and return the records that they make.
 
     Raises:
@@ -73,7 +73,7 @@ def _found() -> Iterator[tuple[str, AnyRecord]]:
                 yield module.name, value
 
 
-def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Entry]) -> dict[str, AnyRecord]:
+def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement]) -> dict[str, AnyRecord]:
     """Return records of one kind by their ids.
 
     Args:

@@ -6,7 +6,7 @@ import csv
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from report.claim import Entry, Kind
+from report.claim import Kind, Statement
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent / "data" / "inventory.csv"
@@ -19,7 +19,7 @@ class InventoryError(TrimmerError, ValueError):
     """The inventory holds an id twice, or a kind that is not known."""
 
 
-def read_inventory(*paths: Path) -> Mapping[str, Entry]:
+def read_inventory(*paths: Path) -> Mapping[str, Statement]:
     """Read the statements, by id, in their own order: those handed over, then the further ones.
 
     Args:
@@ -28,7 +28,7 @@ def read_inventory(*paths: Path) -> Mapping[str, Entry]:
     Raises:
         InventoryError: naming file, line and value, if an id stands twice or a kind is unknown.
     """
-    entries: dict[str, Entry] = {}
+    entries: dict[str, Statement] = {}
     for path in paths or (PATH, FURTHER):
         for line, entry in _entries(path):
             if entry.id in entries:
@@ -37,11 +37,11 @@ def read_inventory(*paths: Path) -> Mapping[str, Entry]:
     return entries
 
 
-def _entries(path: Path) -> Iterator[tuple[int, Entry]]:
+def _entries(path: Path) -> Iterator[tuple[int, Statement]]:
     with path.open(encoding="utf-8", newline="") as file:
         for line, row in enumerate(csv.DictReader(file), start=2):
             if None in row or None in row.values():
                 raise InventoryError(f"{path.name}, line {line}: not four columns; quote a comma")
             if row["kind"] not in {kind.value for kind in Kind}:
                 raise InventoryError(f"{path.name}, line {line}: unknown kind {row['kind']!r}")
-            yield line, Entry(row["id"], Kind(row["kind"]), row["section"], row["subject"])
+            yield line, Statement(row["id"], Kind(row["kind"]), row["section"], row["subject"])

@@ -87,7 +87,7 @@ from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .orbits.forced_orbit import forced_orbit as forced_orbit
 from .orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
-from .orbits.orbit_measures import Impact as Impact
+from .orbits.orbit_measures import ImpactEvent as ImpactEvent
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch

@@ -16,7 +16,7 @@ class ParameterError(TrimmerError, ValueError):
     """One or more parameters are unusable; the message names each with its value and the reason."""
 
 
-class Dimension(Enum):
+class ParameterKind(Enum):
     """What a parameter measures; the value is its SI unit."""
 
     MASS = "kg"
@@ -41,7 +41,7 @@ class Parameter:
 
     symbol: str
     meaning: str
-    quantity: Dimension
+    quantity: ParameterKind
 
     @property
     def unit(self) -> str:
@@ -50,15 +50,15 @@ class Parameter:
 
 
 def _mass(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Dimension.MASS})
+    return field(metadata={"meaning": meaning, "quantity": ParameterKind.MASS})
 
 
 def _stiffness(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Dimension.STIFFNESS})
+    return field(metadata={"meaning": meaning, "quantity": ParameterKind.STIFFNESS})
 
 
 def _damping(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": Dimension.DAMPING})
+    return field(metadata={"meaning": meaning, "quantity": ParameterKind.DAMPING})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,7 +150,7 @@ def _described(entry: Field[Any]) -> Parameter:
     return Parameter(entry.name, entry.metadata["meaning"], entry.metadata["quantity"])
 
 
-def reason_against(value: object, quantity: Dimension) -> str:
+def reason_against(value: object, quantity: ParameterKind) -> str:
     """Return why a value cannot be used as such a quantity, as a piece of a message; empty if it can.
 
     NumPy's real scalars count as numbers; truth values, text and complex numbers do not.
@@ -165,7 +165,7 @@ def reason_against(value: object, quantity: Dimension) -> str:
         return f"give a number in {quantity.unit}"
     if not math.isfinite(number):
         return "must be finite"
-    if quantity is Dimension.MASS and number <= 0:
+    if quantity is ParameterKind.MASS and number <= 0:
         return "a mass must be greater than zero"
     if number < 0:
         return f"{quantity.name.lower()} must not be negative"

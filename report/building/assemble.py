@@ -10,7 +10,7 @@ from derivations.latex import latex
 from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
 from report.alterations import Alterations
-from report.claim import Entry, Finding
+from report.claim import Finding, Statement
 from report.document import (
     Answer,
     Chapter,
@@ -78,7 +78,7 @@ class Parts:
     corrected: tuple[CorrectedResult, ...]
 
 
-def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Entry]) -> Document:
+def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
     """Return the finished document."""
     return Document(
         title=TITLE,
@@ -106,7 +106,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     )
 
 
-def _chapters(findings: tuple[Finding, ...], inventory: Mapping[str, Entry]) -> tuple[Chapter, ...]:
+def _chapters(findings: tuple[Finding, ...], inventory: Mapping[str, Statement]) -> tuple[Chapter, ...]:
     chapters = (
         Chapter(f"chapter-{number}", number, title, _in_thesis_order(findings, inventory, number))
         for number, title in CHAPTERS.items()
@@ -115,7 +115,7 @@ def _chapters(findings: tuple[Finding, ...], inventory: Mapping[str, Entry]) -> 
 
 
 def _in_thesis_order(
-    findings: tuple[Finding, ...], inventory: Mapping[str, Entry], chapter: str
+    findings: tuple[Finding, ...], inventory: Mapping[str, Statement], chapter: str
 ) -> tuple[Finding, ...]:
     own = (finding for finding in findings if inventory[finding.id].chapter == chapter)
     return tuple(sorted(own, key=lambda finding: finding.section.split(".")))

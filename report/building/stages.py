@@ -16,7 +16,7 @@ from report.building.progress import Progress
 from report.building.tasks import Task, done
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
-from report.claim import Entry, Finding, judge
+from report.claim import Finding, Statement, judge
 from report.collect import Records, collect
 from report.document import Document
 from report.evidence import Evidence, derive, solve
@@ -74,7 +74,7 @@ def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Eviden
 
 
 def _tasks(
-    evidence: Evidence, inventory: Mapping[str, Entry], records: Records, tree: SourceTree
+    evidence: Evidence, inventory: Mapping[str, Statement], records: Records, tree: SourceTree
 ) -> list[Task]:
     """List what is made from the evidence; long tasks first, so that the processes end together.
 
@@ -138,12 +138,14 @@ def _versions() -> tuple[tuple[str, str], ...]:
 
 
 def _judged(
-    records: tuple[ClaimRecord, ...], evidence: Evidence, inventory: Mapping[str, Entry]
+    records: tuple[ClaimRecord, ...], evidence: Evidence, inventory: Mapping[str, Statement]
 ) -> tuple[tuple[Finding, ...], Alterations]:
     claims = [record.claim(evidence) for record in records]
     return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
 
 
-def _in_order(by_module: list[tuple[Finding, ...]], inventory: Mapping[str, Entry]) -> tuple[Finding, ...]:
+def _in_order(
+    by_module: list[tuple[Finding, ...]], inventory: Mapping[str, Statement]
+) -> tuple[Finding, ...]:
     place = {claim_id: index for index, claim_id in enumerate(inventory)}
     return tuple(sorted(chain.from_iterable(by_module), key=lambda finding: place[finding.id]))

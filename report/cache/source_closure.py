@@ -25,7 +25,7 @@ NOTHING_KNOWN: Mapping[str, Names] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
-class Source:
+class SourceFile:
     """A source file as it is now.
 
     Attributes:
@@ -45,7 +45,7 @@ class SourceTree:
         sources: By path from the folder of the packages, with slashes.
     """
 
-    sources: Mapping[str, Source]
+    sources: Mapping[str, SourceFile]
 
     @classmethod
     def read(cls, root: Path = ROOT, known: Mapping[str, Names] = NOTHING_KNOWN) -> Self:
@@ -61,7 +61,7 @@ class SourceTree:
             digest = hashlib.sha256(content).hexdigest()
             package = path.parent.relative_to(root).as_posix().replace("/", ".")
             imports = known[digest] if digest in known else tuple(_imports(ast.parse(content), package))
-            sources[path.relative_to(root).as_posix()] = Source(digest, imports)
+            sources[path.relative_to(root).as_posix()] = SourceFile(digest, imports)
         return cls(sources)
 
     @classmethod

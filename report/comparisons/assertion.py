@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Self, final
 
-from report.claim import Outcome, Words
+from report.claim import Agreement, Words
 
 
 @final
@@ -24,9 +24,9 @@ class Assertion:
     method: str
     asserted: bool = True
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Compare what is asserted with what was found."""
-        return Outcome(self.asserted == self.derived, self.method)
+        return Agreement(self.asserted == self.derived, self.method)
 
     def with_derived(self, derived: bool) -> Self:
         """Hold the same assertion against another finding."""

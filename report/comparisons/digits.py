@@ -10,7 +10,7 @@ from typing import Self, final
 
 import mpmath
 
-from report.claim import Number, Outcome
+from report.claim import Agreement, Number
 
 LEAST_DIGITS_SHOWN = 6
 GUARD_DIGITS = 3
@@ -30,11 +30,11 @@ class PrintedDigits:
     derived: float | Fraction
     unit: str = ""
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Compare to half a unit in the last printed place."""
         half_unit = Fraction(self._last_place()) / 2
         difference = abs(Fraction(self.derived) - Fraction(Decimal(self.printed)))
-        return Outcome(difference <= half_unit, "compared to half a unit of the last printed place")
+        return Agreement(difference <= half_unit, "compared to half a unit of the last printed place")
 
     def with_derived(self, derived: float | Fraction) -> Self:
         """Hold the same printed digits against another number."""
@@ -89,11 +89,13 @@ class CloseNumbers:
     derived: complex
     relative: float = 1e-9
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Compare the difference with the larger magnitude."""
         difference = abs(complex(self.printed) - complex(self.derived))
         scale = max(abs(complex(self.printed)), abs(complex(self.derived)))
-        return Outcome(difference <= self.relative * scale, f"relative difference at most {self.relative:g}")
+        return Agreement(
+            difference <= self.relative * scale, f"relative difference at most {self.relative:g}"
+        )
 
     def with_derived(self, derived: complex) -> Self:
         """Hold the first number against another one."""
@@ -127,9 +129,9 @@ class Equal:
     first: object
     second: object
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Compare the two as Python does."""
-        return Outcome(self.first == self.second, "the same")
+        return Agreement(self.first == self.second, "the same")
 
 
 @final
@@ -140,6 +142,6 @@ class Small:
     value: complex
     bound: float = 1e-9
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Compare the size with the bound."""
-        return Outcome(abs(self.value) <= self.bound, f"at most {self.bound:g}")
+        return Agreement(abs(self.value) <= self.bound, f"at most {self.bound:g}")

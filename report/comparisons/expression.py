@@ -10,7 +10,7 @@ import sympy
 
 from derivations.identity import Proof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
-from report.claim import Mathematics, Outcome
+from report.claim import Agreement, Mathematics
 from report.comparisons.mutation import mutated_expressions
 
 
@@ -54,7 +54,7 @@ class SameExpression(_TwoSides):
 
     assume: sympy.Basic = sympy.true
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Prove or disprove that printed minus derived is zero."""
         return _outcome(prove_equal(self.printed, self.derived, self.assume))
 
@@ -69,7 +69,7 @@ class SameExpression(_TwoSides):
 class SameMatrix(_TwoSides):
     """Whether two matrices have the same shape and equal entries."""
 
-    def compare(self) -> Outcome:
+    def compare(self) -> Agreement:
         """Prove or disprove equality entry by entry."""
         return _outcome(prove_equal_matrices(self.printed, self.derived))
 
@@ -93,5 +93,5 @@ class SameMatrix(_TwoSides):
         return replace(self, printed=sympy.ImmutableMatrix(changed))
 
 
-def _outcome(proof: Proof) -> Outcome:
-    return Outcome(proof.holds, proof.method)
+def _outcome(proof: Proof) -> Agreement:
+    return Agreement(proof.holds, proof.method)

@@ -32,7 +32,7 @@ _LOCUS_POINTS: Final = 20_001
 
 
 @dataclass(frozen=True)
-class Loop:
+class TextbookLoop:
     """A plant and an element in negative feedback."""
 
     plant: control.TransferFunction
@@ -55,17 +55,17 @@ class History:
     amplitudes: Reals
 
 
-def relay_loop() -> Loop:
+def relay_loop() -> TextbookLoop:
     """Return 1/(s (s + 1)(s + 2)) with a relay of level one: omega = sqrt 2, A = 2/(3 π)."""
-    return Loop(control.tf([1], [1, 3, 2, 0]), Relay(1.0))
+    return TextbookLoop(control.tf([1], [1, 3, 2, 0]), Relay(1.0))
 
 
-def backlash_loop() -> Loop:
+def backlash_loop() -> TextbookLoop:
     """Return 7/(s + 1)³ with a friction-controlled backlash of total clearance one."""
-    return Loop(control.tf([GAIN], [1, 3, 3, 1]), FrictionBacklash(1.0))
+    return TextbookLoop(control.tf([GAIN], [1, 3, 3, 1]), FrictionBacklash(1.0))
 
 
-def graphical_intersections(loop: Loop, omegas: Reals, amplitudes: Reals) -> Reals:
+def graphical_intersections(loop: TextbookLoop, omegas: Reals, amplitudes: Reals) -> Reals:
     """Intersect G and -1/N as they are drawn through samples, as chains of straight lines.
 
     Args:
@@ -106,7 +106,7 @@ def encirclements_of(plant: control.TransferFunction, point: complex) -> int:
     return -round(float(np.sum(turned)) / (2 * np.pi))
 
 
-def growing_poles(loop: Loop, amplitude: float) -> int:
+def growing_poles(loop: TextbookLoop, amplitude: float) -> int:
     """Count the roots of 1 + N G(s) in the right half plane, N frozen at an amplitude."""
     numerator, denominator = loop.plant.num[0][0], loop.plant.den[0][0]
     gain = complex(loop.element.describing_function(amplitude))

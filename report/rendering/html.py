@@ -27,12 +27,12 @@ _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
 
 @dataclass(frozen=True)
-class Entry:
+class ContentsEntry:
     """A line of the table of contents: where it leads, its HTML, and the lines below it."""
 
     identifier: str
     heading: str
-    inner: tuple[Entry, ...]
+    inner: tuple[ContentsEntry, ...]
 
 
 def to_html(document: Document, body: str) -> str:
@@ -64,14 +64,16 @@ def _templates(names: Iterable[str]) -> list[str]:
     return [(TEMPLATES / name).read_text(encoding="utf-8") for name in names]
 
 
-def contents(body: str) -> tuple[Entry, ...]:
+def contents(body: str) -> tuple[ContentsEntry, ...]:
     """Return the table of contents: each heading of level 2 that has an identifier, with those of level 3."""
-    entries: list[Entry] = []
+    entries: list[ContentsEntry] = []
     for level, identifier, heading in _HEADING.findall(body):
         if level == "2":
-            entries.append(Entry(identifier, heading, ()))
+            entries.append(ContentsEntry(identifier, heading, ()))
         elif entries:
-            entries[-1] = replace(entries[-1], inner=(*entries[-1].inner, Entry(identifier, heading, ())))
+            entries[-1] = replace(
+                entries[-1], inner=(*entries[-1].inner, ContentsEntry(identifier, heading, ()))
+            )
     return tuple(entries)
 
 

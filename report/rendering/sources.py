@@ -11,7 +11,7 @@ from report.rendering.links import BrokenLinkError
 
 
 @dataclass(frozen=True)
-class Source:
+class ShownSource:
     """A source file of this project, with the findings that name it.
 
     Attributes:
@@ -32,7 +32,7 @@ def identifier(path: str) -> str:
     return f"code-{path.removesuffix('.py').replace('/', '-')}"
 
 
-def sources(document: Document) -> tuple[Source, ...]:
+def sources(document: Document) -> tuple[ShownSource, ...]:
     """Return each source file that a finding of the document names, by path.
 
     Raises:
@@ -42,7 +42,7 @@ def sources(document: Document) -> tuple[Source, ...]:
     for finding in document.findings:
         findings.setdefault(finding.source, []).append(finding)
     return tuple(
-        Source(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
+        ShownSource(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
         for path in sorted(findings)
     )
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from report.alterations import Alterations, alter
-from report.claim import Claim, Outcome, Part, Uncheckable, Words
+from report.claim import Agreement, Claim, Part, Uncheckable, Words
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class Deaf:
     unheard: tuple[str, ...] = ()
 
     def compare(self):
-        return Outcome(self.printed == self.heard or self.printed in self.unheard, "by ear")
+        return Agreement(self.printed == self.heard or self.printed in self.unheard, "by ear")
 
     def corrected(self):
         return replace(self, printed=self.heard)

@@ -8,10 +8,10 @@ from report.claim import (
     Claim,
     Confirmation,
     ContradictionError,
-    Entry,
     Kind,
     Part,
     Slip,
+    Statement,
     Uncheckable,
     Verdict,
     Words,
@@ -20,7 +20,7 @@ from report.claim import (
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import PrintedDigits
 
-ENTRY = Entry("eq-9.9", Kind.EQUATION, "9.9", "a subject")
+ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject")
 RIGHT = Part("right", PrintedDigits("1.25", 1.2501))
 WRONG = Part("wrong", PrintedDigits("1.25", 2.5))
 REPEATED = replace(WRONG, label="repeated", slip=Slip("a factor of two", 1.25, Verdict.EXPLAINED))

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from report.claim import Entry, Kind
+from report.claim import Kind, Statement
 from report.document import Section
 from report.sections import read_sections
 
@@ -16,7 +16,7 @@ def sections() -> tuple[Section, ...]:
 
 
 def test_every_section_of_the_inventory_has_a_title(
-    sections: tuple[Section, ...], inventory: Mapping[str, Entry]
+    sections: tuple[Section, ...], inventory: Mapping[str, Statement]
 ) -> None:
     numbers = Counter(section.number for section in sections)
     assert set(numbers.values()) == {1}
@@ -25,7 +25,7 @@ def test_every_section_of_the_inventory_has_a_title(
 
 
 def test_every_figure_stands_in_one_section_of_its_chapter(
-    sections: tuple[Section, ...], inventory: Mapping[str, Entry]
+    sections: tuple[Section, ...], inventory: Mapping[str, Statement]
 ) -> None:
     placed = {figure: section for section in sections for figure in section.figures}
     numbered = {

@@ -1,10 +1,11 @@
-"""The switched components that an element is made of in the time domain."""
+"""The switched components that an element is made of in the time domain, and those that have no modes."""
 
 from __future__ import annotations
 
 import math
 import sys
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
 
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.element_at_frequency import ElementAtFrequency
@@ -17,12 +18,53 @@ from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.linear_components import ViscousComponent
 from trimmer.motion.relay_component import RelayComponent
+from trimmer.motion.switched_component import Component, Explicit, OutputLaw, RateProportional
 
 if TYPE_CHECKING:
     from trimmer.elements.element import Element
     from trimmer.motion.switched_component import Component
+
+
+@final
+@dataclass(frozen=True)
+class RigidComponent(Component):
+    """A pin without backlash: the output is the input."""
+
+    @property
+    def name(self) -> str:
+        """Name of the component: rigid pin; it has no events."""
+        return "rigid pin"
+
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return the law output = input."""
+        return Explicit(1.0, (), 0.0)
+
+
+@final
+@dataclass(frozen=True)
+class ViscousComponent(Component):
+    """Viscous friction: the output is a coefficient times the rate of the input.
+
+    Attributes:
+        coefficient: Output per rate of the input, N s/m for a force of a displacement.
+    """
+
+    coefficient: float
+
+    @property
+    def name(self) -> str:
+        """Name of the component: viscous friction; it has no events."""
+        return "viscous friction"
+
+    @property
+    def output_jumps(self) -> bool:
+        """True: the output jumps with the rate of the input."""
+        return True
+
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return the law output = coefficient * rate of the input."""
+        return RateProportional(self.coefficient)
 
 
 def components_of(element: Element) -> list[tuple[Component, float]]:

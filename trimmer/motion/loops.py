@@ -14,9 +14,8 @@ import numpy as np
 from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.element import Element
 from trimmer.linear.stored_system import restored, stored
-from trimmer.motion.components_of_elements import components_of
+from trimmer.motion.components_of_elements import RigidComponent, components_of
 from trimmer.motion.interconnection import Interconnection, realized, require_system
-from trimmer.motion.linear_components import RigidComponent
 from trimmer.motion.mode_tables import ModeTables
 
 

@@ -24,7 +24,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(48)
 
 @final
 @dataclass(frozen=True)
-class Impact:
+class ImpactEvent:
     """A meeting of the pin with a side of its gap.
 
     Attributes:
@@ -66,7 +66,7 @@ def harmonics_by_quadrature(motion: Motion, row: Callable[[SwitchedMode], Reals]
     return amplitudes
 
 
-def impacts(motion: Motion) -> Iterator[Impact]:
+def impacts(motion: Motion) -> Iterator[ImpactEvent]:
     """Yield the impacts of a periodic motion over its period, in order of time.
 
     One at the very end of the period, which is the beginning of the next, is told at the end.
@@ -86,7 +86,7 @@ def impacts(motion: Motion) -> Iterator[Impact]:
                 mode = modes.mode(before)
                 play = mode.signals[place].input - mode.signals[place].output
                 speed = abs(float(play @ mode.matrix @ state))
-                yield Impact(end, modes.system.labels[place], component.mode_names[entered], speed)
+                yield ImpactEvent(end, modes.system.labels[place], component.mode_names[entered], speed)
 
 
 def _is_impact(left: int, entered: int) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.motion.loop_signal import LoopSignal, row_in_modes
 from trimmer.orbits.measures import harmonics
-from trimmer.orbits.orbit_measures import Impact, harmonics_by_quadrature, impacts, stroke
+from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
 
 if TYPE_CHECKING:
@@ -143,7 +143,7 @@ class PeriodicOrbit:
         return float(np.angle(self.harmonics_of(signal)[0] * turn))
 
     @cached_property
-    def impacts(self) -> tuple[Impact, ...]:
+    def impacts(self) -> tuple[ImpactEvent, ...]:
         """All impacts of a period, with the speeds at which pin and load meet, in order of time."""
         return tuple(impacts(self.motion))
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.linear_components import ViscousComponent
+from trimmer.motion.components_of_elements import ViscousComponent
 from trimmer.motion.relay_component import PLUS, RelayComponent
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import shortest

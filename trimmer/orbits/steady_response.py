@@ -10,8 +10,7 @@ import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.components_of_elements import components_of
-from trimmer.motion.linear_components import ViscousComponent
+from trimmer.motion.components_of_elements import ViscousComponent, components_of
 from trimmer.motion.relay_component import RelayComponent
 from trimmer.orbits.trigonometric import falls_through_zero
 

@@ -14,7 +14,7 @@ from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
 from report.evidence import Evidence
-from report.numbers.textbook_loops import STARTS, Loop, backlash_history, backlash_loop, relay_loop
+from report.numbers.textbook_loops import STARTS, TextbookLoop, backlash_history, backlash_loop, relay_loop
 from report.record import figure
 from trimmer import response_at
 
@@ -108,7 +108,7 @@ def two_limit_cycles(_: Evidence) -> Figure:
     return figure
 
 
-def _operating_points(axes: Axes, loop: Loop, index: int) -> None:
+def _operating_points(axes: Axes, loop: TextbookLoop, index: int) -> None:
     """Mark a limit cycle, and the points on -1/N at a larger and a smaller amplitude."""
     cycle = loop.limit_cycles()[index]
     name, kind = f"L_{index + 1}", "stable" if cycle.stable else "unstable"
@@ -122,7 +122,7 @@ def _operating_points(axes: Axes, loop: Loop, index: int) -> None:
         beside(axes, text, point, (8, -4))
 
 
-def _both(axes: Axes, loop: Loop, omega: Reals, amplitude: Reals) -> None:
+def _both(axes: Axes, loop: TextbookLoop, omega: Reals, amplitude: Reals) -> None:
     """Draw G for rising frequency and -1/N for rising amplitude."""
     response, inverse = response_at(loop.plant, omega), loop.inverse_element(amplitude)
     _directed(axes, response, Along("ω", "rad/s", omega), r"$G(j\omega)$", LINES[0])
