@@ -6,7 +6,6 @@ means asking each of them whether the printed side agrees with the derived one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Protocol, Self
@@ -132,14 +131,6 @@ class Comparison(Check, Protocol):
 
     def with_derived(self, derived: Any) -> Self:
         """Return the same printed side, held against another derived one."""
-        ...
-
-    def corrected(self) -> Self:
-        """Return the comparison with the printed side replaced by the derived one."""
-        ...
-
-    def mutations(self) -> Iterator[tuple[str, Self]]:
-        """Yield (what was changed, comparison with the printed side changed in that way)."""
         ...
 
     @property

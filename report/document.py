@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from report.alterations import Alterations
 from report.claim import Finding
 
 
@@ -140,8 +139,7 @@ class Program:
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
-    ``further_statements`` is how many statements were found by a second reading; ``alterations`` counts
-    the printed sides of the whole report that were changed on purpose.
+    ``further_statements`` is how many statements were found by a second reading.
     """
 
     title: str
@@ -160,7 +158,6 @@ class Document:
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
-    alterations: Alterations = field(default_factory=Alterations)
 
     @property
     def findings(self) -> tuple[Finding, ...]:

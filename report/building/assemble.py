@@ -9,7 +9,6 @@ from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.narrative import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
-from report.alterations import Alterations
 from report.claim import Finding, Statement
 from report.document import (
     Answer,
@@ -57,7 +56,6 @@ class Parts:
 
     Attributes:
         findings: One for each claim, in the order of the inventory.
-        alterations: Printed sides that were changed on purpose.
         figures: The redrawn figures, in the order of the thesis.
         trimmer_steps: The derivation of the linear trimmer.
         element_steps: The derivation of the describing functions.
@@ -68,7 +66,6 @@ class Parts:
     """
 
     findings: tuple[Finding, ...]
-    alterations: Alterations
     figures: tuple[Figure, ...]
     trimmer_steps: tuple[Step, ...]
     element_steps: tuple[Step, ...]
@@ -102,7 +99,6 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         corrected=parts.corrected,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
-        alterations=parts.alterations,
     )
 
 

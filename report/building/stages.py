@@ -10,7 +10,6 @@ from typing import Any
 
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
-from report.alterations import Alterations, alter
 from report.building.assemble import Parts, assemble
 from report.building.progress import Progress
 from report.building.tasks import Task, done
@@ -47,10 +46,8 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     evidence = _evidence(progress, store, tree)
     records = collect(inventory)
     results = done(_tasks(evidence, inventory, records, tree), store, progress)
-    judged = [results[f"claims-{module}"] for module in records.claims]
     parts = Parts(
-        findings=_in_order([findings for findings, _ in judged], inventory),
-        alterations=sum((alterations for _, alterations in judged), Alterations()),
+        findings=_in_order([results[f"claims-{module}"] for module in records.claims], inventory),
         figures=tuple(results[f"figure-{figure.id}"] for figure in records.figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
@@ -120,7 +117,7 @@ def _tasks(
             Task(
                 f"claims-{module}",
                 "judge",
-                key([module, "report.evidence", "report.alterations"], inventory),
+                key([module, "report.evidence"], inventory),
                 partial(_judged, group, evidence, inventory),
             )
             for module, group in reversed(tuple(records.claims.items()))
@@ -139,9 +136,8 @@ def _versions() -> tuple[tuple[str, str], ...]:
 
 def _judged(
     records: tuple[ClaimRecord, ...], evidence: Evidence, inventory: Mapping[str, Statement]
-) -> tuple[tuple[Finding, ...], Alterations]:
-    claims = [record.claim(evidence) for record in records]
-    return tuple(judge(claim, inventory[claim.id]) for claim in claims), alter(claims)
+) -> tuple[Finding, ...]:
+    return tuple(judge(record.claim(evidence), inventory[record.id]) for record in records)
 
 
 def _in_order(

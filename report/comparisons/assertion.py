@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Self, final
 
@@ -31,14 +30,6 @@ class Assertion:
     def with_derived(self, derived: bool) -> Self:
         """Hold the same assertion against another finding."""
         return replace(self, derived=derived)
-
-    def corrected(self) -> Self:
-        """Return the assertion that what was found is so."""
-        return replace(self, asserted=self.derived)
-
-    def mutations(self) -> Iterator[tuple[str, Self]]:
-        """Yield the opposite assertion."""
-        yield "negated", replace(self, asserted=not self.asserted)
 
     @property
     def printed_shown(self) -> Words:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -39,26 +38,6 @@ class PrintedDigits:
     def with_derived(self, derived: float | Fraction) -> Self:
         """Hold the same printed digits against another number."""
         return replace(self, derived=derived)
-
-    def corrected(self) -> Self:
-        """Print the computed number, rounded to the place of the printed one's last digit."""
-        exact = Decimal(Fraction(self.derived).numerator) / Decimal(Fraction(self.derived).denominator)
-        return replace(self, printed=str(exact.quantize(self._last_place())))
-
-    def mutations(self) -> Iterator[tuple[str, Self]]:
-        """Change the last digit, the sign and the size."""
-        number, unit = Decimal(self.printed), self._last_place()
-        changes = {
-            "last digit up": number + unit,
-            "last digit down": number - unit,
-            "sign": -number,
-            "factor 2": 2 * number,
-            "factor pi": number * Decimal("3.14159"),
-        }
-        for description, changed in changes.items():
-            if changed != number:
-                digits = str(changed.quantize(unit))
-                yield description, replace(self, printed=digits)
 
     def _last_place(self) -> Decimal:
         return Decimal(1).scaleb(int(Decimal(self.printed).as_tuple().exponent))
@@ -100,15 +79,6 @@ class CloseNumbers:
     def with_derived(self, derived: complex) -> Self:
         """Hold the first number against another one."""
         return replace(self, derived=derived)
-
-    def corrected(self) -> Self:
-        """Put the second number in the place of the first."""
-        return replace(self, printed=self.derived)
-
-    def mutations(self) -> Iterator[tuple[str, Self]]:
-        """Change the sign and the size of the first number."""
-        yield "sign", replace(self, printed=-self.printed)
-        yield "factor 2", replace(self, printed=2 * self.printed)
 
     @property
     def printed_shown(self) -> Number:

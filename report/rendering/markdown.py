@@ -163,7 +163,6 @@ def _environment() -> Environment:
         slips=summary.slips,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
-        share_noticed=summary.share_noticed,
         kinds_in_words=summary.kinds_in_words,
         picture_description=verdict_picture.description,
     )

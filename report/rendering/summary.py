@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections import Counter
 from dataclasses import dataclass
 
-from report.alterations import Alterations
 from report.claim import Finding, Impact, JudgedPart, Kind, Verdict
 from report.document import Chapter, Document
 
@@ -96,11 +94,6 @@ def kinds_in_words(document: Document) -> str:
     numbers = Counter(finding.kind for finding in document.findings)
     said = [f"{numbers[kind]} {_KINDS_IN_WORDS[kind][numbers[kind] > 1]}" for kind in Kind if numbers[kind]]
     return " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:])))
-
-
-def share_noticed(alterations: Alterations) -> str:
-    """Say how large the share of changes is that were noticed; only all of them are 100 %."""
-    return f"{math.floor(1000 * alterations.noticed / alterations.tried) / 10:g} %"
 
 
 def capitalised(text: str) -> str:

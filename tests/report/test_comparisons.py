@@ -1,4 +1,4 @@
-"""Comparisons: their tolerance, what they show, and that each of their mutations is a real change."""
+"""Comparisons: their tolerance, and what they show."""
 
 from decimal import Decimal
 from fractions import Fraction
@@ -44,15 +44,16 @@ def test_trailing_zero_is_a_digit():
     st.integers(min_value=1, max_value=8),
 )
 @settings(deadline=None, derandomize=True)
-def test_a_rounded_number_agrees_and_its_mutations_do_not(value, digits):
+def test_a_rounded_number_agrees_and_its_neighbours_do_not(value, digits):
     printed = f"{value:.{digits - 1}e}"
-    place = Fraction(10) ** Decimal(printed).as_tuple().exponent
-    assume(abs(Fraction(value) - Fraction(Decimal(printed))) != place / 2)  # a tie rounds either way
-    comparison = PrintedDigits(printed, value)
-    assert comparison.compare().agrees
-    assert comparison.corrected().compare().agrees
-    for description, changed in comparison.mutations():
-        assert not changed.compare().agrees, description
+    exponent = Decimal(printed).as_tuple().exponent
+    assume(
+        abs(Fraction(value) - Fraction(Decimal(printed))) != Fraction(10) ** exponent / 2
+    )  # a tie rounds either way
+    assert PrintedDigits(printed, value).compare().agrees
+    for neighbour in (Decimal(printed) + Decimal(10) ** exponent, Decimal(printed) - Decimal(10) ** exponent):
+        assert not PrintedDigits(str(neighbour), value).compare().agrees
+    assert not PrintedDigits(printed, -value).compare().agrees
 
 
 @pytest.mark.parametrize(
@@ -76,26 +77,10 @@ def test_same_expression_sees_through_form_and_shows_the_printed_one():
     assert str(comparison.printed_shown) == "z = y + x"
 
 
-@pytest.mark.parametrize(
-    "expression", [x, x - y, (x - y) ** 2 / 2, sympy.Integer(0), x * sympy.sin(y), (x + y) * (x - z) / 3]
-)
-def test_every_mutation_of_an_expression_changes_it(expression):
-    comparison = SameExpression(expression, expression)
-    mutations = list(comparison.mutations())
-    assert mutations
-    assert not any(changed.compare().agrees for _, changed in mutations)
-
-
-def test_a_symmetric_swap_is_no_mutation():
-    descriptions = [description for description, _ in SameExpression(x + y, x + y).mutations()]
-    assert not any("swapped" in description for description in descriptions)
-
-
 def test_same_matrix():
     matrix = sympy.ImmutableMatrix([[x, 0], [-y, 1]])
     comparison = SameMatrix(matrix, matrix, left=sympy.Symbol("A"))
     assert comparison.compare().agrees
     assert not SameMatrix(matrix, sympy.ImmutableMatrix([[x, 0]])).compare().agrees
-    mutations = list(comparison.mutations())
-    assert len(mutations) >= 6
-    assert not any(changed.compare().agrees for _, changed in mutations)
+    swapped = sympy.ImmutableMatrix([[x, 0], [1, -y]])
+    assert not SameMatrix(swapped, matrix).compare().agrees

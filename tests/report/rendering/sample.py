@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sympy
 
-from report.alterations import Alterations
 from report.document import (
     Answer,
     Chapter,
@@ -141,7 +140,6 @@ def sample() -> Document:
         provenance=Provenance(
             "0.1.0", "0123abc", "2026-05-04T10:11:12+02:00", (("sympy", "1.14.0"), ("typst", "0.15.0"))
         ),
-        alterations=Alterations(tried=1234, noticed=1233),
         programs=programs(),
         describing_functions=describing_functions(),
         answers=answers(),

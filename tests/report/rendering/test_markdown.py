@@ -5,7 +5,6 @@ from functools import partial
 
 import pytest
 
-from report.alterations import Alterations
 from report.claim import Finding, Impact, JudgedPart, Kind, Mathematics, Number, Verdict, Words
 from report.document import DerivationStep, Document, Equation
 from report.rendering.links import BrokenLinkError
@@ -64,13 +63,6 @@ def test_the_pieces_are_the_front_the_sections_and_what_follows(document: Docume
 
 def test_the_summary_says_how_many_statements_are_judged(document: Document) -> None:
     assert f"{len(document.findings)} of 253 statements" in to_markdown(document)["front"]
-
-
-def test_the_summary_says_how_many_misprints_were_noticed_and_rounds_down(document: Document) -> None:
-    front = to_markdown(document)["front"]
-    assert "1233 of 1234 changes,\n99.9 %, were noticed" in front
-    without = dataclasses.replace(document, alterations=Alterations())
-    assert "were noticed" not in to_markdown(without)["front"]
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:
