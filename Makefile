@@ -12,7 +12,7 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report test lint format derive lock benchmark check-install clean
+.PHONY: help report test test-all lint format derive lock benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -23,6 +23,9 @@ report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, 
 # The tests of a file share what they make once.
 test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to pytest
 	@python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
+
+test-all: .venv/for-development ## run all tests, the slow ones too
+	@python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
 
 lint: .venv/for-development ## ruff (rules and format), mypy, import-linter; changes nothing
 	@ruff check .
