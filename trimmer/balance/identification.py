@@ -134,7 +134,7 @@ def identify_time_constant(
     ``trimmer.balance.search``, so that none is missed. The gap scales the amplitude only.
 
     Whatever the load, a limit cycle has a frequency in certain bands only, so one that is measured a little
-    wrong may fit no load at all. The bands are told, and with an uncertainty an interval of M/D.
+    wrong may fit no load at all. The bands are given, and with an uncertainty an interval of M/D.
 
     Args:
         G: A rational, proper, continuous-time system with one input and one output.
@@ -194,10 +194,10 @@ def _intervals(
         ends = [end.time_constant for end in (band.lower, band.upper) if lowest <= end.frequency <= highest]
         frequencies = np.unique(np.linspace(low, high, _FREQUENCIES))
         values = [value(each) for each in frequencies.tolist()]
-        told = [each for each in (*ends, *values) if not math.isnan(each)]
-        told += [value(turning) for turning in _turning_points(value, frequencies.tolist(), values)]
-        if told:
-            yield TimeConstantInterval(min(told), max(told), (low, high))
+        found = [each for each in (*ends, *values) if not math.isnan(each)]
+        found += [value(turning) for turning in _turning_points(value, frequencies.tolist(), values)]
+        if found:
+            yield TimeConstantInterval(min(found), max(found), (low, high))
 
 
 def _turning_points(

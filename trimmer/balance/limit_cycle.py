@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 NEAR_TANGENCY = math.radians(5.0)
@@ -76,17 +76,24 @@ class UndecidedRegion:
 
 def doubts_of_search(undecided: Sequence[UndecidedRegion], smallest_gain: float) -> tuple[str, ...]:
     """Say why a search may have missed limit cycles, in sentences without a full stop."""
-    doubts = [
-        f"undecided between {region.omegas[0]:.9g} and {region.omegas[1]:.9g} rad/s: {region.reason}, and "
-        "limit cycles in that range may be missing from the list"
-        for region in undecided
-    ]
+    return (*_doubts_of_regions(undecided), *_doubts_of_gain(smallest_gain))
+
+
+def _doubts_of_regions(undecided: Sequence[UndecidedRegion]) -> Iterator[str]:
+    for region in undecided:
+        lowest, highest = region.omegas
+        yield (
+            f"undecided between {lowest:.9g} and {highest:.9g} rad/s: {region.reason}, and limit cycles in "
+            "that range may be missing from the list"
+        )
+
+
+def _doubts_of_gain(smallest_gain: float) -> Iterator[str]:
     if smallest_gain > 0:
-        doubts.append(
+        yield (
             f"limit cycles with |N| below {smallest_gain:.3g} are not excluded, next to a pole of G on the "
             "imaginary axis; give an omega_range that keeps away from that pole"
         )
-    return tuple(doubts)
 
 
 @dataclass(frozen=True)
@@ -103,10 +110,10 @@ class Certificate:
             none can exist; more where N vanishes at the edge of a dead band while |G| is not bounded, as with
             a pole of G on the imaginary axis about whose neighbourhood nothing is proven.
         winding_number: Turns of 1 + N G along the border of what was searched, an independent check: it must
-            be the sum of the indices. None if it cannot be told.
+            be the sum of the indices. None if it cannot be determined.
         index_sum: Sum of the indices of the limit cycles that were found.
         zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
-            the winding number cannot be told.
+            the winding number cannot be determined.
     """
 
     method: str
@@ -121,7 +128,7 @@ class Certificate:
 
     @property
     def checked(self) -> bool:
-        """Whether the winding number is the sum of the indices, or cannot be told for a known reason."""
+        """Whether the winding number is the sum of the indices, or known why it cannot be determined."""
         if self.winding_number is None:
             return self.zero_on_axis
         return self.winding_number == self.index_sum
@@ -134,7 +141,12 @@ class Certificate:
     @property
     def doubts(self) -> tuple[str, ...]:
         """Why limit cycles may be missing, in sentences without a full stop; none if it is complete."""
-        doubts = doubts_of_search(self.undecided, self.smallest_gain)
+        return (*_doubts_of_regions(self.undecided), *self.other_doubts)
+
+    @property
+    def other_doubts(self) -> tuple[str, ...]:
+        """The doubts that are about no undecided region."""
+        doubts = tuple(_doubts_of_gain(self.smallest_gain))
         # Where something is undecided the winding number may well lack what is there.
         return doubts if self.checked or self.undecided else (*doubts, self._failed_check())
 

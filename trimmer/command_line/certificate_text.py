@@ -21,7 +21,7 @@ def certificate_as_text(certificate: Certificate) -> list[str]:
             f"undecided: {_range(region.omegas)} rad/s, amplitude {_range(region.amplitudes)}"
             for region in certificate.undecided
         ),
-        *certificate.doubts[len(certificate.undecided) :],
+        *certificate.other_doubts,
     ]
 
 

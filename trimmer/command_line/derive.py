@@ -42,8 +42,8 @@ def _run(arguments: Namespace) -> int:
     write_atomically(arguments.module, sources.module, overwrite=arguments.overwrite)
     write_atomically(arguments.latex, sources.latex, overwrite=arguments.overwrite)
     state = "the same as the one in use" if sources.module == installed else "different from the one in use"
-    told = f"{arguments.module}: numeric module, {state}\n{arguments.latex}: derivations"
-    show(told, arguments.module, arguments.latex)
+    text = f"{arguments.module}: numeric module, {state}\n{arguments.latex}: derivations"
+    show(text, arguments.module, arguments.latex)
     return 0
 
 

@@ -67,8 +67,8 @@ def _run(arguments: Namespace) -> int:
     except TrimmerError:
         show(as_json(motion) if arguments.json else as_text(motion), *targets)
         raise
-    told = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
-    show("\n".join(told), *targets)
+    text = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
+    show("\n".join(text), *targets)
     if motion.outcome is Outcome.COMPLETED:
         return 0
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")

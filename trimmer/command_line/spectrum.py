@@ -83,8 +83,8 @@ def _run(arguments: Namespace) -> int:
         wav = _written_wav(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    told = (as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav)
-    show(told, arguments.plot, arguments.wav)
+    text = (as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav)
+    show(text, arguments.plot, arguments.wav)
     return 0
 
 

@@ -7,23 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import positive_number, real_number, real_values, shown
+from trimmer.arguments import real_number, real_values, shown
 from trimmer.errors import WrongTypeError
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
-
-
-def require_positive(field: str, value: float, unit: str) -> None:
-    """Check that a field of an element is a positive, finite number.
-
-    Raises:
-        WrongTypeError: if it is no real number.
-        ValueError: if it is out of range; the message names field, value and unit.
-    """
-    positive_number(field, value, unit)
 
 
 def require_not_negative(field: str, value: float, unit: str) -> None:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes, require_positive
+from trimmer.arguments import positive_number
+from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.backlash_bounds import BacklashBox
 from trimmer.elements.backlash_frequency import slope_by_log_gamma
 from trimmer.elements.backlash_harmonics import harmonic_of
@@ -45,7 +46,7 @@ class Backlash(Element):
     gap: float
 
     def __post_init__(self) -> None:
-        require_positive("gap", self.gap, "m")
+        positive_number("gap", self.gap, "m")
 
     @property
     def amplitude_scale(self) -> float:

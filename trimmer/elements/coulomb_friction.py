@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, ClassVar, final
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes, require_positive
+from trimmer.arguments import positive_number
+from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class CoulombFriction(SquareWaveElement):
     LEAD: ClassVar[complex] = 1j
 
     def __post_init__(self) -> None:
-        require_positive("force", self.force, "N")
+        positive_number("force", self.force, "N")
 
     @property
     def height(self) -> float:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.arguments import require_instance
-from trimmer.elements.arguments import require_positive
+from trimmer.arguments import positive_number, require_instance
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
@@ -41,7 +40,7 @@ class ElementAtFrequency(Element):
 
     def __post_init__(self) -> None:
         require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
-        require_positive("omega", self.omega, "rad/s")
+        positive_number("omega", self.omega, "rad/s")
 
     @property
     def depends_on_frequency(self) -> bool:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, ClassVar, final
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes, require_positive
+from trimmer.arguments import positive_number
+from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class Relay(SquareWaveElement):
     LEAD: ClassVar[complex] = 1.0
 
     def __post_init__(self) -> None:
-        require_positive("level", self.level, "unit of the output")
+        positive_number("level", self.level, "unit of the output")
 
     @property
     def height(self) -> float:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes, require_positive
+from trimmer.arguments import positive_number
+from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.bounds import range_shape, unlimited_domain
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
@@ -34,7 +35,7 @@ class ViscousFriction(Element):
     damping: float
 
     def __post_init__(self) -> None:
-        require_positive("damping", self.damping, "N s/m")
+        positive_number("damping", self.damping, "N s/m")
 
     @property
     def depends_on_frequency(self) -> bool:

@@ -6,6 +6,6 @@
 among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes
 and ``taylor`` its series over a step; ``mode_tables`` and ``tables`` hold these for the compiled code of
 ``kernel``, ``first_event``, ``sampling`` and ``linear_combination``, which ``compilation`` compiles and
-``marching`` calls. ``initial`` gives the state at the start. ``dry_friction`` is the contact problem of
+``integration`` calls. ``initial`` gives the state at the start. ``dry_friction`` is the contact problem of
 several frictions at once; ``coupled_relays`` applies it to modes, and ``complementarity`` to instants.
 """

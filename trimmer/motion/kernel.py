@@ -35,13 +35,13 @@ def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int, int],
         tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _march(tables, log, first, end, most_segments, most_steps, longest)
+        return _integrate(tables, log, first, end, most_segments, most_steps, longest)
 
     return kept(entry)
 
 
 @inlined
-def _march(
+def _integrate(
     tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
 ) -> tuple[int, int, float]:
     work = _work(tables)
@@ -188,7 +188,7 @@ def _know_held(tables: Tables, mode: int, before: int, known: Integers, unknown:
 _compiled_march = _entry(sources())
 
 
-def march(
+def integrate(
     tables: Tables,
     log: Log,
     first: int,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arguments import real_values
-from trimmer.motion.marching import changes
+from trimmer.motion.integration import changes
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number
 from trimmer.motion.initial import initial_segment
+from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
 from trimmer.motion.loops import require_loop
-from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.motion import Motion, Outcome
 
 if TYPE_CHECKING:
@@ -79,5 +79,5 @@ def simulate(
     modes = loop.modes
     mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
     log = new_log(FIRST_ROWS, mode, state)
-    reason, log, reached = march_on(modes, log, duration, event_limit + 1, step_limit)
+    reason, log, reached = integrate_on(modes, log, duration, event_limit + 1, step_limit)
     return Motion(loop, float(reached), OUTCOMES[reason], log)

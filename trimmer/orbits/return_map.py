@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import REACHED_END
-from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.tables import TOGETHER
 from trimmer.motion.taylor import DEGREE
 
@@ -50,7 +50,7 @@ def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log |
     Returns:
         The segments of the motion; None if events accumulate, a limit is reached or the motion diverges.
     """
-    reason, log, _ = march_on(modes, new_log(FIRST_ROWS, mode, state), duration, MOST_EVENTS)
+    reason, log, _ = integrate_on(modes, new_log(FIRST_ROWS, mode, state), duration, MOST_EVENTS)
     return log if reason == REACHED_END else None
 
 

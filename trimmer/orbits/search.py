@@ -80,14 +80,16 @@ class RelaySearch:
     def sentence(self) -> str:
         """What was searched, in words."""
         shortest, longest = self.half_periods
-        told = (
+        sentence = (
             "all orbits of the relay that return with their signs changed after one switch, with half "
             f"periods from {shortest:.6g} to {longest:.6g} s"
         )
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)
-            told += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
-        return f"{told}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
+            sentence += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
+        return (
+            f"{sentence}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
+        )
 
 
 @dataclass(frozen=True)
@@ -122,8 +124,8 @@ class SimulationSearch:
             (self.accumulated, "ended as their events accumulate"),
             (self.left, "did not settle in time"),
         )
-        told = ", ".join(f"{count} {what}" for count, what in ends if count)
-        return f"stable orbits by simulation from {self.starts} initial states (seed {self.seed}: {told})"
+        sentence = ", ".join(f"{count} {what}" for count, what in ends if count)
+        return f"stable orbits by simulation from {self.starts} initial states (seed {self.seed}: {sentence})"
 
 
 @dataclass(frozen=True)

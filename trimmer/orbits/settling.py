@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
+from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import CYCLING, DIVERGED, REACHED_END, STEP_LIMIT
-from trimmer.motion.marching import march_on, new_log
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
@@ -113,7 +113,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
     quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
     widest = np.zeros(loop.modes.layout.order)
     while total < MOST_EVENTS and steps > 0:
-        reason, log, end = _march(loop, mode, state, quiet, events, steps)
+        reason, log, end = _integrate(loop, mode, state, quiet, events, steps)
         total += events
         if reason == DIVERGED:
             return Ending.DIVERGED
@@ -203,12 +203,12 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
     return Turn(quiet, middle, span, mirrored, np.maximum(sizes, abs(middle)), miss)
 
 
-def _march(
+def _integrate(
     loop: ClosedLoop, mode: int, state: Reals, duration: float, events: int, steps: int
 ) -> tuple[int, Log, float]:
     """Follow a motion for a time, s, or some events; return why it stopped, the log, and its end."""
     log = new_log(events + 2, mode, state)
-    return march_on(loop.modes, log, duration, events + 1, steps)
+    return integrate_on(loop.modes, log, duration, events + 1, steps)
 
 
 def _steps(loop: ClosedLoop, log: Log, end: float) -> int:

@@ -10,7 +10,7 @@ from trimmer.spectra.classification import Origin
 from trimmer.spectra.spectrum import Spectrum
 
 _CLIPPED_SHARE = 0.005
-"""Share of the samples that have the extreme value, from which on they are told as clipped."""
+"""Share of the samples that have the extreme value, from which on they count as clipped."""
 
 _CLIPPED_EXCESS = 3.0
 """How many times more samples have the extreme value than the next one, in a clipped record.
@@ -29,11 +29,11 @@ def clipping_doubt(values: Reals) -> str | None:
         values: Samples, shape (n,).
     """
     ends = [(name, _clipped(sign * values)) for name, sign in (("largest", 1.0), ("smallest", -1.0))]
-    told = [f"{count} of {values.size} samples have the {name} value" for name, count in ends if count]
-    if not told:
+    clipped = [f"{count} of {values.size} samples have the {name} value" for name, count in ends if count]
+    if not clipped:
         return None
     return (
-        f"{' and '.join(told)}: if the measurement is clipped there, harmonics are seen that the motion "
+        f"{' and '.join(clipped)}: if the measurement is clipped there, harmonics are seen that the motion "
         "does not have; measure again with a larger range"
     )
 
@@ -65,7 +65,7 @@ def resolution_doubts(spectrum: Spectrum, drive: float | None, origins: Sequence
     Args:
         spectrum: Spectrum of the record.
         drive: Frequency of the drive, Hz; None without one.
-        origins: What peaks may be, and shall be told apart.
+        origins: What peaks may be, and shall be distinguished.
     """
     needed = spectrum.window.parted
     duration = 1.0 / spectrum.bin_width

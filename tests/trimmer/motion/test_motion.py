@@ -77,8 +77,8 @@ def test_events_are_ordered_and_alternate(element: Element) -> None:
 
 def test_a_reversal_of_sliding_leaves_the_contact_alone() -> None:
     """The force of a stick that does not last would pull the pin away, and push it back at the same time."""
-    rubbing = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(2.0))
-    loop = TrimmerLoop(THESIS, ViscousBacklash(GAP, 1e-3), frictions=(rubbing,))
+    friction = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(2.0))
+    loop = TrimmerLoop(THESIS, ViscousBacklash(GAP, 1e-3), frictions=(friction,))
     for channels in InputChannels:
         motion = simulate(replace(loop, channels=channels), 0.02, impulse=1e-5)
         assert EventKind.SWITCH in {event.kind for event in motion.events}

@@ -38,7 +38,7 @@ OSCILLATOR = control.ss(control.tf([1.0], [1.0, 0.2, 1.0]))
 BLADES = Displacement(Body.CUTTER, Body.GUARD)
 
 
-def rubbing(force: float, *between: Displacement, element: Element | None = None) -> Motion:
+def with_friction(force: float, *between: Displacement, element: Element | None = None) -> Motion:
     frictions = tuple(BodyFriction(each, CoulombFriction(force)) for each in between or (BLADES,))
     return simulate(TrimmerLoop(THESIS, element, DRIVE, frictions=frictions), 0.05)
 
@@ -59,7 +59,7 @@ def test_friction_ends_in_sticking_for_ever() -> None:
 @pytest.mark.parametrize("force", [1e4, 1e12, 1e300])
 def test_nothing_moves_under_a_friction_that_is_too_large(force: float) -> None:
     everything = tuple(Displacement(body) for body in Body)
-    motion = rubbing(force, *everything, element=FrictionBacklash(2e-4))
+    motion = with_friction(force, *everything, element=FrictionBacklash(2e-4))
     times = np.linspace(0.0, 0.05, 100)
     assert motion.outcome is Outcome.COMPLETED
     assert abs(motion.state(times)[:4]).max() < 1e-15
@@ -70,7 +70,7 @@ def test_nothing_moves_under_a_friction_that_is_too_large(force: float) -> None:
 def test_a_vanishing_friction_tends_to_none(force: float) -> None:
     times = np.linspace(0.0, 0.05, 100)
     free = simulate(TrimmerLoop(THESIS, None, DRIVE), 0.05).state(times)[:4]
-    assert rubbing(force).state(times)[:4] == pytest.approx(free, abs=1e-10 * abs(free).max())
+    assert with_friction(force).state(times)[:4] == pytest.approx(free, abs=1e-10 * abs(free).max())
 
 
 @pytest.mark.parametrize("tau", [0.0, 1e-3, math.inf])
@@ -199,7 +199,7 @@ def test_simultaneous_events_are_one_instant() -> None:
 
 
 def test_frictions_between_the_same_bodies_add() -> None:
-    one, two = rubbing(0.5), rubbing(0.25, BLADES, BLADES)
+    one, two = with_friction(0.5), with_friction(0.25, BLADES, BLADES)
     times = np.linspace(0.0, 0.05, 100)
     assert len(one.events) > 10
     assert two.state(times) == pytest.approx(one.state(times), rel=1e-9, abs=1e-12)

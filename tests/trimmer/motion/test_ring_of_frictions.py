@@ -31,8 +31,8 @@ from trimmer import (
 from trimmer.elements.element import Element
 from trimmer.motion.complementarity import complementary_mode
 from trimmer.motion.initial import initial_segment
+from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import LONGEST_CASCADE, REACHED_END
-from trimmer.motion.marching import march_on, new_log
 from trimmer.motion.relay_component import HELD, MINUS, PLUS
 from trimmer.motion.tables import TOGETHER
 
@@ -188,7 +188,7 @@ def test_complementarity_decides_as_the_integration_does() -> None:
         motions = []
         for longest in (LONGEST_CASCADE, 0):
             log = new_log(64, mode, state)
-            reason, log, end = march_on(loop.modes, log, 0.03, 100_000, longest_cascade=longest)
+            reason, log, end = integrate_on(loop.modes, log, 0.03, 100_000, longest_cascade=longest)
             assert reason == REACHED_END
             motions.append(Motion(loop, end, Outcome.COMPLETED, log))
             decided += int((log.event_function == TOGETHER).sum())
@@ -221,7 +221,7 @@ def test_the_mode_of_any_instant_is_that_of_the_complementarity_problem(seed: in
     first = modes.number((0, *(HELD if v == 0 else PLUS if v > 0 else MINUS for v in sliding)))
     at_rest = tuple(k + 1 for k, v in enumerate(sliding) if v == 0)
     expected = complementary_mode(modes, first, state, at_rest) if at_rest else first
-    reason, log, _ = march_on(modes, new_log(64, first, state), 1e-9, 1000)
+    reason, log, _ = integrate_on(modes, new_log(64, first, state), 1e-9, 1000)
     assert reason == REACHED_END
     assert modes.component_modes(int(log.mode[-1])) == modes.component_modes(expected)
 

@@ -14,7 +14,7 @@ from trimmer.motion.kernel import (
     LONGEST_CASCADE,
     MOST_STEPS,
     UNKNOWN_MODE,
-    march,
+    integrate,
 )
 from trimmer.motion.relay_component import HELD
 from trimmer.motion.tables import TOGETHER, Log
@@ -43,7 +43,7 @@ def new_log(rows: int, mode: int, state: Reals) -> Log:
     return log
 
 
-def march_on(
+def integrate_on(
     modes: ModeTables,
     log: Log,
     end: float,
@@ -66,7 +66,7 @@ def march_on(
     """
     segment = 0
     while True:
-        reason, segment, reached = march(
+        reason, segment, reached = integrate(
             modes.tables, log, segment, end, most_segments, most_steps, longest_cascade
         )
         if reason == UNKNOWN_MODE:
