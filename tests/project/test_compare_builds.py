@@ -8,6 +8,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+import typst
 
 PAGE = """<header><p>commit {commit}</p></header><main>
 <p>The amplitude is {amplitude} m. <a class="file" href="#code-a">{source}</a></p>
@@ -57,3 +58,20 @@ def test_what_a_command_prints_counts(tmp_path: Path, differences) -> None:
     old, new = build(tmp_path / "old"), build(tmp_path / "new")
     (new / "commands.json").write_text("{}\n", encoding="utf-8")
     assert "commands.json: +{}" in differences(old, new)
+
+
+@pytest.mark.poppler
+def test_a_word_of_the_pdf_counts_and_the_provenance_does_not(tmp_path: Path, comparison: ModuleType) -> None:
+    provenance = "Provenance\n\nMade from\n\ntypst\n\n0.15.0"
+    source = f"trimmer 0.1.0, commit abc\n\nThe gap is 0.25 mm.\n\n{provenance}\n\nErrata"
+    for name, text in (
+        ("old", source),
+        ("other", source.replace("abc", "def")),
+        ("new", source.replace("0.25", "0.52")),
+    ):
+        pdf = typst.compile({"main": f"#v(2cm)\n{text}".encode()}, format="pdf")
+        (tmp_path / f"{name}.pdf").write_bytes(pdf)
+    old, other, new = (comparison.pdf_words(tmp_path / f"{name}.pdf") for name in ("old", "other", "new"))
+    assert {"gap", "0.25", "Errata"} <= set(old)
+    assert old == other
+    assert set(old) ^ set(new) == {"0.25", "0.52"}
