@@ -1,0 +1,122 @@
+"""A short piece of a branch, on which orbits are found by how far they are along a direction."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.optimize
+
+from trimmer.arrays import Reals
+from trimmer.branches.orbit import Place, Problem
+
+NARROWEST = 1e-13
+"""Distance along the branch, in its coordinates without units, to which a point is located."""
+STEEPEST = 4.0
+"""Largest length of a piece of a smooth curve, relative to how far it leads along the direction."""
+APART = 1e-7
+"""Distance of orbits that rounding can bring about where slope and plane are all but singular."""
+ROUNDING = 4.0 * float(np.finfo(float).eps)
+
+
+class LostError(Exception):
+    """No orbit was found on an arc where one must be."""
+
+
+@dataclass(frozen=True, eq=False)
+class Arc:
+    """The piece of a branch beyond a point, seen along a direction.
+
+    Attributes:
+        problem: The orbits and their scale.
+        origin: Coordinates of the point, shape (n + 1,).
+        direction: A unit vector, shape (n + 1,).
+    """
+
+    problem: Problem
+    origin: Reals
+    direction: Reals
+
+    def distance(self, place: Place) -> float:
+        """Return how far a place is along the direction."""
+        return float(self.direction @ (place.position - self.origin))
+
+    @property
+    def narrowest(self) -> float:
+        """Return the least distance that rounding leaves."""
+        return max(NARROWEST, ROUNDING * float(abs(self.origin).max()))
+
+    def predicted(self, place: Place, distance: float) -> Reals:
+        """Return the coordinates at a distance on the tangent of a place, or straight on if it has none."""
+        tangent = place.tangent(self.direction)
+        ahead = self.direction if tangent is None else tangent / (tangent @ self.direction)
+        return place.position + (distance - self.distance(place)) * ahead
+
+    def at(self, distance: float, *guesses: Reals) -> Place | None:
+        """Find the orbit at a distance from guesses, shape (n + 1,), tried in their order; None if none does."""
+        offset = float(self.direction @ self.origin) + distance
+        for guess in guesses:
+            place = self.problem.correct(guess, self.direction, offset)
+            if place is not None:
+                return place
+        return None
+
+    def between(self, distance: float, left: Place, right: Place) -> Place | None:
+        """Find the orbit at a distance between two orbits: on their chord, on the one's tangent, the other's."""
+        first, last = self.distance(left), self.distance(right)
+        share = (distance - first) / (last - first)
+        chord = left.position + share * (right.position - left.position)
+        return self.at(distance, chord, self.predicted(left, distance), self.predicted(right, distance))
+
+    def smooth(self, distance: float, left: Place, right: Place) -> Place:
+        """Find the orbit at a distance on the smooth curve between two orbits.
+
+        Raises:
+            LostError: if none is found.
+        """
+        first, last = self.distance(left), self.distance(right)
+        share = (distance - first) / (last - first)
+        from_left, from_right = self.predicted(left, distance), self.predicted(right, distance)
+        # Where both tangents are right to second order, so is this mean to third.
+        weight = share * share * (3.0 - 2.0 * share)
+        place = self.at(distance, from_left + weight * (from_right - from_left), from_left, from_right)
+        if place is None:
+            raise LostError
+        return place
+
+    def root(self, function: Callable[[Place], float], left: Place, right: Place) -> Place:
+        """Find the orbit where a function changes its sign between two orbits on a smooth curve.
+
+        Raises:
+            LostError: if an orbit between them is not found.
+        """
+        known = {self.distance(left): left, self.distance(right): right}
+        values = {distance: function(place) for distance, place in known.items()}
+
+        def at(distance: float) -> float:
+            if distance not in known:
+                before = max(each for each in known if each < distance)
+                after = min(each for each in known if each > distance)
+                known[distance] = self.smooth(distance, known[before], known[after])
+                values[distance] = function(known[distance])
+            return values[distance]
+
+        first, last = sorted(known)
+        root = scipy.optimize.brentq(at, first, last, xtol=self.narrowest, rtol=ROUNDING, disp=False)
+        at(root)
+        self._check_joined([known[each] for each in sorted(known)])
+        return known[root]
+
+    def _check_joined(self, places: list[Place]) -> None:
+        """Check that neighbours among places on a smooth curve are no farther apart than their distances say.
+
+        Raises:
+            LostError: if some are: between them the places have jumped to another curve.
+        """
+        for left, right in itertools.pairwise(places):
+            ahead = self.distance(right) - self.distance(left)
+            apart = float(np.linalg.norm(right.position - left.position))
+            if apart > STEEPEST * ahead + APART:
+                raise LostError
