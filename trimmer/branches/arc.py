@@ -22,7 +22,7 @@ ROUNDING = 4.0 * float(np.finfo(float).eps)
 
 
 class LostError(Exception):
-    """No orbit was found on an arc where one must be."""
+    """No orbit was found on an arc where one must be, or one that does not belong to it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +55,7 @@ class Arc:
         return place.position + (distance - self.distance(place)) * ahead
 
     def at(self, distance: float, *guesses: Reals) -> Place | None:
-        """Find the orbit at a distance from guesses, shape (n + 1,), tried in their order; None if none does."""
+        """Find the orbit at a distance from guesses, shape (n + 1,), tried in turn; None if none does."""
         offset = float(self.direction @ self.origin) + distance
         for guess in guesses:
             place = self.problem.correct(guess, self.direction, offset)
@@ -64,7 +64,7 @@ class Arc:
         return None
 
     def between(self, distance: float, left: Place, right: Place) -> Place | None:
-        """Find the orbit at a distance between two orbits: on their chord, on the one's tangent, the other's."""
+        """Find the orbit at a distance between two orbits; None if there is none near."""
         first, last = self.distance(left), self.distance(right)
         share = (distance - first) / (last - first)
         chord = left.position + share * (right.position - left.position)
@@ -74,7 +74,7 @@ class Arc:
         """Find the orbit at a distance on the smooth curve between two orbits.
 
         Raises:
-            LostError: if none is found.
+            LostError: if none is found, or if its phases are not those of both.
         """
         first, last = self.distance(left), self.distance(right)
         share = (distance - first) / (last - first)
@@ -82,7 +82,7 @@ class Arc:
         # Where both tangents are right to second order, so is this mean to third.
         weight = share * share * (3.0 - 2.0 * share)
         place = self.at(distance, from_left + weight * (from_right - from_left), from_left, from_right)
-        if place is None:
+        if place is None or place.signature != left.signature:
             raise LostError
         return place
 

@@ -5,12 +5,13 @@ Each has a test function that changes its sign there and is smooth in between, s
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Complexes, Reals
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.orbit import Place
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -20,6 +21,8 @@ STRAIGHT = 0.9
 SHORTEST = 1e-7
 """Length of a piece, below which rounding decides on the direction of its chord."""
 MOST_SPLITS = 6
+TOUCHING = 0.3
+"""Depth of the lowest point of a test function, relative to its ends, below which it may touch zero."""
 
 _Test = Callable[[Place], float]
 
@@ -49,19 +52,22 @@ def straight(arc: Arc, near: Place, far: Place) -> bool:
     return all(each is not None and each @ chord >= STRAIGHT * length for each in tangents)
 
 
-def bifurcations(arc: Arc, near: Place, far: Place, splits: int = MOST_SPLITS) -> list[Bifurcation]:
-    """Find the bifurcations between two orbits with the same phases, in their order.
+def bifurcations(arc: Arc, places: Sequence[Place], splits: int = MOST_SPLITS) -> list[Bifurcation]:
+    """Find the bifurcations on a chain of orbits with the same phases, in their order.
 
     Args:
         arc: The piece of the branch.
-        near: The first orbit.
-        far: The last orbit.
-        splits: How often the piece may be halved, if what is found does not explain the multipliers that leave
-            the unit circle.
+        places: Orbits in their order, two at least.
+        splits: How often each link may be halved, if what is found on it does not explain which multipliers
+            leave the unit circle.
 
     Raises:
         LostError: if an orbit between them is not found.
     """
+    return [each for near, far in itertools.pairwise(places) for each in _between(arc, near, far, splits)]
+
+
+def _between(arc: Arc, near: Place, far: Place, splits: int) -> list[Bifurcation]:
     found = [
         bifurcation
         for kind, test in _tests(arc).items()
@@ -69,14 +75,31 @@ def bifurcations(arc: Arc, near: Place, far: Place, splits: int = MOST_SPLITS) -
         for bifurcation in _located(arc, kind, arc.root(test, near, far))
     ]
     if splits > 0 and not _explained(found, near, far):
-        first, last = arc.distance(near), arc.distance(far)
-        middle = arc.smooth(0.5 * (first + last), near, far)
-        if middle.signature == near.signature:
-            return [
-                *bifurcations(arc, near, middle, splits - 1),
-                *bifurcations(arc, middle, far, splits - 1),
-            ]
+        middle = arc.smooth(0.5 * (arc.distance(near) + arc.distance(far)), near, far)
+        return bifurcations(arc, (near, middle, far), splits - 1)
     return sorted(found, key=lambda each: arc.distance(each.place))
+
+
+def dips(arc: Arc, before: Place, near: Place, far: Place) -> list[float]:
+    """Return where between two orbits a test function may touch zero and turn, by the parabola through three.
+
+    A function that changes its sign twice between them shows no change at all.
+    """
+    behind, ahead = -arc.distance(before), arc.distance(far)
+    found = set()
+    for test in _tests(arc).values():
+        values = np.array([test(before), test(near), test(far)])
+        values *= np.sign(values[1])
+        fall, rise = (values[1] - values[0]) / behind, (values[2] - values[1]) / ahead
+        curvature = (rise - fall) / (behind + ahead)
+        if curvature <= 0.0 or values.min() <= 0.0:
+            continue
+        slope = fall + curvature * behind
+        lowest = -0.5 * slope / curvature
+        depth = values[1] + 0.5 * slope * lowest
+        if 0.0 < lowest < ahead and depth < TOUCHING * values[1:].min():
+            found.add(float(lowest))
+    return sorted(found)
 
 
 def _tests(arc: Arc) -> dict[SpecialKind, _Test]:
@@ -95,15 +118,15 @@ def _tangent(arc: Arc, place: Place) -> Reals:
     return tangent
 
 
-def _products(place: Place) -> Reals:
+def _products(place: Place) -> Complexes:
     """Return the products of all pairs of multipliers; one of them is 1 where a pair crosses the circle."""
     first, second = np.triu_indices(len(place.multipliers), 1)
-    products: Reals = place.multipliers[first] * place.multipliers[second]
+    products: Complexes = place.multipliers[first] * place.multipliers[second]
     return products
 
 
 def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
-    """Return the bifurcation at a root of its test function; none where two real multipliers have product 1."""
+    """Return the bifurcation at a root of a test function; none where two real multipliers have product 1."""
     if kind is SpecialKind.TORUS:
         first, _ = np.triu_indices(len(place.multipliers), 1)
         pair = place.multipliers[first[int(np.argmin(abs(_products(place) - 1.0)))]]
@@ -117,7 +140,7 @@ def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
 
 
 def _explained(found: list[Bifurcation], near: Place, far: Place) -> bool:
-    """Say whether the bifurcations found can change the number of multipliers outside the circle as it does."""
+    """Say whether what was found can change the number of multipliers outside the circle as it does."""
     outside = [int((abs(place.multipliers) > 1.0).sum()) for place in (near, far)]
     change = abs(outside[1] - outside[0])
     most = sum(2 if each.point.kind is SpecialKind.TORUS else 1 for each in found)

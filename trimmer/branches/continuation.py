@@ -13,11 +13,10 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.corner import turned
-from trimmer.branches.doubled_map import DoubledMap, DoubledPassage
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.special import SpecialPoint
-from trimmer.branches.step import Front, Step, step
+from trimmer.branches.step import Front, Step, begun, step
 from trimmer.branches.switching import parted_fronts
 
 FIRST = 1e-3
@@ -39,8 +38,6 @@ LEAST_SIZE = 1e-2
 SAME = 1e-6
 """Distance within which two orbits are the same."""
 MOST_POINTS = 2000
-OPPOSITE = -0.5
-"""Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +59,8 @@ class Interval:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Lower and upper end, relative to the length."""
-        low, high = sorted((self.start, self.stop))
-        return low / self.span, high / self.span
+        """Start and stop, relative to the length."""
+        return self.start / self.span, self.stop / self.span
 
 
 @dataclass
@@ -85,11 +81,12 @@ def continuation(  # noqa: PLR0913
     most_points: int = MOST_POINTS,
     largest_step: float = LARGEST_STEP,
     switches: int = 1,
+    bounds: tuple[float, float] | None = None,
 ) -> Branch:
     """Follow the branch of an orbit over an interval of values.
 
-    The branch begins with the orbit at ``start`` and ends on leaving the interval at either end, on closing on
-    itself, or where no orbit is found near the last one.
+    The branch begins with the orbit at ``start`` and ends on leaving the interval at either end, on closing
+    on itself, or where no orbit is found near the last one.
 
     Args:
         map: The map of a period.
@@ -99,20 +96,32 @@ def continuation(  # noqa: PLR0913
         most_points: Number of orbits after which to stop.
         largest_step: Largest change of the value on a step, as a share of the interval.
         switches: How many times one after another to switch to a branch that parts from the last one.
+        bounds: The interval within which the branch is followed, if it is not that of start and stop; from
+            ``start`` it goes towards ``stop``.
 
     Raises:
         WrongTypeError: if start or stop is no number, or most_points or switches no whole number.
-        ValueError: if start and stop are equal or not finite.
+        ValueError: if start and stop are equal or not finite, or bounds are not around start.
     """
-    interval = Interval(finite_number("start", start), finite_number("stop", stop))
-    if interval.span == 0.0:
-        raise ValueError(f"start and stop are both {start!r}: give an interval")
+    begin = finite_number("start", start)
+    interval = _interval(begin, finite_number("stop", stop), bounds)
     limits = _Limits(interval, whole_number("most_points", most_points, 2), largest_step)
-    front = _first_front(map, np.asarray(state, dtype=float), interval)
+    front = _first_front(map, np.asarray(state, dtype=float), begin, interval)
     if front is None:
-        message = f"Newton's method finds no orbit at {interval.start:.10g} near the state that was given"
+        message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
     return _followed(front, limits, whole_number("switches", switches, 0), None)
+
+
+def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> Interval:
+    if start == stop:
+        raise ValueError(f"start and stop are both {start!r}: give an interval")
+    if bounds is None:
+        return Interval(start, stop)
+    lowest, highest = sorted(finite_number("bounds", each) for each in bounds)
+    if not lowest <= start <= highest or lowest == highest:
+        raise ValueError(f"bounds must be two numbers around start {start!r}, not {bounds!r}")
+    return Interval(lowest, highest) if start < stop else Interval(highest, lowest)
 
 
 @dataclass(frozen=True)
@@ -122,14 +131,14 @@ class _Limits:
     largest_step: float
 
 
-def _first_front(map: PeriodMap, state: Reals, interval: Interval) -> Front | None:
+def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | None:
     problem = Problem(map, interval.span, np.ones(len(state)))
-    guess = problem.place(problem.position(interval.start, state))
+    guess = problem.place(problem.position(begin, state))
     if guess is None:
         return None
     problem = Problem(map, interval.span, _sizes(guess, None))
     across = np.append(np.zeros(len(state)), 1.0)
-    position = problem.position(interval.start, state)
+    position = problem.position(begin, state)
     place = problem.correct(position, across, position[-1])
     if place is None:
         return None
@@ -137,7 +146,7 @@ def _first_front(map: PeriodMap, state: Reals, interval: Interval) -> Front | No
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
         return None
-    return Front(problem, place, tangent, 1.0).moved(place, tangent)
+    return begun(problem, place, tangent)
 
 
 def _sizes(place: Place, before: Reals | None) -> Reals:
@@ -149,7 +158,7 @@ def _sizes(place: Place, before: Reals | None) -> Reals:
 
 
 def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
-    record = _Record(points=[_branch_point(front)])
+    record = _Record([_branch_point(front)])
     reason = BranchEnd.MOST_POINTS
     for taken in _steps(front, limits):
         if isinstance(taken, BranchEnd):
@@ -159,36 +168,47 @@ def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint
         record.points.append(_branch_point(made.front))
         record.special += made.special
         record.switches += [(problem, each) for each in made.switches]
-    branches = tuple(
-        _followed(other, limits, switches - 1, bifurcation.point)
-        for problem, bifurcation in (record.switches if switches else ())
-        for other in parted_fronts(problem, bifurcation)
+    branches = tuple(_parted(record, limits, switches)) if switches else ()
+    return Branch(
+        tuple(record.points), tuple(record.special), reason, _message(reason, record), branches, parted
     )
-    message = _message(reason, record)
-    return Branch(tuple(record.points), tuple(record.special), reason, message, branches, parted)
+
+
+def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]:
+    """Follow the branches that part from one; what ends at another point of it does not begin there."""
+    rejoined: list[BranchPoint] = []
+    for problem, bifurcation in record.switches:
+        if any(_begins_at(problem, bifurcation, point, limits) for point in rejoined):
+            continue
+        for front in parted_fronts(problem, bifurcation):
+            branch = _followed(front, limits, switches - 1, bifurcation.point)
+            rejoined += [branch.points[-1]] if branch.reason is BranchEnd.REJOINED else []
+            yield branch
+
+
+def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: _Limits) -> bool:
+    away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
+    return bool(away[-1] <= limits.largest_step and away.max() <= LARGEST_MOVE)
 
 
 def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
     """Yield one step after the other, with the problem in whose scale it was made, and why they end."""
     first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
-    lowest, highest = limits.interval.ends
     for count in range(1, limits.most_points):
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
             yield BranchEnd.STEP_TOO_SMALL
             return
-        if rejoined(front, made.front):
-            yield BranchEnd.REJOINED
+        if made.ended is BranchEnd.REJOINED:
+            yield made.ended
             return
+        yield made, front.problem
         if count > 2 and _closed(first, front, made.front):
             yield BranchEnd.CLOSED
             return
-        yield made, front.problem
-        if made.left:
-            at_start = abs(made.front.place.position[-1] * limits.interval.span - limits.interval.start)
-            near = at_start < 0.5 * limits.interval.span
-            yield BranchEnd.LEFT_AT_START if near else BranchEnd.LEFT_AT_STOP
+        if made.ended is not None:
+            yield made.ended
             return
         front = made.front
 
@@ -201,7 +221,8 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     reference = front.tangent.copy()
     reference[:-1] *= front.problem.sizes / sizes
     tangent = reference / np.linalg.norm(reference)
-    return Front(problem, place, tangent, front.turn), largest
+    before = None if front.before is None else front.problem.rescaled(front.before, sizes)[1]
+    return Front(problem, place, tangent, front.turn, before), largest
 
 
 def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | None, float]:
@@ -213,25 +234,6 @@ def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | 
             return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))
         length *= 0.5
     return turned(front), AFTER_CORNER
-
-
-def rejoined(before: Front, after: Front) -> bool:
-    """Say whether a doubled orbit has become a single one between two fronts.
-
-    There the difference between its halves passes through zero and changes its sign.
-    """
-    first, last = _halves(before.place, before.problem), _halves(after.place, after.problem)
-    if first is None or last is None:
-        return False
-    lengths = float(np.linalg.norm(first) * np.linalg.norm(last))
-    return lengths == 0.0 or float(first @ last) < OPPOSITE * lengths
-
-
-def _halves(place: Place, problem: Problem) -> Reals | None:
-    if not isinstance(problem.map, DoubledMap) or not isinstance(place.passage, DoubledPassage):
-        return None
-    difference: Reals = place.passage.first.end / problem.sizes - place.position[:-1]
-    return difference
 
 
 def _closed(first: Front, before: Front, after: Front) -> bool:

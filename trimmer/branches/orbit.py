@@ -1,8 +1,8 @@
 """Newton's method for one orbit on a branch, in coordinates without units.
 
-With P the map of a period the unknowns are the state x and the number p, and the equations are P(p, x) = x and
-one plane that cuts the branch. P is only piecewise smooth, so each step must bring the miss down; a step that
-does not is halved.
+With P the map of a period the unknowns are the state x and the number p, and the equations are P(p, x) = x
+and one plane that cuts the branch. P is only piecewise smooth, so each step must bring the miss down; a step
+that does not is halved.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from trimmer.errors import TrimmerError
 MOST_ITERATIONS = 14
 MOST_HALVINGS = 4
 CLOSED = 1e-9
-"""Miss, relative to the sizes of the states, of an orbit that counts as closed where rounding stops Newton."""
-EXACT = 2e-14
+"""Miss of an orbit that counts as closed where rounding stops Newton, relative to the states' sizes."""
+EXACT = 1e-13
 """Miss at which Newton's method stops, since only rounding is left."""
 NEARLY = 1e-10
 """Miss below which a step that fails to halve it shows that only rounding is left."""
@@ -72,7 +72,7 @@ class Place:
     def orientation(self, tangent: Reals) -> float:
         """Return the determinant of slope and tangent.
 
-        Its sign is the same all along a branch, and where the slope jumps, as at a grazing, too: the slopes on
+        Its sign is the same all along a branch, even where the slope jumps as at a grazing: the slopes on
         both sides differ by a matrix of rank one that acts along the normal of the border. It changes where
         another branch crosses.
         """
@@ -149,9 +149,9 @@ class Problem:
         except np.linalg.LinAlgError:
             return None
         share = 1.0
-        for _ in range(MOST_HALVINGS):
+        for _ in range(MOST_HALVINGS if place.error > NEARLY else 1):
             trial = self.place(place.position + share * correction)
-            if trial is not None and (trial.error < place.error or place.error == 0.0):
+            if trial is not None and trial.error < place.error:
                 return trial
             share *= 0.5
         return None

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc, LostError
-from trimmer.branches.bifurcations import Bifurcation, bifurcations, straight
+from trimmer.branches.bifurcations import SHORTEST, Bifurcation, bifurcations, dips, straight
 from trimmer.branches.borders import Border, borders, special_points
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.doubled_map import DoubledPassage
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 FARTHEST_ASIDE = 1.0
 """Largest distance of an orbit from its prediction, relative to the step."""
+TOWARDS_BORDER = (1e-4, 1e-2)
+"""Shares of a smooth piece at which it is looked at next to a change of phases."""
+OPPOSITE = -0.5
+"""Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,16 +32,24 @@ class Front:
         place: The last orbit.
         tangent: Unit tangent in the direction of travel, shape (n + 1,).
         turn: Sign of the determinant of slope and tangent.
+        before: The orbit before it on the same smooth piece, None if there is none.
     """
 
     problem: Problem
     place: Place
     tangent: Reals
     turn: float
+    before: Place | None = None
 
     def moved(self, place: Place, tangent: Reals) -> Front:
         """Return the front at another place."""
-        return Front(self.problem, place, tangent, float(np.sign(place.orientation(tangent))))
+        before = self.place if self.place.signature == place.signature else None
+        return replace(begun(self.problem, place, tangent), before=before)
+
+
+def begun(problem: Problem, place: Place, tangent: Reals) -> Front:
+    """Return the front at the beginning of a branch."""
+    return Front(problem, place, tangent, float(np.sign(place.orientation(tangent))))
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,44 +61,55 @@ class Step:
         special: The special points on it, in their order.
         switches: The bifurcations among them at which another branch parts.
         bend: Angle between the tangents before and after it, rad.
-        left: Whether it ends at an end of the interval.
+        ended: Why the branch ends with it; None if it goes on.
     """
 
     front: Front
     special: tuple[SpecialPoint, ...]
     switches: tuple[Bifurcation, ...]
     bend: float
-    left: bool = False
+    ended: BranchEnd | None = None
 
 
-def step(front: Front, length: float, lowest: float, highest: float) -> Step | None:
+def step(front: Front, length: float, start: float, stop: float) -> Step | None:
     """Follow the branch over a length, or to the end of the interval of values if that comes first.
 
     Args:
         front: Where it has got to.
         length: In coordinates without units.
-        lowest: Lower end of the interval, in the same coordinates.
-        highest: Its upper end.
+        start: The end of the interval where the branch began, in the same coordinates.
+        stop: The other end.
 
     Returns:
         The step; None if it does not succeed, or could have come upon another branch.
     """
     arc = Arc(front.problem, front.place.position, front.tangent)
     predicted = front.place.position + length * front.tangent
-    end = lowest if predicted[-1] < lowest else highest if predicted[-1] > highest else None
+    end = _end_passed(predicted, start, stop)
     if end is None:
         far = arc.at(length, predicted)
-        if far is not None and not lowest <= far.position[-1] <= highest:
-            end = lowest if far.position[-1] < lowest else highest
+        end = None if far is None else _end_passed(far.position, start, stop)
+        if far is not None and end is not None:
             predicted = far.position
     if end is not None:
         far = _at_end(front, predicted, end)
     if far is None or _astray(arc, far, length):
         return None
+    if _rejoined(front, far):
+        return Step(front, (), (), 0.0, BranchEnd.REJOINED)
     try:
-        return _examined(front, arc, far, end is not None)
+        made = _examined(front, arc, far)
     except LostError:
         return None
+    if made is None or end is None:
+        return made
+    return replace(made, ended=BranchEnd.LEFT_AT_START if end == start else BranchEnd.LEFT_AT_STOP)
+
+
+def _end_passed(position: Reals, start: float, stop: float) -> float | None:
+    """Return the end of the interval beyond which a position lies, None if it lies inside."""
+    lowest, highest = sorted((start, stop))
+    return lowest if position[-1] < lowest else highest if position[-1] > highest else None
 
 
 def _at_end(front: Front, beyond: Reals, end: float) -> Place | None:
@@ -104,7 +129,27 @@ def _astray(arc: Arc, far: Place, length: float) -> bool:
     return not 0.0 < ahead <= 1.5 * length or aside > FARTHEST_ASIDE * ahead
 
 
-def _examined(front: Front, arc: Arc, far: Place, left: bool) -> Step | None:
+def _rejoined(front: Front, far: Place) -> bool:
+    """Say whether a doubled orbit becomes a single one on the way to a place.
+
+    There the difference between its halves passes through zero and changes its sign.
+    """
+    first, last = _halves(front.problem, front.place), _halves(front.problem, far)
+    if first is None or last is None:
+        return False
+    lengths = float(np.linalg.norm(first) * np.linalg.norm(last))
+    return lengths == 0.0 or float(first @ last) < OPPOSITE * lengths
+
+
+def _halves(problem: Problem, place: Place) -> Reals | None:
+    """Return the difference between the halves of a doubled orbit, shape (n,); None of a single one."""
+    if not isinstance(place.passage, DoubledPassage):
+        return None
+    difference: Reals = place.passage.first.end / problem.sizes - place.position[:-1]
+    return difference
+
+
+def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
     """Find all that is special between the front and an orbit; None if they cannot be on one branch.
 
     Raises:
@@ -121,7 +166,8 @@ def _examined(front: Front, arc: Arc, far: Place, left: bool) -> Step | None:
     special: list[SpecialPoint] = []
     switches: list[Bifurcation] = []
     for number, piece in enumerate(pieces):
-        found = bifurcations(arc, *piece)
+        border = (number > 0, number < len(crossed))
+        found = bifurcations(arc, _between(front, arc, piece, border))
         special += [each.point for each in found]
         switches += [each for each in found if each.switches]
         if number < len(crossed):
@@ -130,7 +176,37 @@ def _examined(front: Front, arc: Arc, far: Place, left: bool) -> Step | None:
     if tangent is None:
         return None
     bend = float(np.arccos(np.clip(tangent @ front.tangent, -1.0, 1.0)))
-    return Step(front.moved(far, tangent), tuple(special), tuple(switches), bend, left)
+    return Step(front.moved(far, tangent), tuple(special), tuple(switches), bend)
+
+
+def _between(front: Front, arc: Arc, piece: tuple[Place, Place], border: tuple[bool, bool]) -> list[Place]:
+    """Return the orbits of a smooth piece that are looked at: its ends, and where functions may change twice.
+
+    Next to a change of phases they change with the root of the distance, so there some are taken closer and
+    closer to it.
+
+    Args:
+        front: The front before the step.
+        arc: The arc of the step.
+        piece: The ends of the piece.
+        border: Whether the phases change at either.
+
+    Raises:
+        LostError: if one of the orbits is not found.
+    """
+    near, far = piece
+    first, last = arc.distance(near), arc.distance(far)
+    distances: list[float] = []
+    if any(border) and last - first > SHORTEST:
+        from_near = [first + share * (last - first) for share in TOWARDS_BORDER if border[0]]
+        from_far = [last - share * (last - first) for share in TOWARDS_BORDER if border[1]]
+        distances = sorted(from_near + from_far)
+    elif not any(border) and front.before is not None:
+        distances = dips(arc, front.before, near, far)
+    chain = [near]
+    for distance in distances:
+        chain.append(arc.smooth(distance, chain[-1], far))
+    return [*chain, far]
 
 
 def at_border(arc: Arc, border: Border) -> list[SpecialPoint]:

@@ -9,8 +9,7 @@ from trimmer.branches.arc import Arc
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.doubled_map import DoubledMap
 from trimmer.branches.orbit import Place, Problem
-from trimmer.branches.special import SpecialKind
-from trimmer.branches.step import Front
+from trimmer.branches.step import Front, begun
 
 DISTANCES = (1e-3, 1e-2, 1e-4)
 """Distances from the bifurcation at which the first orbit of the other branch is sought, in their order."""
@@ -22,8 +21,8 @@ def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
     """Return where branches that part at a bifurcation begin.
 
     At a period doubling the branch of twice the period has the shape p - p0 = c a², x - x0 = a v with v the
-    critical eigenvector; a and -a are the same orbit half a period apart. A mirrored map loses its symmetry in the
-    same way: a and -a are mirror images. Where branches cross without either there is one on each side.
+    critical eigenvector; a and -a are the same orbit half a period apart. A mirrored map loses its symmetry
+    in the same way: a and -a are mirror images. Where branches cross otherwise there is one on each side.
     """
     doubled = abs(bifurcation.place.multipliers + 1.0).min() < abs(bifurcation.place.multipliers - 1.0).min()
     critical = _critical(bifurcation.place, -1.0 if doubled else 1.0)
@@ -51,12 +50,5 @@ def _first(problem: Problem, origin: Reals, direction: Reals) -> Front | None:
             continue
         tangent = place.tangent(direction)
         if tangent is not None:
-            return Front(problem, place, tangent, 1.0).moved(place, tangent)
+            return begun(problem, place, tangent)
     return None
-
-
-def mirror_note(kind: SpecialKind) -> str:
-    """Return what is to be said of the other branch that parts at the same point."""
-    if kind is SpecialKind.SYMMETRY_BREAKING:
-        return "a pair of asymmetric branches parts; they are mirror images, and one of them is followed"
-    return "the branch of twice the period parts"

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.branches.period_map import Phase
+from trimmer.errors import UnsupportedMotionError
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,3 +101,70 @@ class Cubic:
         sign = -1.0 if self.mirrored else 1.0
         slope = np.diag(1.0 + value - 3.0 * state**2)
         return Given(sign * ((1.0 + value) * state - state**3), sign * slope, sign * state, np.ones(1))
+
+
+@dataclass(frozen=True)
+class Ring:
+    """x -> x - (x² + p² - 1) / 5: the fixed points lie on a circle."""
+
+    size: int = 1
+    mirrored: bool = False
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        end = state - 0.2 * (state**2 + value**2 - 1.0)
+        return Given(end, np.diag(1.0 - 0.4 * state), np.array([-0.4 * value]), np.ones(1))
+
+
+@dataclass(frozen=True)
+class Twice:
+    """x -> -(1 + (p - a) (p - b)) x: a multiplier is beyond -1 but for p between a and b."""
+
+    first: float
+    second: float
+    size: int = 1
+    mirrored: bool = False
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        beyond = (value - self.first) * (value - self.second)
+        by_value = -(2.0 * value - self.first - self.second) * state
+        return Given(-(1.0 + beyond) * state, np.array([[-(1.0 + beyond)]]), by_value, np.ones(1))
+
+
+@dataclass(frozen=True)
+class Steps:
+    """x -> x / 2 + |p - a| + |p - b| + x_0 with a contact for each kink, near as they are."""
+
+    kinks: tuple[float, ...]
+    size: int = 1
+    mirrored: bool = False
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        made = {(f"stop {each}", Phase.LOWER): int(value > each) for each in self.kinks}
+        end = 0.5 * state + sum(max(value - each, 0.0) for each in self.kinks)
+        return Given(end, np.array([[0.5]]), np.array([float(sum(made.values()))]), np.ones(1), made)
+
+
+@dataclass(frozen=True)
+class Torn:
+    """x -> x / 2 + p, and 1 more from p = 0 on: the fixed point jumps."""
+
+    size: int = 1
+    mirrored: bool = False
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        sticks = {("blade", Phase.STICK): int(value > 0.0)}
+        end = 0.5 * state + value + (value > 0.0)
+        return Given(end, np.array([[0.5]]), np.ones(1), np.ones(1), sticks)
+
+
+@dataclass(frozen=True)
+class Failing:
+    """x -> x / 2 + p for p < 1/2; beyond that the motion cannot be followed."""
+
+    size: int = 1
+    mirrored: bool = False
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        if value >= 0.5:
+            raise UnsupportedMotionError("it cannot be followed")
+        return Given(0.5 * state + value, np.array([[0.5]]), np.ones(1), np.ones(1))

@@ -1,4 +1,4 @@
-"""x'' + c x' + k x = constant + F(omega) cos(omega t) with an undamped stop on one side or both, in closed form.
+"""x'' + c x' + k x = constant + F(omega) cos(omega t) with undamped stops, in closed form.
 
 It is independent of the package: one body, the two solutions of a linear oscillator joined at contact. The
 number that is varied is omega times a unit.
@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.optimize
-from tests.trimmer.branches.maps import Given
 
+from tests.trimmer.branches.maps import Given
 from trimmer.branches.period_map import Phase
 
 SAMPLES = 240
@@ -43,7 +43,10 @@ class Piece:
 
     def forced(self, time: np.ndarray | float) -> np.ndarray:
         turn = self.response * np.exp(1j * self.omega * time)
-        return np.array([turn.real + self.constant / self.stiffness, (1j * self.omega * turn).real])
+        if self.stiffness:
+            return np.array([turn.real + self.constant / self.stiffness, (1j * self.omega * turn).real])
+        drift = self.constant / self.damping
+        return np.array([turn.real + drift * time, (1j * self.omega * turn).real + drift])
 
     def forced_by_omega(self, time: float) -> np.ndarray:
         by_omega = (self.by_omega - self.response * (-2.0 * self.omega + 1j * self.damping)) / self.dynamic
@@ -72,7 +75,7 @@ class Piece:
 class StopOscillator:
     """An oscillator of unit mass.
 
-    ``gaps`` gives the displacement at which the stop on either side, 1 or -1, is touched; a stop at ``gaps[1]``
+    ``gaps`` gives the displacement at which the stop on either side, 1 or -1, is touched; that at ``gaps[1]``
     acts on larger displacements.
     """
 
@@ -143,7 +146,11 @@ class StopOscillator:
             root = moments[k]
             if inside[k] < 0.0:
                 root = scipy.optimize.brentq(
-                    lambda at, gap=gap: piece.at(at)[0] - gap, moments[k], moments[k + 1], xtol=1e-16, rtol=1e-15
+                    lambda at, gap=gap: piece.at(at)[0] - gap,
+                    moments[k],
+                    moments[k + 1],
+                    xtol=1e-16,
+                    rtol=1e-15,
                 )
             ends.append((root, gap_side if side == 0 else 0))
         ended, following = min(ends)
