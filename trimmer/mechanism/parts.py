@@ -14,9 +14,9 @@ GROUND = "ground"
 class ContactLaw(Choice):
     """What a contact does when its force would have to pull.
 
-    With s the distance behind the slot and T = k z + c z' the force, a relaxing contact ends where T would
-    pull, and its spring relaxes by itself (Nordin, Galić and Gutman 1997); a truncated one ends there too, but
-    has no memory; a pulling one lasts until the gap is reached again.
+    With z the stretch of the spring behind the slot and T = k z + c z' the force, a relaxing contact ends
+    where T would pull, and its spring relaxes by itself (Nordin, Galić and Gutman 1997); a truncated one ends
+    there too, but has no memory; a pulling one lasts until the gap is reached again.
     """
 
     RELAXING = "relaxing"
