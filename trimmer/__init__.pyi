@@ -72,6 +72,8 @@ from .linear.time_response import TimeResponse as TimeResponse
 from .linear.time_response import steady_state as steady_state
 from .linear.time_response import time_response as time_response
 from .linear.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
+from .mechanism.matrices import LinearMatrices as LinearMatrices
+from .mechanism.matrices import linear_matrices as linear_matrices
 from .mechanism.mechanism import Mechanism as Mechanism
 from .mechanism.parts import ContactLaw as ContactLaw
 from .motion.energy import EnergyBalance as EnergyBalance

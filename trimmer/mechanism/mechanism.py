@@ -103,6 +103,12 @@ class Mechanism:
 
         return mechanism_of_text(text, name)
 
+    def to_toml(self) -> str:
+        """Return the mechanism as the text of a TOML file, which reads back equal."""
+        from trimmer.mechanism.writing import mechanism_as_toml
+
+        return mechanism_as_toml(self)
+
     @property
     def places(self) -> Mapping[str, str]:
         """The SI unit of every number, by its dotted place, such as ``{"plays.bridge.gap": "m"}``."""

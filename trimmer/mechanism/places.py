@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import Friction, Output
-from trimmer.mechanism.place_text import parse_place, place_text, split_assignment
+from trimmer.mechanism.place_text import key_text, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
     DISPLACEMENT,
     FREQUENCY,
@@ -143,19 +143,20 @@ def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
 
 
 def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:
-    """Say what may follow if more is needed, else what place looks like this one, else what may be there."""
+    """Say what follows if more is needed, else what place looks like this one, else what may be there."""
     near = near_match(place_text(names), map(place_text, known))
-    if near and not any(_begins(each, names) for each in known):
+    if near and not any(_goes_on(each, names) for each in known):
         return near
-    depth = next(
-        length for length in range(len(names), -1, -1) if any(_begins(each, names[:length]) for each in known)
+    right = next(
+        names[:length]
+        for length in range(len(names), -1, -1)
+        if any(_goes_on(each, names[:length]) for each in known)
     )
-    following = dict.fromkeys(
-        place_text(each[depth : depth + 1]) for each in known if _begins(each, names[:depth])
+    following = dict.fromkeys(key_text(each[len(right)]) for each in known if _goes_on(each, right))
+    return (
+        f"{f'after {place_text(right)} comes' if right else 'a place begins with'} {listed(following, 'or')}"
     )
-    after = f"after {place_text(names[:depth])} comes" if depth else "a place begins with"
-    return f"{after} {listed(filter(None, following), 'or')}" if any(following) else f"write {after[6:-6]}"
 
 
-def _begins(place: Place, names: Place) -> bool:
-    return place[: len(names)] == names
+def _goes_on(place: Place, names: Place) -> bool:
+    return place[: len(names)] == names and len(place) > len(names)

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.mechanism.problems import Problem
 from trimmer.messages import listed, near_match
 
@@ -157,15 +157,24 @@ def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 def _symbols(content: Mapping[str, Any]) -> Iterator[Problem]:
     carried = [
-        (part.symbol, (section, name, "symbol"))
+        (symbol, (section, name, "symbol"))
         for section in ("bodies", "pins", *COUPLINGS, "forces")
         for name, part in content[section].items()
-        if part.symbol is not None
+        for symbol in _symbols_of(part)
     ]
     count = Counter(symbol for symbol, _ in carried)
     for symbol, place in carried:
         if count[symbol] > 1:
-            yield Problem(place, "several parts carry this symbol; give each its own", symbol)
+            yield Problem(
+                place, f"the symbol {symbol} is used twice, perhaps for a damping; choose another one"
+            )
+
+
+def _symbols_of(part: Any) -> list[str]:
+    """Return the symbol that a part carries, and that of its damping."""
+    if part.symbol is None:
+        return []
+    return [part.symbol, part.damping_symbol] if isinstance(part, Link | Play | Stop) else [part.symbol]
 
 
 def _no_such(kind: str, name: str, known: Iterable[str]) -> str:

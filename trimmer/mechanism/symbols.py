@@ -12,8 +12,3 @@ _SYMBOL = re.compile(r"[^\W\d_]+[0-9]*(?:_[^\W_]+|_\{[^\W_]+(?:,[^\W_]+)*\})?")
 def is_symbol(value: object) -> bool:
     """Say whether a value can be a symbol in printed equations."""
     return isinstance(value, str) and _SYMBOL.fullmatch(value) is not None
-
-
-def damping_symbol(symbol: str | None) -> str | None:
-    """Return the symbol of the damping beside a stiffness: c with the same index, as c_2 for k_2."""
-    return None if symbol is None else f"c{symbol[1:]}"
