@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 class LinearMatrices:
     """Matrices of M q'' + C q' + K q = P_u u + P_v u' + F f, in this order.
 
-    q are the displacements of the bodies in the fixed frame, u those of the pins relative to their carriers, f
-    the forces, each in the order of the mechanism.
+    q are the displacements of the bodies in the fixed frame, u those of the pins relative to their carriers,
+    f the forces, each in the order of the mechanism.
 
     Attributes:
         mass: (bodies, bodies), kg.

@@ -171,10 +171,9 @@ def _symbols(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 
 def _symbols_of(part: Any) -> list[str]:
-    """Return the symbol that a part carries, and that of its damping."""
-    if part.symbol is None:
-        return []
-    return [part.symbol, part.damping_symbol] if isinstance(part, Link | Play | Stop) else [part.symbol]
+    """Return the symbol that a part carries, if any, and that of its damping."""
+    symbols = (part.symbol, part.damping_symbol) if isinstance(part, Link | Play | Stop) else (part.symbol,)
+    return [symbol for symbol in symbols if symbol is not None]
 
 
 def _no_such(kind: str, name: str, known: Iterable[str]) -> str:
