@@ -16,6 +16,7 @@ from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import Waveform
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Play, Stop
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
@@ -49,7 +50,7 @@ def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1
 
     Args:
         mechanism: The mechanism; it has a frequency.
-        guess: Coefficients, m, shape (bodies, harmonics + 1), as those of the result; often those of an orbit.
+        guess: Coefficients, m, shape (bodies, harmonics + 1), as those of the result.
         periods: Drive periods after which the motion repeats.
 
     Raises:
@@ -106,7 +107,7 @@ class _Equations:
                 raise UnsupportedMotionError("a spring leans on a pin that moves on: its force never repeats")
 
     @property
-    def _contacts(self) -> list:
+    def _contacts(self) -> list[Play | Stop]:
         return [*self.mechanism.plays.values(), *self.mechanism.stops.values()]
 
     @cached_property
@@ -115,7 +116,7 @@ class _Equations:
 
     @cached_property
     def turning(self) -> Complexes:
-        return 1j * self.omega * np.arange(self.count)
+        return np.asarray(1j * self.omega * np.arange(self.count), dtype=np.complex128)
 
     @cached_property
     def pins(self) -> Complexes:
@@ -156,7 +157,7 @@ class _Equations:
     def scale(self) -> float:
         """Largest force that occurs, N."""
         frictions = [friction.force for friction in self.mechanism.frictions.values()]
-        return max([_largest(abs(self.driving)), *frictions]) or 1.0
+        return max([float(abs(self.driving).max()), *frictions]) or 1.0
 
     def imbalance(self, unknowns: Reals) -> tuple[Reals, Reals]:
         """Return the imbalance, N, and its derivative."""
@@ -187,7 +188,8 @@ class _Equations:
             yield row[:bodies], Contact(part, Waveform(row @ moved, self.omega)).harmonics()
         for friction in self.mechanism.frictions.values():
             row = rows[friction.between[1]] - rows[friction.between[0]]
-            drift = float(sum(self._drift(end) * sign for end, sign in zip(friction.between, (-1, 1), strict=True)))
+            start, end = friction.between
+            drift = self._drift(end) - self._drift(start)
             distance = Waveform(row @ moved, self.omega)
             yield row[:bodies], friction_harmonics(distance, drift, friction.force)
 

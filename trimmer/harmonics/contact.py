@@ -13,7 +13,7 @@ from trimmer.harmonics.waveform import Decay, Waveform
 from trimmer.mechanism.parts import ContactLaw, Play, Stop
 
 SKIPPED = 1e-5
-"""Share of the period after a release in which the same side is not sought: there the distance is a double zero."""
+"""Share of the period after a release in which the same side is not sought: the distance is a double zero."""
 MOST_CONTACTS = 400
 
 

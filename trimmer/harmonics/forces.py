@@ -94,6 +94,4 @@ def with_moving_ends(
     conjugate = (2.0 / signal.period) * (turns.conj().T * amounts) @ (0.5 * (turns * weights).conj())
     added[0] *= 0.5
     conjugate[0] *= 0.5
-    return Harmonics(
-        harmonics.coefficients, harmonics.direct + added, harmonics.conjugate + conjugate
-    )
+    return Harmonics(harmonics.coefficients, harmonics.direct + added, harmonics.conjugate + conjugate)

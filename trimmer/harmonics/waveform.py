@@ -52,7 +52,7 @@ class Waveform:
     @cached_property
     def turning(self) -> Complexes:
         """Return i n omega, 1/s, shape (H + 1,)."""
-        return 1j * self.omega * np.arange(len(self.coefficients))
+        return np.asarray(1j * self.omega * np.arange(len(self.coefficients)), dtype=np.complex128)
 
     @cached_property
     def sharpness(self) -> float:

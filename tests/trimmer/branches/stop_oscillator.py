@@ -116,6 +116,20 @@ class StopOscillator:
         rate = sign * unit * by_omega / self.unit_of_value
         return Given(sign * unit * now, sign * by_state, rate, unit * largest, made, events)
 
+    def samples(self, omega: float, state: np.ndarray, count: int) -> np.ndarray:
+        """Return the states at equal times over a period, (2, count)."""
+        times = 2.0 * np.pi / omega * np.arange(count) / count
+        time, now, states = 0.0, state, np.zeros((2, count))
+        side = next((each for each, gap in self.gaps.items() if each * (now[0] - gap) > 0.0), 0)
+        while True:
+            piece = self._piece(side, omega, time, now)
+            ended, next_side, _ = self._end(piece, side, 2.0 * np.pi / omega)
+            inside = (time <= times) & (times <= ended)
+            states[:, inside] = piece.at(times[inside])
+            if next_side == side:
+                return states
+            time, now, side = ended, piece.at(ended), next_side
+
     def _piece(self, side: int, omega: float, time: float, state: np.ndarray) -> Piece:
         stop = self.stop if side else 0.0
         constant = self.constant + (self.stop * self.gaps[side] if side else 0.0)
