@@ -3,14 +3,16 @@ from __future__ import annotations
 import copy
 import dataclasses
 import pickle
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
-from trimmer import ContactLaw, Mechanism, MechanismError
-from trimmer.mechanism import Body, Friction, Link, Output, Pin, Play, Stop
+from trimmer import ContactLaw, Mechanism, MechanismError, WrongTypeError
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 
 BODIES = {"a": Body(1.0), "b": Body(2.0)}
 LINK = Link(("a", "b"), 3.0)
@@ -115,6 +117,65 @@ def test_what_is_no_finite_number_is_refused(number: object) -> None:
 def test_wrong_types_are_refused_in_a_sentence(fields: dict, message: str) -> None:
     with pytest.raises(MechanismError, match=message):
         Mechanism(**fields)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda mechanism: Mechanism.from_toml(3),
+        lambda mechanism: Mechanism.from_toml_text(b"[bodies]"),
+        lambda mechanism: mechanism.value(3),
+        lambda mechanism: mechanism.with_value(None, 3.0),
+    ],
+)
+def test_wrong_types_of_arguments_are_refused(call: Callable[[Mechanism], object]) -> None:
+    with pytest.raises(WrongTypeError, match=r"(path|text|place) must be"):
+        call(Mechanism(BODIES, links={"l": LINK}))
+
+
+WRONG = st.sampled_from(
+    [
+        None,
+        True,
+        "x",
+        "ground",
+        3,
+        -1.5,
+        1j,
+        float("nan"),
+        [],
+        [1],
+        ("a", "b"),
+        ("a", 3),
+        {},
+        {1: 2},
+        {"a": "b"},
+        b"a",
+    ]
+)
+PARTS = st.one_of(
+    WRONG,
+    st.builds(Body, WRONG, WRONG),
+    st.builds(Pin, WRONG, WRONG, order=WRONG),
+    *(st.builds(kind, WRONG, WRONG, WRONG, symbol=WRONG) for kind in (Link, Play, Stop)),
+    st.builds(Play, WRONG, law=WRONG),
+    st.builds(Friction, WRONG, WRONG, WRONG, WRONG),
+    st.builds(Force, WRONG, WRONG),
+    st.builds(Output, WRONG),
+)
+
+
+@given(
+    st.dictionaries(
+        st.sampled_from([each.name for each in dataclasses.fields(Mechanism)]),
+        st.one_of(WRONG, st.dictionaries(st.sampled_from(["a", "b", "ground", "", 3, None]), PARTS)),
+    )
+)
+def test_whatever_is_given_ends_in_a_sentence(fields: dict) -> None:
+    try:
+        Mechanism(**{"bodies": BODIES, "links": {"l": LINK}} | fields)
+    except MechanismError as error:
+        assert str(error).startswith("the mechanism: ")
 
 
 def test_several_problems_are_named_at_once() -> None:
