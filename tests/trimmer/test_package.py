@@ -24,7 +24,7 @@ def modules_after(statement: str, folder: Path) -> set[str]:
     "statement",
     [
         "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.TrimmerError",
-        "from trimmer import Mechanism as M; M.from_toml('examples/thesis.toml').with_value('frequency', 9).to_toml()",
+        "import trimmer; trimmer.Mechanism.from_toml('examples/thesis.toml').value('frequency')",
         "from trimmer.command_line.main import main\ntry: main(['--help'])\nexcept SystemExit: pass",
         "from trimmer.command_line.main import main\ntry: main(['linear', '-h'])\nexcept SystemExit: pass",
     ],
