@@ -54,21 +54,20 @@ class Arc:
         ahead = self.direction if tangent is None else tangent / (tangent @ self.direction)
         return place.position + (distance - self.distance(place)) * ahead
 
-    def at(self, distance: float, *guesses: Reals) -> Place | None:
-        """Find the orbit at a distance from guesses, shape (n + 1,), tried in turn; None if none does."""
+    def at(self, distance: float, guess: Reals) -> Place | None:
+        """Find the orbit at a distance from a guess, shape (n + 1,); None if Newton's method fails."""
         offset = float(self.direction @ self.origin) + distance
-        for guess in guesses:
-            place = self.problem.correct(guess, self.direction, offset)
-            if place is not None:
-                return place
-        return None
+        return self.problem.correct(guess, self.direction, offset)
 
     def between(self, distance: float, left: Place, right: Place) -> Place | None:
         """Find the orbit at a distance between two orbits; None if there is none near."""
         first, last = self.distance(left), self.distance(right)
         share = (distance - first) / (last - first)
-        chord = left.position + share * (right.position - left.position)
-        return self.at(distance, chord, self.predicted(left, distance), self.predicted(right, distance))
+        place = self.at(distance, left.position + share * (right.position - left.position))
+        for neighbour in (left, right):
+            if place is None:
+                place = self.at(distance, self.predicted(neighbour, distance))
+        return place
 
     def smooth(self, distance: float, left: Place, right: Place) -> Place:
         """Find the orbit at a distance on the smooth curve between two orbits.
@@ -76,12 +75,7 @@ class Arc:
         Raises:
             LostError: if none is found, or if its phases are not those of both.
         """
-        first, last = self.distance(left), self.distance(right)
-        share = (distance - first) / (last - first)
-        from_left, from_right = self.predicted(left, distance), self.predicted(right, distance)
-        # Where both tangents are right to second order, so is this mean to third.
-        weight = share * share * (3.0 - 2.0 * share)
-        place = self.at(distance, from_left + weight * (from_right - from_left), from_left, from_right)
+        place = self.between(distance, left, right)
         if place is None or place.signature != left.signature:
             raise LostError
         return place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -142,7 +142,8 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     place = problem.correct(position, across, position[-1])
     if place is None:
         return None
-    problem, place = problem.rescaled(place, _sizes(place, None))
+    problem = Problem(map, interval.span, _sizes(place, None))
+    place = problem.adopted(place)
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
         return None
@@ -217,12 +218,12 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     """Return the front in the scale of its orbit, and the largest sizes so far."""
     sizes = _sizes(front.place, largest)
     largest = np.maximum(largest, abs(front.place.passage.sizes))
-    problem, place = front.problem.rescaled(front.place, sizes)
-    reference = front.tangent.copy()
-    reference[:-1] *= front.problem.sizes / sizes
-    tangent = reference / np.linalg.norm(reference)
-    before = None if front.before is None else front.problem.rescaled(front.before, sizes)[1]
-    return Front(problem, place, tangent, front.turn, before), largest
+    problem = replace(front.problem, sizes=sizes)
+    tangent = front.tangent.copy()
+    tangent[:-1] *= front.problem.sizes / sizes
+    before = None if front.before is None else problem.adopted(front.before)
+    place = problem.adopted(front.place)
+    return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
 
 
 def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | None, float]:
@@ -238,7 +239,7 @@ def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | 
 
 def _closed(first: Front, before: Front, after: Front) -> bool:
     """Say whether the branch passes its first orbit between two fronts, in its first direction."""
-    _, place = first.problem.rescaled(first.place, before.problem.sizes)
+    place = before.problem.adopted(first.place)
     chord = after.place.position - before.place.position
     share = float(chord @ (place.position - before.place.position)) / float(chord @ chord)
     if not 0.0 < share <= 1.0 or place.signature not in (before.place.signature, after.place.signature):

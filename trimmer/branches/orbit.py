@@ -7,7 +7,7 @@ that does not is halved.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -18,12 +18,12 @@ from trimmer.errors import TrimmerError
 
 MOST_ITERATIONS = 14
 MOST_HALVINGS = 4
-CLOSED = 1e-9
+CLOSED = 3e-12
 """Miss of an orbit that counts as closed where rounding stops Newton, relative to the states' sizes."""
 EXACT = 1e-13
 """Miss at which Newton's method stops, since only rounding is left."""
-NEARLY = 1e-10
-"""Miss below which a step that fails to halve it shows that only rounding is left."""
+ON_PLANE = 1e-14
+"""Distance from a plane within which a position lies on it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,16 +31,20 @@ class Place:
     """A state and a value, with the passage from there. Coordinates are relative to the scale of a problem.
 
     Attributes:
+        problem: The problem.
         position: State and value, shape (n + 1,).
         passage: The motion over a period.
-        miss: End minus state, shape (n,).
-        slope: Derivative of the miss by the position, n x (n + 1).
     """
 
+    problem: Problem
     position: Reals
     passage: Passage
-    miss: Reals
-    slope: Reals
+
+    @cached_property
+    def miss(self) -> Reals:
+        """End minus state, shape (n,)."""
+        miss: Reals = self.passage.end / self.problem.sizes - self.position[:-1]
+        return miss
 
     @cached_property
     def error(self) -> float:
@@ -48,10 +52,22 @@ class Place:
         return float(abs(self.miss).max())
 
     @cached_property
+    def jacobian(self) -> Reals:
+        """Derivative of the end by the state, n x n."""
+        sizes = self.problem.sizes
+        jacobian: Reals = self.passage.jacobian * sizes / sizes[:, None]
+        return jacobian
+
+    @cached_property
+    def slope(self) -> Reals:
+        """Derivative of the miss by the position, n x (n + 1)."""
+        rate = self.passage.rate() / self.problem.sizes * self.problem.span
+        return np.column_stack([self.jacobian - np.eye(len(self.miss)), rate])
+
+    @cached_property
     def multipliers(self) -> Complexes:
         """Eigenvalues of the derivative of the passage's end by its state, shape (n,)."""
-        size = len(self.miss)
-        return np.asarray(np.linalg.eigvals(self.slope[:, :size] + np.eye(size)), dtype=np.complex128)
+        return np.asarray(np.linalg.eigvals(self.jacobian), dtype=np.complex128)
 
     @cached_property
     def signature(self) -> frozenset[tuple[tuple[str, Phase], int]]:
@@ -64,7 +80,7 @@ class Place:
         unit[-1] = 1.0
         try:
             tangent = np.linalg.solve(np.vstack([self.slope, reference]), unit)
-        except np.linalg.LinAlgError:
+        except (np.linalg.LinAlgError, TrimmerError):
             return None
         length = np.linalg.norm(tangent)
         return tangent / length if np.isfinite(length) else None
@@ -77,6 +93,23 @@ class Place:
         another branch crosses.
         """
         return float(np.linalg.det(np.vstack([self.slope, tangent])))
+
+    def correction(self, normal: Reals, offset: float) -> Reals | None:
+        """Return Newton's step to the plane normal · position = offset, shape (n + 1,); None if singular.
+
+        On a plane of one value the derivative by the value is not needed, which costs as much as a passage.
+        """
+        ahead = offset - normal @ self.position
+        try:
+            if normal[:-1].any():
+                correction = np.linalg.solve(np.vstack([self.slope, normal]), np.append(-self.miss, ahead))
+            else:
+                step = ahead / normal[-1]
+                rest = -self.miss - (self.slope[:, -1] * step if abs(step) > ON_PLANE else 0.0)
+                correction = np.append(np.linalg.solve(self.jacobian - np.eye(len(rest)), rest), step)
+        except (np.linalg.LinAlgError, TrimmerError):
+            return None
+        return correction if np.isfinite(correction).all() else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,23 +142,16 @@ class Problem:
         """Follow the motion from coordinates; None if it cannot be followed."""
         try:
             passage = self.map.passage(self.value(position), self.state(position))
-            rate = passage.rate() / self.sizes * self.span
         except TrimmerError:
             return None
-        miss = passage.end / self.sizes - position[:-1]
-        inner = passage.jacobian * self.sizes / self.sizes[:, None] - np.eye(len(miss))
-        slope = np.column_stack([inner, rate])
-        finite = np.isfinite(slope).all() and np.isfinite(miss).all()
-        return Place(position, passage, miss, slope) if finite else None
+        place = Place(self, position, passage)
+        return place if np.isfinite(place.jacobian).all() and np.isfinite(place.miss).all() else None
 
-    def rescaled(self, place: Place, sizes: Reals) -> tuple[Problem, Place]:
-        """Return the problem and a place of it with other sizes of the states."""
-        problem = replace(self, sizes=sizes)
-        ratio = self.sizes / sizes
-        position, slope = place.position.copy(), place.slope * ratio[:, None]
-        position[:-1] *= ratio
-        slope[:, :-1] /= ratio
-        return problem, Place(position, place.passage, place.miss * ratio, slope)
+    def adopted(self, place: Place) -> Place:
+        """Return a place of the same problem with other sizes of the states as one of this problem."""
+        position = place.position.copy()
+        position[:-1] *= place.problem.sizes / self.sizes
+        return Place(self, position, place.passage)
 
     def correct(self, guess: Reals, normal: Reals, offset: float) -> Place | None:
         """Solve for the orbit on the plane normal · position = offset; None if Newton's method fails."""
@@ -134,7 +160,7 @@ class Problem:
             if place is None or place.error <= EXACT:
                 return place
             following = self._improved(place, normal, offset)
-            if following is None or following.error > 0.5 * place.error < 0.5 * NEARLY:
+            if following is None or following.error > 0.5 * place.error < 0.5 * CLOSED:
                 best = place if following is None or place.error < following.error else following
                 return best if best.error <= CLOSED else None
             place = following
@@ -142,14 +168,11 @@ class Problem:
 
     def _improved(self, place: Place, normal: Reals, offset: float) -> Place | None:
         """Take Newton's step, shortened as long as it does not bring the miss down; None if nothing does."""
-        matrix = np.vstack([place.slope, normal])
-        gap = np.append(-place.miss, offset - normal @ place.position)
-        try:
-            correction = np.linalg.solve(matrix, gap)
-        except np.linalg.LinAlgError:
+        correction = place.correction(normal, offset)
+        if correction is None:
             return None
         share = 1.0
-        for _ in range(MOST_HALVINGS if place.error > NEARLY else 1):
+        for _ in range(MOST_HALVINGS if place.error > CLOSED else 1):
             trial = self.place(place.position + share * correction)
             if trial is not None and trial.error < place.error:
                 return trial

@@ -16,7 +16,9 @@ from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 FARTHEST_ASIDE = 1.0
-"""Largest distance of an orbit from its prediction, relative to the step."""
+"""Largest distance of an orbit from the tangent, relative to that along it."""
+STEEP = 0.1
+"""Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
 OPPOSITE = -0.5
@@ -40,6 +42,15 @@ class Front:
     tangent: Reals
     turn: float
     before: Place | None = None
+
+    @property
+    def direction(self) -> Reals:
+        """Unit vector along which orbits are sought: that of the values, where the branch is not steep."""
+        if abs(self.tangent[-1]) < STEEP:
+            return self.tangent
+        direction = np.zeros(len(self.tangent))
+        direction[-1] = np.sign(self.tangent[-1])
+        return direction
 
     def moved(self, place: Place, tangent: Reals) -> Front:
         """Return the front at another place."""
@@ -83,17 +94,17 @@ def step(front: Front, length: float, start: float, stop: float) -> Step | None:
     Returns:
         The step; None if it does not succeed, or could have come upon another branch.
     """
-    arc = Arc(front.problem, front.place.position, front.tangent)
+    arc = Arc(front.problem, front.place.position, front.direction)
     predicted = front.place.position + length * front.tangent
     end = _end_passed(predicted, start, stop)
     if end is None:
-        far = arc.at(length, predicted)
+        far = arc.at(float(front.direction @ (predicted - front.place.position)), predicted)
         end = None if far is None else _end_passed(far.position, start, stop)
         if far is not None and end is not None:
             predicted = far.position
     if end is not None:
         far = _at_end(front, predicted, end)
-    if far is None or _astray(arc, far, length):
+    if far is None or _astray(front, far):
         return None
     if _rejoined(front, far):
         return Step(front, (), (), 0.0, BranchEnd.REJOINED)
@@ -123,10 +134,12 @@ def _at_end(front: Front, beyond: Reals, end: float) -> Place | None:
     return front.problem.correct(guess, across, end)
 
 
-def _astray(arc: Arc, far: Place, length: float) -> bool:
-    ahead = arc.distance(far)
-    aside = float(np.linalg.norm(far.position - arc.origin - ahead * arc.direction))
-    return not 0.0 < ahead <= 1.5 * length or aside > FARTHEST_ASIDE * ahead
+def _astray(front: Front, far: Place) -> bool:
+    """Say whether an orbit lies too far beside the tangent, or behind."""
+    chord = far.position - front.place.position
+    ahead = float(front.tangent @ chord)
+    aside = float(np.linalg.norm(chord - ahead * front.tangent))
+    return ahead <= 0.0 or aside > FARTHEST_ASIDE * ahead
 
 
 def _rejoined(front: Front, far: Place) -> bool:
