@@ -15,7 +15,7 @@ from trimmer.branches.orbit import Place, Problem
 NARROWEST = 1e-13
 """Distance along the branch, in its coordinates without units, to which a point is located."""
 STEEPEST = 4.0
-"""Largest length of a piece of a smooth curve, relative to how far it leads along the direction."""
+"""How much steeper than its chord a smooth curve may be on a part of it."""
 APART = 1e-7
 """Distance of orbits that rounding can bring about where slope and plane are all but singular."""
 ROUNDING = 4.0 * float(np.finfo(float).eps)
@@ -109,8 +109,14 @@ class Arc:
         Raises:
             LostError: if some are: between them the places have jumped to another curve.
         """
+        steepness = STEEPEST * self._steepness(places[0], places[-1])
         for left, right in itertools.pairwise(places):
             ahead = self.distance(right) - self.distance(left)
             apart = float(np.linalg.norm(right.position - left.position))
-            if apart > STEEPEST * ahead + APART:
+            if apart > steepness * ahead + APART:
                 raise LostError
+
+    def _steepness(self, left: Place, right: Place) -> float:
+        """Return how long the chord of two places is, relative to how far it leads along the direction."""
+        chord = right.position - left.position
+        return float(np.linalg.norm(chord) / (self.direction @ chord))

@@ -21,6 +21,8 @@ STRAIGHT = 0.9
 SHORTEST = 1e-7
 """Length of a piece, below which rounding decides on the direction of its chord."""
 MOST_SPLITS = 6
+JUMPING = 1e-3
+"""Share of its values at the ends that a test function has where it jumps past zero."""
 TOUCHING = 0.3
 """Depth of the lowest point of a test function, relative to its ends, below which it may touch zero."""
 
@@ -68,12 +70,12 @@ def bifurcations(arc: Arc, places: Sequence[Place], splits: int = MOST_SPLITS) -
 
 
 def _between(arc: Arc, near: Place, far: Place, splits: int) -> list[Bifurcation]:
-    found = [
-        bifurcation
-        for kind, test in _tests(arc).items()
-        if test(near) * test(far) < 0.0
-        for bifurcation in _located(arc, kind, arc.root(test, near, far))
-    ]
+    found: list[Bifurcation] = []
+    for kind, test in _tests(arc).items():
+        if test(near) * test(far) < 0.0:
+            place = arc.root(test, near, far)
+            jumps = abs(test(place)) > JUMPING * min(abs(test(near)), abs(test(far)))
+            found += _corner(arc, kind, place) if jumps else _located(arc, kind, place)
     if splits > 0 and not _explained(found, near, far):
         middle = arc.smooth(0.5 * (arc.distance(near) + arc.distance(far)), near, far)
         return bifurcations(arc, (near, middle, far), splits - 1)
@@ -137,6 +139,18 @@ def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
     value, state = arc.problem.value(place.position), arc.problem.state(place.position)
     switches = kind in (SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING)
     return [Bifurcation(SpecialPoint(named, value, state), place, switches)]
+
+
+def _corner(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
+    """Return the fold where a test function jumps past zero, none for another kind.
+
+    The slope of the map jumps where events change their order, and multipliers with it: that is no bifurcation.
+    """
+    if kind is not SpecialKind.FOLD:
+        return []
+    value, state = arc.problem.value(place.position), arc.problem.state(place.position)
+    point = SpecialPoint(kind, value, state, note="a corner where events change their order")
+    return [Bifurcation(point, place, False)]
 
 
 def _explained(found: list[Bifurcation], near: Place, far: Place) -> bool:

@@ -166,10 +166,22 @@ class MechanismPassage:
         begun: Counter[tuple[str, Phase]] = Counter()
         for row in np.flatnonzero((log.kind == CONTACT_MADE) | (log.kind == STICK_BEGUN)).tolist():
             part = int(log.part[row])
-            status = self.flow.modes[int(log.mode[row])].statuses[part]
-            upper = Phase.UPPER if status == PLUS else Phase.LOWER
-            begun[names[part], Phase.STICK if log.kind[row] == STICK_BEGUN else upper] += 1
+            begun[names[part], self._phase(row, part)] += 1
         return begun
+
+    def _phase(self, row: int, part: int) -> Phase:
+        """Return what begins with a row of the log.
+
+        What leaves half a period at its end comes in at its beginning on the other side, so that of a mirrored
+        motion the sides are not told apart.
+        """
+        log = self.course.log
+        if log.kind[row] == STICK_BEGUN:
+            return Phase.STICK
+        if self.map.mirrored:
+            return Phase.EITHER
+        status = self.flow.modes[int(log.mode[row])].statuses[part]
+        return Phase.UPPER if status == PLUS else Phase.LOWER
 
     @property
     def events(self) -> int:

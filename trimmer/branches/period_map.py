@@ -14,6 +14,7 @@ class Phase(Choice):
 
     UPPER = "contact on the upper side"
     LOWER = "contact on the lower side"
+    EITHER = "contact on either side"
     STICK = "stick"
 
 
