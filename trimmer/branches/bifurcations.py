@@ -72,9 +72,9 @@ def bifurcations(arc: Arc, places: Sequence[Place], splits: int = MOST_SPLITS) -
 def _between(arc: Arc, near: Place, far: Place, splits: int) -> list[Bifurcation]:
     found: list[Bifurcation] = []
     for kind, test in _tests(arc).items():
-        if test(near) * test(far) < 0.0:
+        if (test(near) > 0.0) != (test(far) > 0.0):
             place = arc.root(test, near, far)
-            jumps = abs(test(place)) > JUMPING * min(abs(test(near)), abs(test(far)))
+            jumps = abs(test(place)) > JUMPING * max(abs(test(near)), abs(test(far)))
             found += _corner(arc, kind, place) if jumps else _located(arc, kind, place)
     if splits > 0 and not _explained(found, near, far):
         middle = arc.smooth(0.5 * (arc.distance(near) + arc.distance(far)), near, far)

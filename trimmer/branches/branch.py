@@ -25,6 +25,11 @@ class BranchEnd(Choice):
     MOST_POINTS = "it has as many points as were asked for at most"
     NO_START = "no orbit was found at the start"
 
+    @property
+    def is_success(self) -> bool:
+        """Whether the branch was followed to an end of the interval, around, or to one that it joins."""
+        return self not in (BranchEnd.STEP_TOO_SMALL, BranchEnd.MOST_POINTS, BranchEnd.NO_START)
+
 
 @dataclass(frozen=True, eq=False)
 class BranchPoint:
@@ -63,6 +68,7 @@ class Branch:
         message: The same as a sentence, with the value at which it ends.
         branches: Branches that part from this one at period doubling and symmetry breaking.
         parted: The special point at which this one parts from another; None if it was begun by itself.
+        doublings: How often the passage was doubled since the map that was given.
     """
 
     points: tuple[BranchPoint, ...]
@@ -71,9 +77,9 @@ class Branch:
     message: str
     branches: tuple[Branch, ...] = ()
     parted: SpecialPoint | None = None
+    doublings: int = 0
 
     @property
     def success(self) -> bool:
-        """Whether it was followed to an end of the interval, around, or to the branch that it joins."""
-        failures = (BranchEnd.STEP_TOO_SMALL, BranchEnd.MOST_POINTS, BranchEnd.NO_START)
-        return self.reason not in failures
+        """Whether it was followed to an end of the interval, around, or to one that it joins."""
+        return self.reason.is_success

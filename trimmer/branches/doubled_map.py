@@ -69,6 +69,11 @@ class DoubledMap:
         """Number of states."""
         return self.single.size
 
+    @property
+    def doublings(self) -> int:
+        """How often the passage is doubled."""
+        return 1 + (self.single.doublings if isinstance(self.single, DoubledMap) else 0)
+
     def passage(self, value: float, state: Reals) -> DoubledPassage:
         """Follow two passages.
 

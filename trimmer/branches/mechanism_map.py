@@ -103,7 +103,9 @@ class MechanismMap:
         else:
             course = flow.course(begin, self.periods, MOST_STEPS)
         if course.ending is not Ending.REACHED_END:
-            raise UnsupportedMotionError(f"the motion ends after {course.duration:.6g} s: {course.ending.value}")
+            raise UnsupportedMotionError(
+                f"the motion ends after {course.duration:.6g} s: {course.ending.value}"
+            )
         return course
 
     def returned(self, flow: ExactFlow, end: Instant) -> Instant:

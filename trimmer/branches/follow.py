@@ -1,0 +1,266 @@
+"""Following the exact periodic motions of a mechanism over any of its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import real_array, require_instance, whole_number
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.continuation import LARGEST_STEP, MOST_POINTS, continuation
+from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.mirror import is_mirror_symmetric
+from trimmer.branches.outputs import OutputMeasure, body_rows, coefficients, output_measures
+from trimmer.branches.settled import settled
+from trimmer.branches.special import SpecialPoint
+from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.harmonics.balance import harmonic_balance_of
+from trimmer.mechanism.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+MOST_PERIODS = 2000
+"""Drive periods after which a motion from rest is not waited for any more."""
+SYMMETRIC = 1e-6
+"""Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
+
+
+@dataclass(frozen=True, eq=False)
+class BalancedOrbit:
+    """The same orbit by multi-harmonic balance.
+
+    Attributes:
+        distance: Root mean square of the difference from the exact displacements, relative to those, of the
+            body where it is largest; a number.
+        converged: Whether the forces balance.
+    """
+
+    distance: float
+    converged: bool
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedOrbit:
+    """An exact periodic motion on a branch.
+
+    Attributes:
+        point: The orbit on the branch: value, state, multipliers, stability.
+        map: The map of its whole period.
+        harmonics: Number of harmonics of the drive for ``balanced``.
+    """
+
+    point: BranchPoint
+    map: MechanismMap
+    harmonics: int
+
+    @property
+    def value(self) -> float:
+        """Value of the number that is varied, in its unit."""
+        return self.point.value
+
+    @property
+    def stable(self) -> bool:
+        """Whether neighbouring motions approach it."""
+        return self.point.stable
+
+    @property
+    def multipliers(self) -> Complexes:
+        """Floquet multipliers by falling modulus, (n,)."""
+        return self.point.multipliers
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which it repeats."""
+        return self.map.periods
+
+    @property
+    def events_per_period(self) -> float:
+        """Events in a drive period, the mean over the orbit."""
+        return self.point.events / self.periods
+
+    @cached_property
+    def passage(self) -> MechanismPassage:
+        """The motion over its period."""
+        return self.map.passage(self.point.value, self.point.state)
+
+    @cached_property
+    def outputs(self) -> Mapping[str, OutputMeasure]:
+        """Peak to peak and harmonics of each output."""
+        return output_measures(self.map.mechanism, self.passage.course, self.periods)
+
+    @cached_property
+    def balanced(self) -> BalancedOrbit:
+        """The orbit by multi-harmonic balance, begun from its own harmonics, and how far that is from it.
+
+        Raises:
+            UnsupportedMotionError: if a spring leans on a pin that moves on.
+        """
+        course, orders = self.passage.course, np.arange(self.periods * self.harmonics + 1)
+        exact = np.array([coefficients(course, row, orders) for row in body_rows(course)])
+        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
+        _, weights, _, states = course.nodes
+        moved = states[:, : len(exact)] - exact[:, 0].real
+        power = weights @ moved**2 / course.duration
+        # What the exact motion has beyond the last harmonic is a part of the difference.
+        beyond = np.maximum(power - _power(exact), 0.0)
+        apart = _power(balance.coefficients - exact) + beyond
+        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
+        return BalancedOrbit(distance, balance.converged)
+
+
+def _power(harmonics: Complexes) -> Reals:
+    """Return the mean square of displacements without their mean, (bodies,)."""
+    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
+    return power
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedBranch:
+    """A branch of exact periodic motions of a mechanism over one of its numbers.
+
+    Attributes:
+        map: The map of the whole period of its motions, with the mechanism and the place of the number.
+        points: The motions, in the order in which they were followed.
+        special: The special points, in the same order.
+        reason: Why the branch ends.
+        message: The same as a sentence.
+        branches: Branches that part from this one at period doubling and symmetry breaking.
+        parted: The special point at which this one parts from another; None if it was begun by itself.
+    """
+
+    map: MechanismMap
+    points: tuple[FollowedOrbit, ...]
+    special: tuple[SpecialPoint, ...]
+    reason: BranchEnd
+    message: str
+    branches: tuple[FollowedBranch, ...] = ()
+    parted: SpecialPoint | None = None
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which the motions repeat."""
+        return self.map.periods
+
+    @property
+    def success(self) -> bool:
+        """Whether it was followed to an end of the interval, around, or to one that it joins."""
+        return self.reason.is_success
+
+
+def follow(
+    mechanism: Mechanism,
+    place: str,
+    start: float | str,
+    stop: float | str,
+    *,
+    periods: int | None = None,
+    state: ArrayLike | None = None,
+    most_points: int = MOST_POINTS,
+    largest_step: float = LARGEST_STEP,
+    switches: int = 1,
+    harmonics: int = 9,
+    most_periods: int = MOST_PERIODS,
+) -> FollowedBranch:
+    """Follow a branch of exact periodic motions of a driven mechanism over one of its numbers.
+
+    It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
+    leaving the interval at either end. A motion that is its own mirror image half a period later is followed
+    as such; of the two asymmetric branches that part from it, which are mirror images, one is followed.
+
+    Args:
+        mechanism: The mechanism; it has a frequency.
+        place: Dotted place of the number, such as ``frequency`` or ``plays.bridge.gap``.
+        start: First value in SI units (Hz for a frequency), or text with its unit.
+        stop: The other end of the interval.
+        periods: Drive periods after which the motion repeats; by default those after which it does.
+        state: State at the start of a drive period from which to begin instead, shape (n,); see
+            ``trimmer.contact.flow.ExactFlow.names`` for its entries.
+        most_points: Number of motions after which to stop.
+        largest_step: Largest change of the value between two motions, as a share of the interval.
+        switches: How many times one after another to switch to a branch that parts from the last one.
+        harmonics: Harmonics of the drive for the multi-harmonic balance beside the exact motions.
+        most_periods: Drive periods to wait for the motion from rest to settle.
+
+    Returns:
+        The branch. If the mechanism does not settle, it has no points and a message that says so.
+
+    Raises:
+        MechanismError: if there is no such number, or it cannot have these values.
+        UnsupportedMotionError: if the mechanism has no frequency.
+        WrongTypeError: if an argument has another type.
+        ValueError: if start and stop are equal, or a number is out of its range.
+
+    Sources:
+        Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer, Dynamics
+        and Bifurcations of Non-Smooth Mechanical Systems, 2004.
+    """
+    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    whole_number("harmonics", harmonics, 1)
+    if periods is not None:
+        whole_number("periods", periods, 1)
+    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
+    if place.endswith(".order"):
+        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+    at_start = mechanism.with_value(place, begin)
+    if at_start.frequency is None:
+        raise UnsupportedMotionError(
+            "the mechanism has no frequency, so that nothing says after which time its motion repeats; give it "
+            "a frequency, or simulate it"
+        )
+    map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
+    if state is None:
+        found = settled(at_start, whole_number("most_periods", most_periods, 1), periods)
+        if found is None:
+            return FollowedBranch(map, (), (), BranchEnd.NO_START, _unsettled(begin, most_periods))
+        map, first = replace(map, periods=found.periods), found.state
+    else:
+        first = real_array("state", state)
+    map = replace(map, mirrored=_is_symmetric(map, begin, first))
+    branch = continuation(
+        map,
+        first,
+        begin,
+        end,
+        most_points=most_points,
+        largest_step=largest_step,
+        switches=switches,
+    )
+    return _followed(branch, map, harmonics)
+
+
+def _unsettled(begin: float, most_periods: int) -> str:
+    return (
+        f"from rest at {begin:.10g} the motion has not settled within {most_periods} drive periods; begin at "
+        "another value, give the number of periods after which it shall repeat, or wait longer"
+    )
+
+
+def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
+    """Say whether a motion is its own mirror image half a period later, as far as it is known."""
+    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
+        return False
+    half = replace(map, mirrored=True).passage(value, state)
+    sizes = np.where(half.sizes > 0.0, half.sizes, 1.0)
+    whole = map.passage(value, state)
+    unsettled = float(abs((whole.end - state) / sizes).max())
+    return float(abs((half.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
+
+
+def _followed(branch: Branch, map: MechanismMap, harmonics: int) -> FollowedBranch:
+    halves = 2**branch.doublings if map.mirrored else 2 ** (1 + branch.doublings)
+    whole = replace(map, mirrored=False, periods=max(map.periods * halves // 2, map.periods))
+    return FollowedBranch(
+        map=whole,
+        points=tuple(FollowedOrbit(point, whole, harmonics) for point in branch.points),
+        special=branch.special,
+        reason=branch.reason,
+        message=branch.message,
+        branches=tuple(_followed(each, map, harmonics) for each in branch.branches),
+        parted=branch.parted,
+    )
