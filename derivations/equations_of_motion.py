@@ -100,7 +100,13 @@ def inputs(mechanism: Mechanism) -> tuple[tuple[sympy.Expr, ...], ...]:
 
 
 def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
-    """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s².
+    """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s²."""
+    forces = resultant_forces(mechanism)
+    return tuple(force / body.mass for body, force in zip(mechanism.bodies, forces, strict=True))
+
+
+def resultant_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
+    """Return mass times acceleration of each body, from its Euler-Lagrange equation, N.
 
     The terms are collected, and held in the order of the thesis's equations 2.9: velocities, displacements,
     then what drives, displacements of pins first.
@@ -109,7 +115,7 @@ def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     given = [each for kind in inputs(mechanism) for each in kind]
     variables = [*(position.diff(t) for position in positions), *positions, *given]
     return tuple(
-        _collected(-(balance - body.mass * body.coordinate.diff(t, 2)), variables) / body.mass
+        _collected(-(balance - body.mass * body.coordinate.diff(t, 2)), variables)
         for body, balance in zip(mechanism.bodies, force_balances(mechanism), strict=True)
     )
 

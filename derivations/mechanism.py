@@ -78,8 +78,8 @@ def position(end: End) -> sympy.Expr:
 def elongation(joint: Joint) -> sympy.Expr:
     """Return by how much a joint is longer than at rest, m: end minus start, in that order."""
     rest = joint.rest if isinstance(joint, Spring) else sympy.S.Zero
-    ends = position(joint.end), *(-term for term in sympy.Add.make_args(position(joint.start)))
-    terms = [term for term in (*ends, -rest) if term != 0]
+    ahead, behind = (sympy.Add.make_args(position(end)) for end in (joint.end, joint.start))
+    terms = [term for term in (*ahead, *(-term for term in behind), -rest) if term != 0]
     return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else sympy.Add(*terms)
 
 

@@ -23,10 +23,14 @@ class Unit:
 
 
 KILOGRAM = Unit("kg", MASS)
-NEWTON_PER_METRE = Unit("N/m", FORCE / LENGTH)
-NEWTON_SECOND_PER_METRE = Unit("N s/m", FORCE * TIME / LENGTH)
+NEWTON_PER_KILOGRAM_METRE = Unit("kg m", MASS * LENGTH)
+METRE = Unit("N/m", FORCE / LENGTH)
+NEWTON_SECOND_PER_KILOGRAM_METRE = Unit("kg m", MASS * LENGTH)
+METRE = Unit("N s/m", FORCE * TIME / LENGTH)
+KILOGRAM_METRE = Unit("kg m", MASS * LENGTH)
 METRE = Unit("m", LENGTH)
 SECOND = Unit("s", TIME)
+METRE_PER_SECOND = Unit("m/s", LENGTH / TIME)
 HERTZ = Unit("Hz", TIME**-1)
 RADIAN_PER_SECOND = Unit("rad/s", TIME**-1)
 PER_SECOND = Unit("1/s", TIME**-1)
