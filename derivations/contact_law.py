@@ -35,6 +35,11 @@ class ContactStatement:
     stretch_rate: sympy.Expr | None
     tension: sympy.Expr
 
+    @property
+    def has_stretch(self) -> bool:
+        """Whether z occurs in it."""
+        return self.stretch is not None or self.stretch_rate is not None
+
 
 def contact_statement(contact: Contact) -> ContactStatement:
     """State the law of a contact. Without damping the three laws are one, the dead zone."""

@@ -1,4 +1,4 @@
-"""Dimension check of every derived equation, of the linear trimmer and of any mechanism."""
+"""Dimension check of every derived equation of the linear trimmer."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from dataclasses import dataclass, field
 
 import sympy
 
-from derivations.dimensions import ENERGY, FORCE, LENGTH, POWER, TIME, Dimension, DimensionError, dimension_of
+from derivations.dimensions import ENERGY, LENGTH, POWER, TIME, Dimension, DimensionError, dimension_of
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.mechanism_derivation import MechanismDerivation
-from derivations.symbols import DIMENSIONS, Quantity, t, u
+from derivations.symbols import DIMENSIONS, t, u
 
 ACCELERATION = LENGTH / TIME**2
 
@@ -57,60 +56,6 @@ def dimension_checks(derivation: LinearTrimmer) -> tuple[DimensionCheck, ...]:
         *_state_space_checks(derivation),
         *_transfer_function_checks(derivation),
     )
-
-
-def mechanism_checks(
-    derivation: MechanismDerivation, quantities: tuple[Quantity, ...]
-) -> tuple[DimensionCheck, ...]:
-    """Return one check for each derived expression of a mechanism: energies, powers, forces, laws.
-
-    Args:
-        derivation: The derivation.
-        quantities: All its symbols and functions of time, apart from time itself.
-    """
-    dimensions = {t: TIME} | {each.symbol: each.unit.dimension for each in quantities}
-    return tuple(
-        DimensionCheck(name, expression, expected, dimensions)
-        for name, expression, expected in _mechanism_expressions(derivation)
-    )
-
-
-def _mechanism_expressions(derivation: MechanismDerivation) -> Iterator[tuple[str, sympy.Expr, Dimension]]:
-    for state, motion in (("open", derivation.motion), ("closed", derivation.closed)):
-        yield f"kinetic energy, contacts {state}", motion.kinetic_energy, ENERGY
-        yield f"potential energy, contacts {state}", motion.potential_energy, ENERGY
-        yield f"dissipation function, contacts {state}", motion.rayleigh_function, POWER
-        yield f"power of pins and forces, contacts {state}", motion.power.input_power, POWER
-        yield f"power of contacts and frictions, contacts {state}", motion.power.contact_power, POWER
-        for body, force in zip(motion.mechanism.bodies, motion.resultant_forces, strict=True):
-            yield f"resultant force on {body.name}, contacts {state}", force, FORCE
-    for pin in derivation.mechanism.pins:
-        if pin.law is not None:
-            yield f"motion of the pin {pin.displacement}", pin.law, LENGTH
-    for given in derivation.mechanism.forces:
-        if given.law is not None:
-            yield f"force on {given.body.name}", given.law, FORCE
-    for contact in derivation.contacts:
-        for case in _cases(contact.tension):
-            yield f"tension of {contact.contact.name}", case, FORCE
-        for case in _cases(contact.stretch_rate):
-            yield f"rate of the spring of {contact.contact.name}", case, LENGTH / TIME
-        for case in _cases(contact.stretch):
-            yield f"stretch of the spring of {contact.contact.name}", case, LENGTH
-    for friction in derivation.frictions:
-        if friction.held is not None:
-            yield f"force in stick of {friction.friction.name}", friction.held, FORCE
-
-
-def _cases(expression: sympy.Expr | None) -> Iterator[sympy.Expr]:
-    """Yield the values of a piecewise function, and what the greater or smaller is chosen of."""
-    if expression is None:
-        return
-    values = (
-        [value for value, _ in expression.args] if isinstance(expression, sympy.Piecewise) else [expression]
-    )
-    for value in values:
-        yield from value.args if isinstance(value, sympy.Max | sympy.Min) else (value,)
 
 
 def require_consistent(checks: tuple[DimensionCheck, ...]) -> None:

@@ -86,8 +86,8 @@ def force_balances(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
 def inputs(mechanism: Mechanism) -> tuple[tuple[sympy.Expr, ...], ...]:
     """Return all that drives a mechanism, by kind, in the order of ``MotionMatrices``.
 
-    These are the pins' displacements, m, their velocities, m/s, the given forces, the tensions of contacts and
-    the dry forces of frictions, N.
+    These are the pins' displacements, m, their velocities, m/s, the given forces, the tensions of contacts
+    and the dry forces of frictions, N.
     """
     displacements = tuple(pin.displacement for pin in mechanism.pins)
     return (

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from derivations.dimension_checks import mechanism_checks, require_consistent
+from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex, latex_number, latex_text
 from derivations.linear_trimmer import LinearTrimmer
+from derivations.mechanism_checks import mechanism_checks
 from derivations.mechanism_derivation import MechanismDerivation
 from derivations.mechanism_narrative import mechanism_narrative
 from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative

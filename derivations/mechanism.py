@@ -97,9 +97,7 @@ def closed(mechanism: Mechanism) -> Mechanism:
         for each in mechanism.contacts
         if each.stiffness != 0
     )
-    dampers = (
-        Damper(each.damping, each.start, each.end) for each in mechanism.contacts if each.damping != 0
-    )
+    dampers = (Damper(each.damping, each.start, each.end) for each in mechanism.contacts if each.damping != 0)
     return replace(
         mechanism,
         springs=(*mechanism.springs, *springs),

@@ -17,8 +17,8 @@ from derivations.parts import ContactLaw, Play
 from derivations.symbols import t
 
 ENDING = {
-    ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself until a side "
-    "of the slot is met again.",
+    ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself "
+    "until a side of the slot is met again.",
     ContactLaw.TRUNCATED: "It carries nothing where $T$ would have to pull, and has no memory of it.",
     ContactLaw.PULLING: "It lasts until the gap is reached again, and may pull until then.",
 }
@@ -58,7 +58,9 @@ def _parts(derivation: MechanismDerivation) -> Step:
         Formula(f"e_{{{latex(damper.damping)}}} = {latex(elongation(damper))}")
         for damper in mechanism.resistances
     )
-    distances = (Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts)
+    distances = (
+        Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts
+    )
     return Step(
         "parts",
         "Bodies and what joins them",
@@ -74,8 +76,8 @@ def _energies(motion: LinearMotion) -> Step:
     return Step(
         "energies",
         "Energies and dissipation",
-        "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, half "
-        "of the power that is lost, to the dampers and to viscous friction.",
+        "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
+        "half of the power that is lost, to the dampers and to viscous friction.",
         (
             Formula(latex_equation(sympy.Symbol("T"), motion.kinetic_energy)),
             Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
@@ -90,8 +92,8 @@ def _virtual_work(motion: LinearMotion) -> Step:
         "virtual-work",
         "Generalised forces",
         "Contacts, dry frictions and given forces enter by their virtual work. A contact with the tension "
-        "$T_j$ does the work $-T_j\\,\\delta s_j$ as its ends move apart, a dry friction $f_j$ likewise, and a "
-        "given force that of its body's displacement.",
+        "$T_j$ does the work $-T_j\\,\\delta s_j$ as its ends move apart, a dry friction $f_j$ likewise, "
+        "and a given force that of its body's displacement.",
         tuple(Formula(f"Q_{{{latex(body.coordinate)}}} = {latex(force)}") for body, force in forces),
     )
 
@@ -150,8 +152,8 @@ def _closed_contact(motion: LinearMotion) -> Step:
         "closed-contact",
         "Closed contact",
         "While contacts are closed, their springs and dampers act as any others do, with the distance less "
-        "what the slot leaves free. A side $\\sigma$ of a play is 1 where the end is ahead, and $-1$ behind. With "
-        "every contact closed the energies and the equations of motion are these; of an open one the "
+        "what the slot leaves free. A side $\\sigma$ of a play is 1 where the end is ahead, and $-1$ behind. "
+        "With every contact closed the energies and the equations of motion are these; of an open one the "
         "stiffness and the damping are zero.",
         (
             Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
@@ -220,8 +222,7 @@ def _friction_law(statement: FrictionStatement) -> Step:
         f"Friction: {latex_text(friction.name)}",
         "In sliding the dry force has its kinetic size and opposes the motion. In stick it is what keeps the "
         "velocity at zero, which is the last line, as long as that is not more than the static force. Where "
-        "several frictions stick, these lines hold together."
-        + (viscous if friction.viscous != 0 else ""),
+        "several frictions stick, these lines hold together." + (viscous if friction.viscous != 0 else ""),
         tuple(formulas),
     )
 
@@ -232,12 +233,12 @@ def _checks(derivation: MechanismDerivation) -> Step:
     return Step(
         "checks",
         "Checks",
-        "Along every motion the energy changes by the power $P$ of pins and given forces, less the power $D$ "
-        "that dampers, frictions and contacts take. The difference of both sides is zero identically. The "
-        "equations of motion were derived a second time from the forces on each body alone, and agree.",
+        "Along every motion the energy changes by the power $P_g$ of pins and given forces, less the power "
+        "$P_t$ that dampers, frictions and contacts take. The difference of both sides is zero identically. "
+        "The equations of motion were derived a second time from the forces on each body alone, and agree.",
         (
-            Formula(r"\frac{d}{dt}(T + U) = P - D"),
-            Formula(latex_equation(sympy.Symbol("P"), sympy.factor_terms(power.input_power))),
-            Formula(latex_equation(sympy.Symbol("D"), taken)),
+            Formula(r"\frac{d}{dt}(T + U) = P_g - P_t"),
+            Formula(latex_equation(sympy.Symbol("P_g"), sympy.factor_terms(power.input_power))),
+            Formula(latex_equation(sympy.Symbol("P_t"), taken)),
         ),
     )

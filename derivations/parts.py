@@ -8,7 +8,6 @@ from enum import Enum
 import sympy
 
 
-
 @dataclass(frozen=True)
 class Ground:
     """The fixed surroundings, whose displacement is zero."""
