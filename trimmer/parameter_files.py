@@ -61,7 +61,7 @@ def _parsed(path: Path) -> dict[str, Any]:
         ) from error
     if is_mechanism_file(content):
         raise ParameterError(
-            f"{path}: holds a mechanism, for 'trimmer respond FILE' and 'trimmer simulate FILE'; "
+            f"{path}: this is a mechanism, for 'trimmer respond FILE' and 'trimmer simulate FILE'; "
             "'trimmer parameters --output FILE' writes a parameter file to start from"
         )
     return content

@@ -127,7 +127,7 @@ def _number(names: Place, value: float | str, wanted: Quantity) -> float:
         try:
             value = quantity(value, wanted.unit)
         except UnitError as error:
-            reason = f'{error}, as in "{wanted.example}"'
+            reason = f'{error}; "{wanted.example}" would do'
             raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}") from None
     if reason := wanted.reason_against(value):
         raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}")

@@ -67,8 +67,8 @@ def _parsed(text: str, name: str) -> dict[str, Any]:
         ) from error
     if is_parameter_file(content):
         raise MechanismError(
-            f"{name}: holds parameters of the thesis's trimmer, for 'trimmer linear --parameters FILE' and "
-            "the other commands for loops take; a mechanism has [bodies], as in examples/thesis.toml"
+            f"{name}: this is a parameter file, for 'trimmer linear --parameters FILE' and other commands "
+            "for the thesis's loop; a mechanism has [bodies], as in examples/thesis.toml"
         )
     return content
 
@@ -149,7 +149,7 @@ class _Converter:
         try:
             return quantity(value, wanted.unit)
         except UnitError as error:
-            self._problems.append(Problem(place, f'{error}, as in "{wanted.example}"', value))
+            self._problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
             return None
 
     def state(self, place: tuple[str, ...], value: object) -> object:

@@ -22,7 +22,15 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     if not content["bodies"]:
         yield Problem(("bodies",), "there is none; write one, as in [bodies] with motor = { mass = 0.035 }")
         return
-    yield from _names(content["bodies"], content["pins"])
+    if clashes := list(_names(content["bodies"], content["pins"])):
+        yield from clashes
+        return
+    problems = list(_problems_of_parts(content))
+    # What is written in place of a wrong name may touch every body.
+    yield from problems or _untouched(content)
+
+
+def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from _carriers(content)
     for section in COUPLINGS:
         for name, part in content[section].items():
@@ -32,7 +40,6 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from _drive(content)
     yield from _outputs(content)
     yield from _start(content)
-    yield from _untouched(content)
     yield from _symbols(content)
 
 
@@ -163,11 +170,10 @@ def _symbols(content: Mapping[str, Any]) -> Iterator[Problem]:
         for symbol in _symbols_of(part)
     ]
     count = Counter(symbol for symbol, _ in carried)
-    for symbol, place in carried:
+    for symbol, place in dict.fromkeys(carried):
         if count[symbol] > 1:
-            yield Problem(
-                place, f"the symbol {symbol} is used twice, perhaps for a damping; choose another one"
-            )
+            reason = f"the symbol {symbol} is taken twice (a damping takes c and the index of its stiffness)"
+            yield Problem(place, f"{reason}; choose another one")
 
 
 def _symbols_of(part: Any) -> list[str]:
@@ -178,5 +184,6 @@ def _symbols_of(part: Any) -> list[str]:
 
 def _no_such(kind: str, name: str, known: Iterable[str]) -> str:
     known = list(known)
-    advice = near_match(name, known) or f"there is {listed(map(repr, known))}"
+    there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
+    advice = near_match(name, known) or there
     return f"there is no {kind} {name!r}; {advice}"

@@ -115,17 +115,17 @@ def quantity(text: str, si_unit: str) -> float:
     """
     found = _NUMBER_AND_UNIT.fullmatch(text)
     if found is None:
-        raise UnitError(f"is no number with a unit in {si_unit}; text is not evaluated")
+        raise UnitError(f"is no number{'' if si_unit == '1' else ' with a unit'}; text is not evaluated")
     if len(found["number"]) > _LONGEST_NUMBER or abs(int((found["exponent"] or "0")[:9])) > _LARGEST_EXPONENT:
         raise UnitError("has too many digits, or is too large or too small for a floating-point number")
     wanted = unit(si_unit)
     if not found["unit"] and wanted != _ONE:
         raise UnitError(
-            f"has no unit: write the number without quotation marks, in {si_unit}, or add the unit"
+            f"has no unit: write the number in {si_unit} without quotation marks, or add the unit"
         )
     given = unit(found["unit"] or "1")
     if given.dimension != wanted.dimension:
-        raise UnitError(f"must be in {si_unit} or what measures the same; {found['unit']!r} does not")
+        raise UnitError(f"{found['unit']!r} does not measure what {si_unit} does")
     return _product(
         Fraction(found["number"]) * given.scale / wanted.scale, given.half_turns - wanted.half_turns
     )
