@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy
 
@@ -10,6 +11,9 @@ from derivations.energies import kinetic_energy, potential_energy, rayleigh_func
 from derivations.generalised_forces import generalised_forces
 from derivations.mechanism import Mechanism
 from derivations.symbols import t
+
+KEPT = 8
+"""Mechanisms whose equations are kept, because several checks ask for the same ones."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,7 @@ def euler_lagrange(lagrangian: sympy.Expr, dissipation: sympy.Expr, coordinate: 
     return momentum.diff(t) - lagrangian.diff(coordinate) + dissipation.diff(velocity)
 
 
+@lru_cache(maxsize=KEPT)
 def force_balances(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     """Return what must be zero for each body, expanded, N, in the order of the bodies.
 
@@ -105,6 +110,7 @@ def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     return tuple(force / body.mass for body, force in zip(mechanism.bodies, forces, strict=True))
 
 
+@lru_cache(maxsize=KEPT)
 def resultant_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     """Return mass times acceleration of each body, from its Euler-Lagrange equation, N.
 
@@ -152,8 +158,10 @@ def motion_matrices(mechanism: Mechanism) -> MotionMatrices:
     constant = sympy.ImmutableMatrix(-remainder.expand())
     if constant.has(t):
         raise ValueError("the equations of motion are not linear in the coordinates and the inputs")
-    mass, damping, stiffness, *driving = matrices
-    return MotionMatrices(mass, damping, stiffness, *(-matrix for matrix in driving), constant)
+    mass, damping, stiffness, displacement, velocity, given, contact, friction = matrices
+    return MotionMatrices(
+        mass, damping, stiffness, -displacement, -velocity, -given, -contact, -friction, constant
+    )
 
 
 def _jacobian(balances: sympy.Matrix, variables: list[sympy.Expr]) -> sympy.ImmutableMatrix:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from derivations.dimension_checks import require_consistent
@@ -31,9 +32,11 @@ MECHANISM_PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 %% Derived from a mechanism by `trimmer derive`.
 \usepackage[margin=20mm]{geometry}
 \usepackage{amsmath}
+\usepackage{graphicx}
 \usepackage{longtable}
 \usepackage{breqn}
 \setcounter{MaxMatrixCols}{%d}
+\newcommand{\fitted}{\ifdim\width>\linewidth\linewidth\else\width\fi}
 \title{%s: derivation}
 \author{}
 \date{}
@@ -102,7 +105,7 @@ def mechanism_document(
     require_consistent(mechanism_checks(derivation, tuple(each.quantity for each in quantities)))
     widest = max(matrix.cols for matrix in (derivation.motion.space.a, derivation.motion.space.b))
     preamble = MECHANISM_PREAMBLE % (max(20, widest), latex_text(title))
-    steps = (_section(step) for step in mechanism_narrative(derivation))
+    steps = (_section(step, _fitted) for step in mechanism_narrative(derivation))
     return "\n".join((preamble, *steps, _table_of_values(quantities), END))
 
 
@@ -116,9 +119,9 @@ def _table_of_values(quantities: tuple[ValuedQuantity, ...]) -> str:
     return "\n".join((*head, *rows, "\\end{longtable}\n"))
 
 
-def _section(step: Step) -> str:
+def _section(step: Step, displayed: Callable[[Formula], str] | None = None) -> str:
     text = re.sub(r"`([^`]*)`", r"\\texttt{\1}", step.text)
-    return "\n".join((f"\\section{{{step.title}}}", text, *map(_displayed, step.formulas)))
+    return "\n".join((f"\\section{{{step.title}}}", text, *map(displayed or _displayed, step.formulas)))
 
 
 def _displayed(formula: Formula) -> str:
@@ -129,6 +132,13 @@ def _displayed(formula: Formula) -> str:
     number = f"[number={{{formula.thesis}}}]" if formula.thesis else ""
     environment = "dmath" if formula.thesis else "dmath*"
     return f"\\begin{{{environment}}}{number}\n{formula.latex}\n\\end{{{environment}}}"
+
+
+def _fitted(formula: Formula) -> str:
+    """Return a formula, made smaller where a matrix or cases would leave the line."""
+    if r"\begin{" not in formula.latex:
+        return _displayed(formula)
+    return f"\\[ \\resizebox{{\\fitted}}{{!}}{{$\\displaystyle {formula.latex}$}} \\]"
 
 
 def _all_coefficients(derivation: LinearTrimmer) -> str:

@@ -15,6 +15,7 @@ from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
 from derivations.narrative import Formula, Step
 from derivations.parts import ContactLaw, Play
 from derivations.symbols import t
+from derivations.unevaluated import total
 
 ENDING = {
     ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself "
@@ -54,9 +55,11 @@ def _parts(derivation: MechanismDerivation) -> Step:
         Formula(f"e_{{{latex(spring.stiffness)}}} = {latex(elongation(spring))}")
         for spring in mechanism.springs
     )
+    between_springs = {(spring.start, spring.end) for spring in mechanism.springs}
     rates = (
         Formula(f"e_{{{latex(damper.damping)}}} = {latex(elongation(damper))}")
         for damper in mechanism.resistances
+        if (damper.start, damper.end) not in between_springs
     )
     distances = (
         Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts
@@ -66,8 +69,8 @@ def _parts(derivation: MechanismDerivation) -> Step:
         "Bodies and what joins them",
         f"Bodies that move along one line, with their displacements in the fixed frame: {', '.join(bodies)}. "
         "A pin moves as prescribed, relative to what carries it. Below stand these motions and the given "
-        "forces, the elongation $e$ of each spring and damper, and the distance of the two ends of each "
-        "contact: the position of one end less that of the other.",
+        "forces, the elongation $e$ of each spring, of each damper that is not beside one, and the distance "
+        "$s$ of the two ends of each contact: the position of one end less that of the other.",
         (*pins, *forces, *springs, *rates, *distances),
     )
 
@@ -119,7 +122,9 @@ def _balances(motion: LinearMotion) -> Iterator[Formula]:
 def _matrices(motion: LinearMotion) -> Step:
     kinds = zip(_columns(motion.matrices), inputs(motion.mechanism), strict=True)
     driving = [
-        (name, matrix, f"{name} {latex(sympy.Matrix(names))}") for (name, matrix), names in kinds if names
+        (name, matrix, f"{name} {latex(sympy.Matrix(names))}")
+        for (name, matrix), names in kinds
+        if any(matrix)
     ]
     sum_of_inputs = " + ".join(term for _, _, term in driving) or "0"
     return Step(
@@ -153,8 +158,8 @@ def _closed_contact(motion: LinearMotion) -> Step:
         "Closed contact",
         "While contacts are closed, their springs and dampers act as any others do, with the distance less "
         "what the slot leaves free. A side $\\sigma$ of a play is 1 where the end is ahead, and $-1$ behind. "
-        "With every contact closed the energies and the equations of motion are these; of an open one the "
-        "stiffness and the damping are zero.",
+        "With every contact closed the energies and the equations of motion are these; of an open one "
+        "stiffness and damping are zero. At the right side a constant $f_0$ is added, if there is a gap.",
         (
             Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
             Formula(latex_equation(sympy.Symbol("R"), motion.rayleigh_function)),
@@ -229,7 +234,8 @@ def _friction_law(statement: FrictionStatement) -> Step:
 
 def _checks(derivation: MechanismDerivation) -> Step:
     power = derivation.motion.power
-    taken = sympy.Add(power.dissipated_power, power.contact_power, evaluate=False)
+    both = (sympy.Add.make_args(power.dissipated_power), sympy.Add.make_args(power.contact_power))
+    taken = total(*(term for terms in both for term in terms))
     return Step(
         "checks",
         "Checks",

@@ -35,7 +35,7 @@ def numeric_module(title: str, derivation: MechanismDerivation, arguments: Mappi
     Args:
         title: What the mechanism is; what would end a docstring is left out.
         derivation: The derivation.
-        arguments: A name for each symbol, in the order of the arguments; those that do not occur are left out.
+        arguments: A name for each symbol, in their order; those that do not occur are left out.
     """
     functions = tuple(_functions(derivation, arguments))
     used = set().union(*(_symbols(function) for function in functions))
@@ -84,9 +84,7 @@ def _state_matrix(name: str, motion: LinearMotion, names: str) -> NumericFunctio
     matrix = motion.space.a
     size = f"{matrix.rows} × {matrix.cols}"
     velocities = "their velocities" if matrix.rows > 2 else "its velocity"
-    return NumericFunction(
-        name, f"Return A ({size}) for the state ({names}, {velocities}).", _rows(matrix)
-    )
+    return NumericFunction(name, f"Return A ({size}) for the state ({names}, {velocities}).", _rows(matrix))
 
 
 def _input_matrix(name: str, motion: LinearMotion) -> Iterator[NumericFunction]:
@@ -102,16 +100,16 @@ def _input_matrix(name: str, motion: LinearMotion) -> Iterator[NumericFunction]:
     }
     listed = ", then ".join(words for words, there in kinds.items() if there)
     if listed:
-        yield NumericFunction(
-            name, f"Return B ({matrix.rows} × {matrix.cols}) for {listed}.", _rows(matrix)
-        )
+        yield NumericFunction(name, f"Return B ({matrix.rows} × {matrix.cols}) for {listed}.", _rows(matrix))
 
 
 def _polynomials(matrices: MotionMatrices, names: str) -> Iterator[NumericFunction]:
     transfer = transfer_functions(matrices)
     order = len(transfer.denominator) - 1
     yield NumericFunction(
-        "characteristic_polynomial", f"Return the coefficients of s^{order} .. s^0, monic.", transfer.denominator
+        "characteristic_polynomial",
+        f"Return the coefficients of s^{order} .. s^0, monic.",
+        transfer.denominator,
     )
     yield NumericFunction(
         "displacement_numerators",

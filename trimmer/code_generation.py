@@ -244,7 +244,9 @@ def _quantities(
     """Return the table of symbols: those of the parts in their order, then what has no part."""
     by_name = {_name(symbol): symbol for symbol in occurring}
     of_parts = (
-        ValuedQuantity(Quantity(by_name[each.symbol], each.meaning, UNITS[each.unit]), _value(mechanism, place))
+        ValuedQuantity(
+            Quantity(by_name[each.symbol], each.meaning, UNITS[each.unit]), _value(mechanism, place)
+        )
         for place, each in printed.items()
         if each.symbol in by_name
     )

@@ -21,7 +21,10 @@ Place = tuple[str, str, str]
 """Section, part, and what is meant of it."""
 
 TAKEN = frozenset(
-    "t d x w omega T U R M C K A B F_u F_v F_p F_T F_f f_0 P_g P_t".split()
+    (
+        *("t", "d", "x", "w", "omega", "T", "U", "R", "M", "C", "K", "A", "B"),
+        *("F_u", "F_v", "F_p", "F_T", "F_f", "f_0", "P_g", "P_t"),
+    )
 )
 """Symbols that the printed derivation uses itself."""
 
@@ -43,7 +46,7 @@ class Stem:
     Attributes:
         of: A field of the part, or a word for a function of time.
         form: The letter; ``%s`` stands for the letter of the symbol that the part carries.
-        meaning: What it is, before "of" and the name of the part.
+        meaning: What it is; ``%s`` stands for the name of the part.
         unit: Its SI unit.
     """
 
@@ -68,40 +71,40 @@ class PrintedSymbol:
     unit: str
 
 
-_LINK = (Stem("stiffness", "k", "stiffness", "N/m"), Stem("damping", "c", "damping", "N s/m"))
+_LINK = (Stem("stiffness", "k", "stiffness of %s", "N/m"), Stem("damping", "c", "damping of %s", "N s/m"))
 _CONTACT = (
     *_LINK,
-    Stem("gap", "g", "gap", "m"),
-    Stem("distance", "s", "distance of the ends", "m"),
-    Stem("stretch", "z", "stretch of the spring", "m"),
-    Stem("tension", "T", "tension", "N"),
+    Stem("gap", "g", "gap of %s", "m"),
+    Stem("distance", "s", "distance of the ends of %s", "m"),
+    Stem("stretch", "z", "stretch of the spring of %s", "m"),
+    Stem("tension", "T", "tension of %s", "N"),
 )
 STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
     {
-        "bodies": (Stem("mass", "m", "mass", "kg"), Stem("coordinate", "q", "displacement", "m")),
+        "bodies": (Stem("mass", "m", "mass of %s", "kg"), Stem("coordinate", "q", "displacement of %s", "m")),
         "pins": (
-            Stem("displacement", "u", "displacement relative to its carrier", "m"),
-            Stem("amplitude", r"\hat{%s}", "amplitude", "m"),
-            Stem("phase", r"\varphi", "phase", "rad"),
-            Stem("offset", r"\bar{%s}", "offset", "m"),
-            Stem("velocity", r"\bar{v}", "constant velocity", "m/s"),
+            Stem("displacement", "u", "displacement of %s relative to its carrier", "m"),
+            Stem("amplitude", r"\hat{%s}", "amplitude of %s", "m"),
+            Stem("phase", r"\varphi", "phase of %s", "rad"),
+            Stem("offset", r"\bar{%s}", "offset of %s", "m"),
+            Stem("velocity", r"\bar{v}", "constant velocity of %s", "m/s"),
         ),
         "links": _LINK,
-        "plays": (*_CONTACT, Stem("side", "sigma", "side of the contact", "1")),
+        "plays": (*_CONTACT, Stem("side", "sigma", "side of the contact of %s", "1")),
         "stops": _CONTACT,
         "frictions": (
-            Stem("force", "F", "kinetic force", "N"),
-            Stem("static", r"%s^{\mathrm{s}}", "static force", "N"),
-            Stem("viscous", "d", "viscous coefficient", "N s/m"),
-            Stem("rate", "v", "relative velocity of the ends", "m/s"),
-            Stem("dry", "f", "dry force", "N"),
+            Stem("force", "F", "kinetic force of %s", "N"),
+            Stem("static", r"%s^{\mathrm{s}}", "static force of %s", "N"),
+            Stem("viscous", "d", "viscous coefficient of %s", "N s/m"),
+            Stem("rate", "v", "relative velocity of the ends of %s", "m/s"),
+            Stem("dry", "f", "dry force of %s", "N"),
         ),
         "forces": (
-            Stem("value", "P", "force", "N"),
-            Stem("constant", r"\bar{%s}", "constant share", "N"),
-            Stem("amplitude", r"\hat{%s}", "amplitude", "N"),
-            Stem("phase", r"\psi", "phase", "rad"),
-            Stem("unbalance", "epsilon", "unbalance", "kg m"),
+            Stem("value", "P", "force of %s", "N"),
+            Stem("constant", r"\bar{%s}", "constant share of %s", "N"),
+            Stem("amplitude", r"\hat{%s}", "amplitude of %s", "N"),
+            Stem("phase", r"\psi", "phase of %s", "rad"),
+            Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
         ),
     }
 )
@@ -132,9 +135,7 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
     return {
-        (section, name, stem.of): PrintedSymbol(
-            found[section, name, stem.of], f"{stem.meaning} of {name}", stem.unit
-        )
+        (section, name, stem.of): PrintedSymbol(found[section, name, stem.of], stem.meaning % name, stem.unit)
         for section, name, _ in _parts(mechanism)
         for stem in STEMS[section]
     }
