@@ -135,10 +135,14 @@ class _Translation:
             dampers=self._dampers(ends),
             pins=tuple(pins.values()),
             contacts=(
-                *(self._play(name, play, ends) for name, play in self.data.plays.items()),
-                *(self._stop(name, stop, ends) for name, stop in self.data.stops.items()),
+                *(self._play(name, play, ends) for name, play in self.data.plays.items() if _pushes(play)),
+                *(self._stop(name, stop, ends) for name, stop in self.data.stops.items() if _pushes(stop)),
             ),
-            frictions=tuple(self._friction(name, ends) for name in self.data.frictions),
+            frictions=tuple(
+                self._friction(name, ends)
+                for name, friction in self.data.frictions.items()
+                if friction.static_force != 0
+            ),
             forces=tuple(self._force(name, force, bodies) for name, force in self.data.forces.items()),
         )
 
@@ -175,11 +179,17 @@ class _Translation:
         )
 
     def _dampers(self, ends: Mapping[str, parts.End]) -> tuple[parts.Damper, ...]:
-        return tuple(
+        of_links = (
             parts.Damper(self._number("links", name, "damping", link.damping), *_two(link.between, ends))
             for name, link in self.data.links.items()
             if link.damping != 0
         )
+        only_viscous = (
+            parts.Damper(self._number("frictions", name, "viscous", each.viscous), *_two(each.between, ends))
+            for name, each in self.data.frictions.items()
+            if each.static_force == 0 and each.viscous != 0
+        )
+        return (*of_links, *only_viscous)
 
     def _play(self, name: str, play: Play, ends: Mapping[str, parts.End]) -> parts.Play:
         side = sympy.Symbol(self.printed["plays", name, "side"].symbol, real=True)
@@ -228,6 +238,10 @@ class _Translation:
 def _two(between: tuple[str, str], ends: Mapping[str, parts.End]) -> tuple[parts.End, parts.End]:
     start, end = between
     return ends[start], ends[end]
+
+
+def _pushes(contact: Play | Stop) -> bool:
+    return contact.stiffness != 0 or contact.damping != 0
 
 
 def _occurring(mechanism: SymbolicMechanism) -> set[sympy.Basic]:
