@@ -66,6 +66,8 @@ def _of_laws(derivation: MechanismDerivation) -> Expected:
             for case in _cases(expression):
                 yield f"law of contact of {name}", case, expected
     for friction in derivation.frictions:
+        yield f"kinetic force of {friction.friction.name}", friction.friction.kinetic, FORCE
+        yield f"static force of {friction.friction.name}", friction.friction.static, FORCE
         if friction.held is not None:
             yield f"force in stick of {friction.friction.name}", friction.held, FORCE
 

@@ -61,7 +61,7 @@ def _returned(entries: list[sympy.Expr], row_length: int | None) -> Iterator[str
         return
     for start in range(0, len(code), row_length):
         row = code[start : start + row_length]
-        line = f"        ({', '.join(row)}),"
+        line = f"        ({', '.join(row)}{',' if row_length == 1 else ''}),"
         if len(line) <= LINE_LENGTH:
             yield line
             continue

@@ -255,7 +255,7 @@ def test_newtons_law_notices_what_is_left_out(everything, monkeypatch, left_out)
     """Lagrange's equations of a mechanism that lacks a part are not Newton's of the whole one."""
     poorer = replace(everything, **{left_out: getattr(everything, left_out)[1:]})
     monkeypatch.setattr(newton_euler, "accelerations", lambda _: accelerations(poorer))
-    with pytest.raises(UnprovenError, match="the acceleration of body . by Lagrange and by Newton"):
+    with pytest.raises(UnprovenError, match=r"the acceleration of body . by Lagrange and by Newton"):
         newton_euler.require_newton_euler(everything)
 
 

@@ -1,0 +1,292 @@
+"""From a mechanism of numbers to symbols: the matrices agree, and the symbols are what they should be."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given, settings
+
+from derivations.equations_of_motion import accelerations, motion_matrices
+from derivations.linear_trimmer import derive_linear_trimmer
+from derivations.mechanism import closed, trimmer
+from derivations.state_space import state_space
+from derivations.symbols import PARAMETERS, coordinates
+from tests.trimmer.mechanism_strategy import mechanisms
+from trimmer.code_generation import derive_mechanism_sources, symbolic_mechanism
+from trimmer.errors import MechanismError
+from trimmer.generated import linear_trimmer
+from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism.printed_symbols import plain_name, printed_symbols
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+THESIS = next(path for path in EXAMPLES if path.name == "thesis.toml")
+
+
+def numbers_of(matrices, symbolic):
+    """Put numbers into matrices of expressions by lambdified functions, as NumPy arrays."""
+    values = {each.quantity.symbol: each.value for each in symbolic.quantities if each.value is not None}
+    symbols = list(values)
+    found = {}
+    for name, matrix in vars(matrices).items():
+        numeric = sympy.lambdify(symbols, matrix, "numpy")(*values.values())
+        found[name] = np.array(numeric, dtype=float).reshape(matrix.shape)
+    return found
+
+
+def assert_matrices_agree(mechanism):
+    symbolic = symbolic_mechanism(mechanism)
+    derived = numbers_of(motion_matrices(symbolic.mechanism), symbolic)
+    assembled = linear_matrices(mechanism, viscous=True)
+    expected = {
+        "mass": assembled.mass,
+        "damping": assembled.damping,
+        "stiffness": assembled.stiffness,
+        "displacement_force": assembled.pin_displacement,
+        "velocity_force": assembled.pin_velocity,
+        "given_force": assembled.forces,
+        "contact_force": -directions(mechanism, {**mechanism.plays, **mechanism.stops}),
+        "friction_force": -directions(mechanism, mechanism.frictions),
+        "constant_force": np.zeros((len(mechanism.bodies), 1)),
+    }
+    assert derived.keys() == expected.keys()
+    for name, matrix in expected.items():
+        np.testing.assert_allclose(derived[name], matrix, rtol=1e-12, atol=1e-12, err_msg=name)
+
+
+def directions(mechanism, joints):
+    """Rows of end minus start in the displacements of the bodies, as columns."""
+    rows, bodies = displacement_rows(mechanism), len(mechanism.bodies)
+    listed = [(rows[each.between[1]] - rows[each.between[0]])[:bodies] for each in joints.values()]
+    return np.array(listed).reshape(-1, bodies).T
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
+    assert_matrices_agree(Mechanism.from_toml(path))
+
+
+@settings(max_examples=25)
+@given(mechanisms())
+def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
+    assert_matrices_agree(mechanism)
+
+
+@settings(max_examples=10)
+@given(mechanisms(most_bodies=3))
+def test_closed_contacts_are_links(mechanism):
+    """With the contacts as links the solvers' matrices are the derived ones of closed contact."""
+    contacts = {**mechanism.plays, **mechanism.stops}
+    links = {name: Link(each.between, each.stiffness, each.damping) for name, each in contacts.items()}
+    linked = replace(mechanism, links={**mechanism.links, **links}, plays={}, stops={})
+    symbolic = symbolic_mechanism(mechanism)
+    derived = motion_matrices(closed(symbolic.mechanism))
+    assembled = linear_matrices(linked, viscous=True)
+    for play in symbolic.mechanism.contacts:
+        ahead = {side: 1 for side in play.offset.free_symbols if "sigma" in str(side)}
+        derived = replace(derived, constant_force=derived.constant_force.subs(ahead))
+    found = numbers_of(derived, symbolic)
+    offsets = [each.stiffness * each.gap / (2 if isinstance(each, Play) else 1) for each in contacts.values()]
+    pushed = directions(mechanism, contacts) @ np.array(offsets)
+    np.testing.assert_allclose(found["stiffness"], assembled.stiffness, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(found["damping"], assembled.damping, rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(found["displacement_force"], assembled.pin_displacement, atol=1e-12)
+    np.testing.assert_allclose(found["velocity_force"], assembled.pin_velocity, atol=1e-12)
+    np.testing.assert_allclose(found["constant_force"].ravel(), pushed, rtol=1e-12, atol=1e-12)
+
+
+@pytest.fixture(scope="module")
+def thesis():
+    return Mechanism.from_toml(THESIS)
+
+
+def test_file_of_the_thesis_gives_its_equations_and_matrices(thesis):
+    symbolic = symbolic_mechanism(thesis)
+    matrices, expected = motion_matrices(symbolic.mechanism), derive_linear_trimmer()
+    assert accelerations(symbolic.mechanism) == expected.accelerations
+    assert matrices == expected.matrices
+    assert state_space(matrices) == expected.space
+    assert [body.coordinate for body in symbolic.mechanism.bodies] == list(coordinates)
+    assert symbolic.mechanism.springs[1].stiffness == trimmer().springs[1].stiffness
+    assert derive_linear_trimmer(symbolic.mechanism).transfer == expected.transfer
+
+
+def test_file_of_the_thesis_gives_the_generated_module(thesis):
+    generated = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
+    assert derive_mechanism_sources(thesis).module == generated
+
+
+def test_order_of_links_and_names_do_not_change_the_module_of_the_thesis(thesis):
+    names = dict(zip(thesis.bodies, "abcd", strict=True)) | {GROUND: GROUND, "pin": "p"}
+    renamed = replace(
+        thesis,
+        bodies={names[name]: body for name, body in thesis.bodies.items()},
+        pins={"p": replace(thesis.pins["pin"], on="a")},
+        links={
+            f"part {number}": replace(link, between=tuple(names[end] for end in link.between))
+            for number, link in enumerate(reversed(list(thesis.links.values())))
+        },
+        outputs={},
+    )
+    assert derive_mechanism_sources(renamed).module == derive_mechanism_sources(thesis).module
+
+
+def test_symbols_of_the_table_are_those_of_the_thesis(thesis):
+    units = {str(quantity.symbol): quantity.unit for quantity in PARAMETERS}
+    rows = {str(each.quantity.symbol): each for each in symbolic_mechanism(thesis).quantities}
+    assert units.items() <= {name: row.quantity.unit for name, row in rows.items()}.items()
+    assert rows["k_2"].value == 30e3
+    assert rows["c_4"].quantity.meaning == "damping of guard spring"
+    assert rows["omega"].value == pytest.approx(2 * np.pi * 110)
+    assert "c_5" not in rows, "the coil spring has no damper"
+
+
+def one_body(**sections):
+    mount = {"mount": Link((GROUND, "a"), 1.0)}
+    return Mechanism(**{"bodies": {"a": Body(1.0)}, "links": mount, **sections})
+
+
+def symbol(mechanism, *place):
+    return printed_symbols(mechanism)[place].symbol
+
+
+def test_what_carries_no_symbol_is_named_after_its_part():
+    mechanism = one_body(bodies={"a": Body(1.0), "motor & gear": Body(1.0)}, links={
+        "mount_1": Link((GROUND, "a"), 1.0, 1.0),
+        "50 % spring": Link(("a", "motor & gear"), 1.0),
+    })  # fmt: skip
+    assert symbol(mechanism, "bodies", "a", "mass") == "m_a"
+    assert symbol(mechanism, "bodies", "motor & gear", "coordinate") == r"q_{\text{motor \& gear}}"
+    assert symbol(mechanism, "links", "mount_1", "damping") == r"c_{\text{mount\_1}}"
+    assert symbol(mechanism, "links", "50 % spring", "stiffness") == r"k_{\text{50 \% spring}}"
+
+
+def test_the_only_pin_and_the_only_force_need_no_index():
+    mechanism = one_body(pins={"belt": Pin(GROUND)}, forces={"push": Force("a", 1.0)})
+    assert symbol(mechanism, "pins", "belt", "displacement") == "u"
+    assert symbol(mechanism, "forces", "push", "value") == "P"
+    assert symbol(mechanism, "forces", "push", "amplitude") == r"\hat{P}"
+
+
+def test_the_other_symbols_of_a_part_follow_the_one_it_carries():
+    mechanism = one_body(
+        bodies={"a": Body(1.0, "m_7")},
+        plays={"slot": Play((GROUND, "a"), 1.0, 1.0, 1.0, symbol="k_{bridge}")},
+        frictions={"shoe": Friction((GROUND, "a"), 1.0, symbol="N_2")},
+        forces={"push": Force("a", 1.0, symbol="Q_3")},
+    )
+    assert symbol(mechanism, "bodies", "a", "coordinate") == "q_7"
+    assert symbol(mechanism, "plays", "slot", "gap") == r"g_{\text{bridge}}"
+    assert symbol(mechanism, "frictions", "shoe", "static") == r"N^{\mathrm{s}}_{2}"
+    assert symbol(mechanism, "forces", "push", "amplitude") == r"\hat{Q}_{3}"
+
+
+def test_a_part_takes_another_symbol_where_that_of_its_index_is_carried_by_something_else():
+    links = {"one": Link((GROUND, "a"), 1.0, 1.0, "q_2"), "two": Link((GROUND, "a"), 1.0, 1.0, "K_1")}
+    mechanism = one_body(bodies={"a": Body(1.0, "m_2")}, links=links)
+    found = {place: each.symbol for place, each in printed_symbols(mechanism).items()}
+    assert found["bodies", "a", "coordinate"] == "q_a"
+    assert found["links", "one", "stiffness"] == "q_2"
+    assert len(set(found.values())) == len(found)
+
+
+def test_parts_of_one_name_in_two_sections_have_different_symbols():
+    mechanism = one_body(
+        links={"x": Link((GROUND, "a"), 1.0, 1.0)},
+        plays={"x": Play((GROUND, "a"), 1.0, 1.0, 1.0)},
+        stops={"x": Stop((GROUND, "a"), 1.0, 1.0, 1.0)},
+    )
+    found = [each.symbol for each in printed_symbols(mechanism).values()]
+    assert len(set(found)) == len(found)
+
+
+@settings(max_examples=25)
+@given(mechanisms())
+def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
+    found = [each.symbol for each in printed_symbols(mechanism).values()]
+    assert len(set(found)) == len(found)
+    names = list(symbolic_mechanism(mechanism).arguments.values())
+    assert len(set(names)) == len(names)
+    assert all(name.isidentifier() for name in names)
+
+
+@pytest.mark.parametrize(
+    ("carried", "printed"),
+    [
+        ("m", "m"),
+        ("m1", "m_1"),
+        ("m_12", "m_12"),
+        ("mu_1", "mu_1"),
+        ("μ_1", "mu_1"),
+        ("m_motor", r"m_{\text{motor}}"),
+        ("mass", r"\text{mass}"),
+        ("mu_bar", r"\mu_{\text{bar}}"),
+        ("m_{1,2}", r"m_{\text{1,2}}"),
+    ],
+)
+def test_a_carried_symbol_is_printed_as_it_is_meant(carried, printed):
+    """SymPy would print m_bar with a bar over m."""
+    assert symbol(one_body(bodies={"a": Body(1.0, carried)}), "bodies", "a", "mass") == printed
+
+
+@pytest.mark.parametrize(
+    ("name", "plain"),
+    [
+        ("k_2", "k2"),
+        ("m_12", "m12"),
+        (r"m_{\text{motor mount}}", "m_motor_mount"),
+        (r"\mu_{\text{a\_b}}", "mu_a_b"),
+        ("lambda", "lambda_"),
+    ],
+)
+def test_names_of_python(name, plain):
+    assert plain_name(name) == plain
+
+
+def test_names_of_python_that_would_be_the_same_are_told_apart():
+    bodies = {"a b": Body(1.0), "a-b": Body(2.0)}
+    links = {name: Link((GROUND, name), 1.0) for name in bodies}
+    mechanism = Mechanism(bodies=bodies, links=links)
+    names = set(symbolic_mechanism(mechanism).arguments.values())
+    assert {"m_a_b", "m_a_b_2", "k_a_b", "k_a_b_2"} <= names
+
+
+def test_a_symbol_that_the_derivation_uses_is_refused():
+    with pytest.raises(MechanismError, match=re.escape('bodies.a.symbol = "M": the derivation uses')):
+        symbolic_mechanism(one_body(bodies={"a": Body(1.0, "M")}))
+
+
+def test_two_symbols_that_print_the_same_are_refused():
+    bodies = {"a": Body(1.0, "m_1"), "b": Body(1.0, "m1")}
+    links = {name: Link((GROUND, name), 1.0) for name in bodies}
+    with pytest.raises(MechanismError, match=re.escape('bodies.b.symbol = "m1": several parts carry')):
+        symbolic_mechanism(Mechanism(bodies=bodies, links=links))
+
+
+def test_what_is_zero_is_left_out():
+    mechanism = one_body(
+        plays={"loose": Play((GROUND, "a"))},
+        frictions={"oiled": Friction((GROUND, "a"), 0.0, viscous=2.0)},
+    )
+    symbolic = symbolic_mechanism(mechanism).mechanism
+    assert symbolic.contacts == symbolic.frictions == ()
+    assert len(symbolic.springs) == len(symbolic.dampers) == 1
+
+
+def test_motions_of_pins_and_forces_are_written_out():
+    pin = Pin(GROUND, 0.5, 0.25, 2.0, 3.0, 4)
+    force = Force("a", 0.0, 0.0, 0.0, 2, 0.125)
+    mechanism = one_body(frequency=1.0, pins={"p": pin}, forces={"f": force})
+    symbolic = symbolic_mechanism(mechanism)
+    values = {each.quantity.symbol: each.value for each in symbolic.quantities if each.value is not None}
+    moment = 0.3
+    time = next(each.quantity.symbol for each in symbolic.quantities if str(each.quantity.symbol) == "t")
+    at = {**values, time: moment}
+    moved = 2.0 + 3.0 * moment + 0.5 * np.sin(4 * 2 * np.pi * moment + 0.25)
+    assert float(symbolic.mechanism.pins[0].law.subs(at)) == pytest.approx(moved, rel=1e-14)
+    pushed = 0.125 * (2 * 2 * np.pi) ** 2 * np.sin(2 * 2 * np.pi * moment)
+    assert float(symbolic.mechanism.forces[0].law.subs(at)) == pytest.approx(pushed, rel=1e-14)
