@@ -108,6 +108,7 @@ def _outputs(outputs: object) -> Iterator[Problem]:
             yield Problem(place, "give a trimmer.mechanism.Output with a mapping of weights", output)
             continue
         for body, weight in output.weights.items():
+            yield from _name(place, body)
             yield from _number((*place, str(body)), weight, WEIGHT)
 
 
@@ -116,6 +117,7 @@ def _start(start: object) -> Iterator[Problem]:
         yield Problem(("start",), "must map bodies to [displacement in m, velocity in m/s]", start)
         return
     for body, state in start.items():
+        yield from _name(("start",), body)
         place = ("start", str(body))
         if not _is_pair(state):
             yield Problem(place, "give two numbers: [displacement in m, velocity in m/s]", state)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trimmer.arguments import file_path
+from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
@@ -101,6 +101,7 @@ class Mechanism:
         """
         from trimmer.mechanism.reading import mechanism_of_text
 
+        require_instance("text", text, str, "the text of a TOML file")
         return mechanism_of_text(text, name)
 
     def to_toml(self) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import Friction, Output
 from trimmer.mechanism.place_text import key_text, parse_place, place_text, split_assignment
@@ -135,6 +136,7 @@ def _number(names: Place, value: float | str, wanted: Quantity) -> float:
 
 
 def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
+    require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
     names = parse_place(place)
     known = quantities(mechanism)
     if names in known:

@@ -27,7 +27,7 @@ class Quantity:
 
     Attributes:
         unit: SI unit as text, such as ``N/m``.
-        example: How it may be written as text.
+        example: How it may be written as text in a file.
         range: Which values will do.
     """
 
@@ -63,7 +63,7 @@ class Quantity:
 
     @property
     def _in_unit(self) -> str:
-        return "" if self.unit == "1" else f', in {self.unit} (or as text with its unit, "{self.example}")'
+        return "" if self.unit == "1" else f", in {self.unit}"
 
 
 def is_number(value: object) -> bool:

@@ -88,9 +88,7 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
                 if not isinstance(entries, dict):
                     yield Problem((key, name), "give weights, as in { cutter = 1, guard = -1 }", entries)
     if "bodies" not in content:
-        yield Problem(
-            ("bodies",), "missing; write [bodies] and below it a line such as motor = { mass = 0.035 }"
-        )
+        yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
 
 
 def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Problem]:
@@ -99,9 +97,12 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
         yield Problem(place, f"give its keys in braces, as in {{ {_example(kind)} }}", entries)
         return
     known = [each.name for each in fields(kind)]
-    for key, value in entries.items():
-        if key not in known:
-            yield Problem((*place, key), _unknown(key, known, f"a part of [{place[0]}]"), _if_plain(value))
+    unknown = [key for key in entries if key not in known]
+    for key in unknown:
+        reason = _unknown(key, known, f"a part of [{place[0]}]")
+        yield Problem((*place, key), reason, _if_plain(entries[key]))
+    if unknown:  # what is missing is there perhaps, but misspelt
+        return
     for each in fields(kind):
         if each.default is MISSING and each.name not in entries:
             yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")

@@ -20,7 +20,7 @@ COUPLINGS = ("links", "plays", "stops", "frictions")
 def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find what does not go together."""
     if not content["bodies"]:
-        yield Problem(("bodies",), "there is none; write one, as in [bodies] with motor = { mass = 0.035 }")
+        yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
         return
     if clashes := list(_names(content["bodies"], content["pins"])):
         yield from clashes
@@ -123,7 +123,9 @@ def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
         *((("forces", name), "unbalance") for name, force in forces.items() if force.unbalance),
     ]
     for place, key in moving:
-        reason = f"it has an {key}, but the file has no frequency; write frequency = 110.0 (Hz) at the top"
+        reason = (
+            f"there is an {key}, but no frequency; give one, as in frequency = 110.0 (Hz), before the bodies"
+        )
         yield Problem((*place, key), reason)
 
 
@@ -133,20 +135,20 @@ def _outputs(content: Mapping[str, Any]) -> Iterator[Problem]:
     for name, output in outputs.items():
         if not output.weights:
             yield Problem(("outputs", name), "has no weights; write them, as in { cutter = 1, guard = -1 }")
-        for body in output.weights:
+        for body, weight in output.weights.items():
             if body == GROUND:
-                yield Problem(("outputs", name, body), "the ground does not move; leave it out")
+                yield Problem(("outputs", name, body), "the ground does not move; leave it out", weight)
             elif body not in known:
-                yield Problem(("outputs", name, body), _no_such("body or pin", body, known))
+                yield Problem(("outputs", name, body), _no_such("body or pin", body, known), weight)
 
 
 def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
-    for name in content["start"]:
+    for name, state in content["start"].items():
         if name in content["pins"]:
             reason = "a pin starts where its motion puts it; only bodies have a start"
-            yield Problem(("start", name), reason)
+            yield Problem(("start", name), reason, state)
         elif name not in content["bodies"]:
-            yield Problem(("start", name), _no_such("body", name, content["bodies"]))
+            yield Problem(("start", name), _no_such("body", name, content["bodies"]), state)
 
 
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -173,7 +175,7 @@ def _symbols(content: Mapping[str, Any]) -> Iterator[Problem]:
     for symbol, place in dict.fromkeys(carried):
         if count[symbol] > 1:
             reason = f"the symbol {symbol} is taken twice (a damping takes c and the index of its stiffness)"
-            yield Problem(place, f"{reason}; choose another one")
+            yield Problem(place, f"{reason}; choose another one", symbol)
 
 
 def _symbols_of(part: Any) -> list[str]:

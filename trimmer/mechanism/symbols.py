@@ -6,7 +6,8 @@ import re
 
 SYMBOL_RULE = 'a symbol is a letter or a name, perhaps with an index, as in "k_2" or "k_bridge"'
 
-_SYMBOL = re.compile(r"[^\W\d_]+[0-9]*(?:_[^\W_]+|_\{[^\W_]+(?:,[^\W_]+)*\})?")
+_LETTER = "A-Za-zΑ-Ωα-ω"
+_SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]+(?:,[{_LETTER}0-9]+)*\}})?")
 
 
 def is_symbol(value: object) -> bool:

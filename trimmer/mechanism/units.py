@@ -18,7 +18,7 @@ _NUMBER_AND_UNIT = re.compile(
     r"\s*(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)\s*(?P<unit>.*?)\s*",
     flags=re.DOTALL,
 )
-_FACTOR = re.compile(r"(?P<name>[^\W\d_]+|°|1)(?:\^(?P<power>[+-]?[1-9])|(?P<raised>⁻?[¹²³⁴⁵⁶⁷⁸⁹]))?")
+_FACTOR = re.compile(r"(?P<name>[A-Za-zµμ]+|°|1)(?:\^(?P<power>[+-]?[1-9])|(?P<raised>⁻?[¹²³⁴⁵⁶⁷⁸⁹]))?")
 _RAISED = str.maketrans("⁻¹²³⁴⁵⁶⁷⁸⁹", "-123456789")
 _LONGEST_NUMBER = 60
 _LARGEST_EXPONENT = 400
