@@ -19,6 +19,7 @@ from derivations.parts import (
     Friction,
     Ground,
     Joint,
+    Output,
     Pin,
     RigidBody,
     Spring,
@@ -38,6 +39,7 @@ class Mechanism:
         contacts: All plays and stops.
         frictions: All frictions.
         forces: All given forces.
+        outputs: Displacements that are asked for.
     """
 
     bodies: tuple[RigidBody, ...]
@@ -47,6 +49,7 @@ class Mechanism:
     contacts: tuple[Contact, ...] = ()
     frictions: tuple[Friction, ...] = ()
     forces: tuple[Force, ...] = ()
+    outputs: tuple[Output, ...] = ()
 
     @property
     def resistances(self) -> tuple[Damper, ...]:

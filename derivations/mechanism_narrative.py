@@ -10,10 +10,10 @@ from derivations.contact_law import ContactStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
 from derivations.friction_law import FrictionStatement
 from derivations.latex import latex, latex_equation, latex_text
-from derivations.mechanism import elongation
+from derivations.mechanism import elongation, position
 from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
 from derivations.narrative import Formula, Step
-from derivations.parts import ContactLaw, Play
+from derivations.parts import ContactLaw, End, Play
 from derivations.symbols import t
 from derivations.unevaluated import total
 
@@ -36,6 +36,7 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[Step, ...]:
         _matrices(derivation.motion),
         *([_closed_contact(derivation.closed)] if mechanism.contacts else []),
         _state_space(derivation),
+        *([_outputs(derivation)] if mechanism.outputs else []),
         *map(_contact_law, derivation.contacts),
         *map(_friction_law, derivation.frictions),
         _checks(derivation),
@@ -190,6 +191,27 @@ def _space(motion: LinearMotion) -> list[Formula]:
         formulas.append(Formula(latex_equation(sympy.Symbol("B"), motion.space.b)))
         formulas.append(Formula(f"w = {latex(sympy.Matrix(driving))}"))
     return formulas
+
+
+def _outputs(derivation: MechanismDerivation) -> Step:
+    return Step(
+        "outputs",
+        "Outputs",
+        "The displacements that are asked for, in those of bodies and pins.",
+        tuple(
+            Formula(
+                latex_equation(
+                    output.displacement,
+                    total(*(weight * term for end, weight in output.weights for term in _terms(end))),
+                )
+            )
+            for output in derivation.mechanism.outputs
+        ),
+    )
+
+
+def _terms(end: End) -> tuple[sympy.Expr, ...]:
+    return sympy.Add.make_args(position(end))
 
 
 def _contact_law(statement: ContactStatement) -> Step:

@@ -191,4 +191,17 @@ class Force:
     law: sympy.Expr | None = None
 
 
+@dataclass(frozen=True)
+class Output:
+    """A displacement that is asked for: a weighted sum of those of bodies and pins.
+
+    Attributes:
+        displacement: m, a function of time.
+        weights: Each body or pin with its factor.
+    """
+
+    displacement: sympy.Expr
+    weights: tuple[tuple[RigidBody | Pin, sympy.Expr], ...]
+
+
 Joint = Spring | Damper | Contact | Friction

@@ -29,7 +29,7 @@ from derivations.numeric_module import numeric_module
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from derivations.unevaluated import product, total
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import Place, PrintedSymbol, plain_name, printed_symbols
 
 LAWS = {
@@ -144,6 +144,9 @@ class _Translation:
                 if friction.static_force != 0
             ),
             forces=tuple(self._force(name, force, bodies) for name, force in self.data.forces.items()),
+            outputs=tuple(
+                self._output(name, output, {**bodies, **pins}) for name, output in self.data.outputs.items()
+            ),
         )
 
     def _body(self, name: str) -> parts.RigidBody:
@@ -166,6 +169,14 @@ class _Translation:
         wave = product(height, self._wave("forces", name, force))
         law = total(constant, wave if height != 0 else 0)
         return parts.Force(bodies[force.on], self._function("forces", name, "value"), law)
+
+    def _output(
+        self, name: str, output: Output, ends: Mapping[str, parts.RigidBody | parts.Pin]
+    ) -> parts.Output:
+        weights = tuple(
+            (ends[end], sympy.nsimplify(weight, rational=True)) for end, weight in output.weights.items()
+        )
+        return parts.Output(self._function("outputs", name, "displacement"), weights)
 
     def _wave(self, section: str, name: str, part: Pin | Force) -> sympy.Expr:
         phase = self._number(section, name, "phase", part.phase)

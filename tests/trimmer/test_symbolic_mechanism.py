@@ -20,7 +20,7 @@ from trimmer.errors import MechanismError
 from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import plain_name, printed_symbols
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
@@ -275,6 +275,39 @@ def test_what_is_zero_is_left_out():
     symbolic = symbolic_mechanism(mechanism).mechanism
     assert symbolic.contacts == symbolic.frictions == ()
     assert len(symbolic.springs) == len(symbolic.dampers) == 1
+
+
+@settings(max_examples=8)
+@given(mechanisms(most_bodies=3))
+def test_random_mechanisms_pass_all_checks_of_their_derivation(mechanism):
+    """Newton's law, the power balance and the dimensions; the module is Python that runs."""
+    assert_sources_are_usable(mechanism)
+
+
+@pytest.mark.slow
+@settings(max_examples=100)
+@given(mechanisms(most_bodies=6))
+def test_larger_mechanisms_pass_all_checks_of_their_derivation(mechanism):
+    assert_sources_are_usable(mechanism)
+    assert_matrices_agree(mechanism)
+
+
+def assert_sources_are_usable(mechanism):
+    sources = derive_mechanism_sources(mechanism)
+    module = {}
+    exec(sources.module, module)
+    assert callable(module["mass_matrix"])
+    assert sources.latex.count("{") == sources.latex.count("}")
+
+
+def test_outputs_are_told_in_displacements_of_bodies_and_pins():
+    mechanism = one_body(
+        pins={"p": Pin("a", symbol="u")},
+        outputs={"half": Output({"p": 0.5}), "whole": Output({"a": 1, "p": -1})},
+    )
+    latex = derive_mechanism_sources(mechanism).latex
+    assert r"y_{\text{half}} = \frac{q_{a}}{2} + \frac{u}{2}" in latex
+    assert r"y_{\text{whole}} = q_{a} - q_{a} - u" in latex
 
 
 def test_motions_of_pins_and_forces_are_written_out():

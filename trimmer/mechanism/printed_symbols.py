@@ -106,6 +106,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("phase", r"\psi", "phase of %s", "rad"),
             Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
         ),
+        "outputs": (Stem("displacement", "y", "output %s", "m"),),
     }
 )
 """What has a symbol of its own, by section; the first is what the symbol that a part carries stands for."""
@@ -126,11 +127,11 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
     found = dict(carried)
     for section, name, part in _parts(mechanism):
         first, *others = STEMS[section]
-        letters, index = (first.form, None) if part.symbol is None else _split(part.symbol)
+        letters, index = (first.form, None) if (own := _symbol(part)) is None else _split(own)
         parts = list(getattr(mechanism, section))
-        alone = section in ("pins", "forces") and len(parts) == 1
-        preferred = index if part.symbol is not None or alone else name
-        for stem in others if part.symbol is not None else (first, *others):
+        alone = section in ("pins", "forces", "outputs") and len(parts) == 1
+        preferred = index if own is not None or alone else name
+        for stem in others if own is not None else (first, *others):
             form = stem.form % letters if "%s" in stem.form else stem.form
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
@@ -151,18 +152,22 @@ def plain_name(symbol: str) -> str:
 def _carried_symbols(mechanism: Mechanism) -> dict[Place, str]:
     found: dict[Place, str] = {}
     for section, name, part in _parts(mechanism):
-        if part.symbol is None:
+        if (own := _symbol(part)) is None:
             continue
-        printed = _with_index(*_split(part.symbol))
-        where = f'{place_text((section, name, "symbol"))} = "{part.symbol}"'
+        printed = _with_index(*_split(own))
+        where = f'{place_text((section, name, "symbol"))} = "{own}"'
         if printed in TAKEN:
             raise MechanismError(
-                f'{where}: the derivation uses this symbol itself; add an index, as in "{part.symbol}_1"'
+                f'{where}: the derivation uses this symbol itself; add an index, as in "{own}_1"'
             )
         if printed in found.values():
             raise MechanismError(f"{where}: several parts carry this symbol; give each its own")
         found[section, name, STEMS[section][0].of] = printed
     return found
+
+
+def _symbol(part: Any) -> str | None:
+    return getattr(part, "symbol", None)
 
 
 def _parts(mechanism: Mechanism) -> Iterator[tuple[str, str, Any]]:
