@@ -115,12 +115,9 @@ def test_file_of_the_thesis_gives_its_equations_and_matrices(thesis):
     assert derive_linear_trimmer(symbolic.mechanism).transfer == expected.transfer
 
 
-def test_file_of_the_thesis_gives_the_generated_module(thesis):
+def test_file_of_the_thesis_gives_the_generated_module_whatever_its_names_and_order(thesis):
     generated = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
     assert derive_mechanism_sources(thesis).module == generated
-
-
-def test_order_of_links_and_names_do_not_change_the_module_of_the_thesis(thesis):
     names = dict(zip(thesis.bodies, "abcd", strict=True)) | {GROUND: GROUND, "pin": "p"}
     renamed = replace(
         thesis,
@@ -132,7 +129,7 @@ def test_order_of_links_and_names_do_not_change_the_module_of_the_thesis(thesis)
         },
         outputs={},
     )
-    assert derive_mechanism_sources(renamed).module == derive_mechanism_sources(thesis).module
+    assert derive_mechanism_sources(renamed).module == generated
 
 
 def test_symbols_of_the_table_are_those_of_the_thesis(thesis):
