@@ -239,7 +239,7 @@ def _friction_law(statement: FrictionStatement) -> Step:
     formulas = [
         Formula(f"{v} = {latex(statement.rate)}"),
         Formula(f"{force} = {latex(statement.sliding)} \\quad \\text{{while }} {v} \\neq 0"),
-        Formula(f"|{force}| \\le {latex(friction.static)} \\quad \\text{{while }} {v} = 0"),
+        Formula(f"{latex(sympy.Abs(friction.force))} \\le {latex(friction.static)} \\quad \\text{{while }} {v} = 0"),
     ]
     if statement.held is not None:
         formulas.append(Formula(f"{force} = {latex(statement.held)}"))
