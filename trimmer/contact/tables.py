@@ -190,4 +190,4 @@ class Modes:
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
         relaxing = np.array(mode.statuses[:contacts]) == RELAXING
-        tables.relaxation[number, relaxing] = (self.machine.stiffness / self.machine.damping)[relaxing]
+        tables.relaxation[number, relaxing] = self.machine.stiffness[relaxing] / self.machine.damping[relaxing]
