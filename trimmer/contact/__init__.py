@@ -8,6 +8,6 @@ which the motion is linear and its flow known in closed form. ``flow`` is the in
 into arrays. ``assembly`` writes the equations of a mode and the event functions that end it, ``transitions``
 says what follows them, and ``joint`` decides where several frictions are at rest together. ``tables`` keeps
 the modes that were met, and ``series`` writes their polynomials. ``integration`` goes from event to event in
-compiled code, ``step_event`` finds the next one, ``work`` holds its arrays, and ``advance`` calls it. ``variation`` differentiates the motion,
-``nodes`` samples it.
+compiled code, ``step_event`` finds the next one, ``work`` holds its arrays, and ``advance`` calls it.
+``variation`` differentiates the motion, and ``nodes`` samples it.
 """
