@@ -1,0 +1,177 @@
+"""The arrays of a mechanism: what its exact motion is computed from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from trimmer.arrays import Integers, Places, Reals
+from trimmer.contact.layout import Layout, Rows, layout_of, moves
+from trimmer.contact.statuses import PULLS, RELAXES, TRUNCATES
+from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.mechanism.mechanism import Mechanism
+
+_LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactLaw.PULLING: PULLS}
+
+
+class Machine(NamedTuple):
+    """The numbers of a mechanism; n bodies, m contacts, p frictions, N entries of the extended state.
+
+    Attributes:
+        base: Flow without contacts and dry friction, (N, N).
+        contact_distance: s = end - start as functionals, (m, N).
+        contact_rate: Its rate, (m, N).
+        contact_push: Accelerations by a force of 1 N that pulls the ends together, (m, n).
+        stiffness, damping: Of the contacts, N/m and N s/m, (m,).
+        offsets: Distances at which contact begins on the plus side, and on the minus side with its sign, m,
+            infinite for none: (m, 2).
+        law: Contact laws, (m,).
+        relaxing_state: Place of z in the extended state, -1 for none, (m,).
+        always: Whether a contact has no gap and so never ends, (m,).
+        friction_rate: Velocities of end relative to start as functionals, (p, N).
+        friction_push: Accelerations by a force of 1 N on the end, (p, n).
+        kinetic, static: Forces of the frictions, N, (p,).
+        vertices: Bodies at start and end of the frictions, n for the ground, (p, 2).
+    """
+
+    base: Reals
+    contact_distance: Reals
+    contact_rate: Reals
+    contact_push: Reals
+    stiffness: Reals
+    damping: Reals
+    offsets: Reals
+    law: Integers
+    relaxing_state: Integers
+    always: Integers
+    friction_rate: Reals
+    friction_push: Reals
+    kinetic: Reals
+    static: Reals
+    vertices: Integers
+
+
+def machine_of(mechanism: Mechanism) -> tuple[Machine, Layout]:
+    """Return the arrays of a mechanism and the names of their rows."""
+    parts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
+    contacts = {name: part for name, part in parts.items() if part.stiffness > 0 or part.damping > 0}
+    frictions = {name: part for name, part in mechanism.frictions.items() if part.static_force > 0}
+    layout = layout_of(mechanism, contacts, tuple(frictions))
+    rows = Rows(mechanism, layout)
+    machine = Machine(
+        base=_base(mechanism, layout, rows),
+        **_contacts(contacts, layout, rows),
+        **_frictions(mechanism, frictions, layout, rows),
+    )
+    return machine, layout
+
+
+def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
+    count = len(layout.bodies)
+    base = np.zeros((layout.size, layout.size))
+    base[:count, count : 2 * count] = np.eye(count)
+    for link in mechanism.links.values():
+        start, end = link.between
+        force = link.stiffness * (rows.displacement(end) - rows.displacement(start))
+        force += link.damping * (rows.velocity(end) - rows.velocity(start))
+        base[count : 2 * count] -= np.outer(rows.push(start, end), force)
+    for friction in mechanism.frictions.values():
+        start, end = friction.between
+        drag = friction.viscous * (rows.velocity(end) - rows.velocity(start))
+        base[count : 2 * count] -= np.outer(rows.push(start, end), drag)
+    for force_on in mechanism.forces.values():
+        push = rows.push(GROUND, force_on.on)
+        base[count : 2 * count, -1] += push * force_on.constant
+        if moves(force_on):
+            amplitude = force_on.amplitude + force_on.unbalance * (force_on.order * layout.omega) ** 2
+            base[count : 2 * count] += np.outer(push, rows.wave(force_on.order, amplitude, force_on.phase))
+    for order in layout.orders:
+        sine = layout.sine(order)
+        base[sine, sine + 1] = order * layout.omega
+        base[sine + 1, sine] = -order * layout.omega
+    if layout.ramp:
+        base[-2, -1] = 1.0
+    return base
+
+
+def _contacts(contacts: Mapping[str, Play | Stop], layout: Layout, rows: Rows) -> dict[str, Any]:
+    count = len(contacts)
+    parts = list(contacts.values())
+    between = [part.between for part in parts]
+    first = 2 * len(layout.bodies)
+    return {
+        "contact_distance": _stacked(
+            [rows.displacement(end) - rows.displacement(start) for start, end in between], layout.size
+        ),
+        "contact_rate": _stacked(
+            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
+        ),
+        "contact_push": _stacked([-rows.push(start, end) for start, end in between], len(layout.bodies)),
+        "stiffness": np.array([part.stiffness for part in parts], dtype=np.float64),
+        "damping": np.array([part.damping for part in parts], dtype=np.float64),
+        "offsets": np.array([_offsets(part) for part in parts], dtype=np.float64).reshape(count, 2),
+        "law": np.array([PULLS if p.damping == 0 else _LAWS[p.law] for p in parts], dtype=np.int64),
+        "relaxing_state": np.array(
+            [first + layout.relaxing.index(name) if name in layout.relaxing else -1 for name in contacts],
+            dtype=np.int64,
+        ),
+        "always": np.array([_never_ends(part) for part in parts], dtype=np.int64),
+    }
+
+
+def _offsets(part: Play | Stop) -> tuple[float, float]:
+    return (part.gap / 2, -part.gap / 2) if isinstance(part, Play) else (part.gap, -np.inf)
+
+
+def _never_ends(part: Play | Stop) -> bool:
+    """Return whether a part is a link: a play without gap, unless its law cuts off the pull of its damper."""
+    truncates = part.law is ContactLaw.TRUNCATED and part.damping > 0
+    return isinstance(part, Play) and part.gap == 0 and not truncates
+
+
+def _frictions(
+    mechanism: Mechanism, frictions: Mapping[str, object], layout: Layout, rows: Rows
+) -> dict[str, Any]:
+    parts = [mechanism.frictions[name] for name in frictions]
+    between = [part.between for part in parts]
+    return {
+        "friction_rate": _stacked(
+            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
+        ),
+        "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.bodies)),
+        "kinetic": np.array([part.force for part in parts], dtype=np.float64),
+        "static": np.array([part.static_force for part in parts], dtype=np.float64),
+        "vertices": np.array(
+            [[rows.carrier(start), rows.carrier(end)] for start, end in between], dtype=np.int64
+        ).reshape(-1, 2),
+    }
+
+
+def _stacked(rows: list[Reals], size: int) -> Reals:
+    return np.array(rows, dtype=np.float64).reshape(-1, size)
+
+
+def independent(vertices: Integers, frictions: Places) -> Places:
+    """Return those of some frictions that hold them all together, without rings: numbers, in order.
+
+    Bodies and the ground are vertices of a graph and the frictions its edges; these are a spanning tree.
+    """
+    parents = list(range(int(vertices.max(initial=0)) + 1))
+
+    def root(vertex: int) -> int:
+        while parents[vertex] != vertex:
+            vertex = parents[vertex]
+        return vertex
+
+    tree = []
+    for friction in frictions:
+        start, end = (root(int(vertex)) for vertex in vertices[friction])
+        if start != end:
+            parents[start] = end
+            tree.append(friction)
+    return np.array(tree, dtype=np.intp)

@@ -1,0 +1,209 @@
+"""The flow of a mode over one step as a polynomial, and its event functions in Bernstein form: compiled.
+
+It is what ``trimmer.motion.taylor`` does, which says where the length of a step comes from.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from trimmer.arrays import Integers, Reals
+from trimmer.contact.compilation import sources
+from trimmer.motion.compilation import inlined, kept
+from trimmer.motion.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
+
+STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
+"""Length of a step times the growth of its flow."""
+SWEEPS = 12
+"""Sweeps in which a matrix is balanced; a few are usual."""
+COUNT = DEGREE + 1
+"""Coefficients of a polynomial."""
+
+
+class ModeTables(NamedTuple):
+    """Where the tables of one mode are written, which ``trimmer.contact.tables.Tables`` describes.
+
+    Attributes:
+        screen: (N, N + functions (K + 1)).
+        series: (N, (K + 1) N).
+        terms: (LEVELS,).
+        taylor: (functions, N, K + 1).
+        sizes: (functions, N, K + 1).
+        bernstein_from_taylor: It is read, (MOST_ZEROS + 1, K + 1, K + 1).
+    """
+
+    screen: Reals
+    series: Reals
+    terms: Integers
+    taylor: Reals
+    sizes: Reals
+    bernstein_from_taylor: Reals
+
+
+@inlined
+def _multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
+    """Write factor · left (n, n) · right (n, n)."""
+    size = left.shape[0]
+    for i in range(size):
+        for j in range(size):
+            result[i, j] = 0.0
+        for k in range(size):
+            weight = factor * left[i, k]
+            if weight != 0.0:
+                for j in range(size):
+                    result[i, j] += weight * right[k, j]
+
+
+@inlined
+def _norm(matrix: Reals, first: int, end: int) -> float:
+    """Return the largest sum of moduli of a column of a block on the diagonal."""
+    largest = 0.0
+    for j in range(first, end):
+        total = 0.0
+        for i in range(first, end):
+            total += abs(matrix[i, j])
+        largest = max(largest, total)
+    return largest
+
+
+@inlined
+def _balance(matrix: Reals) -> None:
+    """Scale rows and columns of a square matrix alike until their sums match (Parlett and Reinsch 1969)."""
+    count = matrix.shape[0]
+    for _ in range(SWEEPS):
+        for i in range(count):
+            column, row = 0.0, 0.0
+            for j in range(count):
+                if j != i:
+                    column += abs(matrix[j, i])
+                    row += abs(matrix[i, j])
+            if column > 0.0 and row > 0.0:
+                scale = math.sqrt(row / column)
+                for j in range(count):
+                    matrix[j, i] *= scale
+                    matrix[i, j] /= scale
+
+
+@inlined
+def _growth(matrix: Reals, count: int) -> float:
+    """Return the root of the norm of a power of the first block of a matrix, balanced, 1/s.
+
+    It bounds the remainder of the exponential series.
+    """
+    balanced, total, other = np.zeros((count, count)), np.zeros((count, count)), np.zeros((count, count))
+    for i in range(count):
+        total[i, i] = 1.0
+        for j in range(count):
+            balanced[i, j] = matrix[i, j]
+    _balance(balanced)
+    size, growth = _norm(balanced, 0, count), 0.0
+    if size > 0.0:
+        for _ in range(COUNT):
+            _multiply(balanced, total, 1.0 / size, other)
+            for i in range(count):
+                for j in range(count):
+                    total[i, j] = other[i, j]
+        growth = size * _norm(total, 0, count) ** (1.0 / COUNT)
+    return growth
+
+
+@inlined
+def _write_flow(terms: Reals, target: ModeTables) -> None:
+    """Write the flow over a whole step, and the terms of its series side by side."""
+    size = terms.shape[1]
+    for j in range(size):
+        for i in range(size):
+            whole = 0.0
+            for k in range(COUNT - 1, -1, -1):
+                whole += terms[k, i, j]
+                target.series[j, k * size + i] = terms[k, i, j]
+            target.screen[j, i] = whole
+
+
+@inlined
+def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
+    """Write the coefficients of s^k of a functional, and the sums of the moduli of their terms."""
+    for j in range(row.size):
+        for k in range(COUNT):
+            value, modulus = 0.0, 0.0
+            for i in range(row.size):
+                term = row[i] * terms[k, i, j]
+                value += term
+                modulus += abs(term)
+            taylor[j, k] = value
+            sizes[j, k] = modulus
+
+
+@inlined
+def _write_screen(function: int, target: ModeTables) -> None:
+    """Write the Bernstein coefficients of an event function beside those of the others."""
+    size = target.screen.shape[0]
+    for j in range(size):
+        for i in range(COUNT):
+            value = 0.0
+            for k in range(COUNT):
+                value += target.taylor[function, j, k] * target.bernstein_from_taylor[0, k, i]
+            target.screen[j, size + function * COUNT + i] = value
+
+
+@inlined
+def _sufficient(terms: Reals, level: int) -> int:
+    """Return how many terms give every entry of the flow to rounding, for fractions up to 4^-level."""
+    needed, size = 1, terms.shape[1]
+    for i in range(size):
+        for j in range(size):
+            total, weight = 0.0, 1.0
+            for k in range(COUNT):
+                total += weight * abs(terms[k, i, j])
+                weight *= 0.25**level
+            reached, weight, used = 0.0, 1.0, 0
+            while used < COUNT and total - reached > REMAINDER * total:
+                reached += weight * abs(terms[used, i, j])
+                weight *= 0.25**level
+                used += 1
+            needed = max(needed, used)
+    return needed
+
+
+def _entry(sources: bytes) -> Callable[..., float]:
+    def entry(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:
+        sources  # noqa: B018
+        size = flow.shape[0]
+        rate = max(_growth(flow, states), _norm(flow, states, size), 1.0 / LONGEST_STEP)
+        step = STEP / rate
+        terms = np.zeros((COUNT, size, size))
+        for i in range(size):
+            terms[0, i, i] = 1.0
+        for k in range(1, COUNT):
+            _multiply(flow, terms[k - 1], step / k, terms[k])
+        _write_flow(terms, target)
+        for function in range(rows.shape[0]):
+            _expand(rows[function], terms, target.taylor[function], target.sizes[function])
+            _write_screen(function, target)
+        for level in range(LEVELS):
+            target.terms[level] = _sufficient(terms, level)
+        return float(step)
+
+    return kept(entry)
+
+
+_compiled_entry = _entry(sources())
+
+
+def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:
+    """Write the tables of a mode.
+
+    Args:
+        flow: The matrix M, (N, N).
+        states: How many of its first entries do not force the others.
+        rows: Event functions as functionals, (functions, N).
+        target: The tables to be written.
+
+    Returns:
+        The length h of a step, s.
+    """
+    return _compiled_entry(flow, states, rows, target)
