@@ -236,10 +236,11 @@ def _contact_law(statement: ContactStatement) -> Step:
 def _friction_law(statement: FrictionStatement) -> Step:
     friction = statement.friction
     v, force = latex(friction.rate), latex(friction.force)
+    size = latex(sympy.Abs(friction.force))
     formulas = [
         Formula(f"{v} = {latex(statement.rate)}"),
         Formula(f"{force} = {latex(statement.sliding)} \\quad \\text{{while }} {v} \\neq 0"),
-        Formula(f"{latex(sympy.Abs(friction.force))} \\le {latex(friction.static)} \\quad \\text{{while }} {v} = 0"),
+        Formula(f"{size} \\le {latex(friction.static)} \\quad \\text{{while }} {v} = 0"),
     ]
     if statement.held is not None:
         formulas.append(Formula(f"{force} = {latex(statement.held)}"))

@@ -7,6 +7,7 @@ from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, L
 
 POSITIVE = st.floats(0.1, 10.0)
 OR_ZERO = st.one_of(st.just(0.0), POSITIVE)
+ORDERS = st.integers(1, 3)
 SIGNED = st.one_of(st.just(0.0), st.floats(-2.0, 2.0))
 
 
@@ -15,7 +16,7 @@ def mechanisms(draw, most_bodies=4):
     bodies = {f"body {index}": Body(draw(POSITIVE)) for index in range(draw(st.integers(1, most_bodies)))}
     carriers = [*bodies, GROUND]
     pins = {
-        f"pin {index}": Pin(draw(st.sampled_from(carriers)), draw(SIGNED), draw(SIGNED), draw(SIGNED))
+        f"pin {index}": Pin(draw(st.sampled_from(carriers)), *(draw(SIGNED) for _ in range(4)), draw(ORDERS))
         for index in range(draw(st.integers(0, 2)))
     }
     on = {name: name for name in carriers} | {name: pin.on for name, pin in pins.items()}
@@ -33,7 +34,12 @@ def mechanisms(draw, most_bodies=4):
         plays=draw(_parts("play", st.builds(Play, between, POSITIVE, OR_ZERO, OR_ZERO, law))),
         stops=draw(_parts("stop", st.builds(Stop, between, POSITIVE, OR_ZERO, SIGNED, law))),
         frictions=draw(_parts("friction", st.builds(Friction, between, POSITIVE, st.none(), OR_ZERO))),
-        forces=draw(_parts("force", st.builds(Force, st.sampled_from(list(bodies)), SIGNED, SIGNED))),
+        forces=draw(
+            _parts(
+                "force",
+                st.builds(Force, st.sampled_from(list(bodies)), SIGNED, SIGNED, SIGNED, ORDERS, OR_ZERO),
+            )
+        ),
     )
 
 

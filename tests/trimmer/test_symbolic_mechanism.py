@@ -9,13 +9,14 @@ import pytest
 import sympy
 from hypothesis import given, settings
 
-from derivations.equations_of_motion import accelerations, motion_matrices
+from derivations.equations_of_motion import accelerations, inputs, motion_matrices
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import closed, trimmer
 from derivations.state_space import state_space
-from derivations.symbols import PARAMETERS, coordinates
+from derivations.symbols import PARAMETERS, coordinates, t
 from tests.trimmer.mechanism_strategy import mechanisms
 from trimmer.code_generation import derive_mechanism_sources, symbolic_mechanism
+from trimmer.contact.machine import machine_of
 from trimmer.errors import MechanismError
 from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
@@ -74,6 +75,50 @@ def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
 @given(mechanisms())
 def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
     assert_matrices_agree(mechanism)
+
+
+def assert_motion_agrees(mechanism, time):
+    """Hold the accelerations of the exact engine, of a state and a time, against the derived ones."""
+    symbolic = symbolic_mechanism(mechanism)
+    machine, layout = machine_of(mechanism)
+    bodies = len(mechanism.bodies)
+    state = np.random.default_rng(bodies).uniform(-1.0, 1.0, layout.state_count)
+    pushed = machine.base[bodies : 2 * bodies] @ np.concatenate([state, layout.forcing_at(time)])
+    values = values_at(symbolic, state, time)
+    derived = [float(each.doit().xreplace(values)) for each in laws_inserted(symbolic.mechanism)]
+    np.testing.assert_allclose(derived, pushed, rtol=1e-9, atol=1e-9 * np.abs(pushed).max())
+    matrices = numbers_of(motion_matrices(symbolic.mechanism), symbolic)
+    inverse = np.linalg.inv(matrices["mass"])
+    np.testing.assert_allclose(machine.contact_push, (inverse @ matrices["contact_force"]).T, rtol=1e-12)
+    np.testing.assert_allclose(machine.friction_push, -(inverse @ matrices["friction_force"]).T, rtol=1e-12)
+
+
+def laws_inserted(mechanism):
+    """Return accelerations with the motions of pins and forces written out, contacts and dry friction off."""
+    written = {pin.displacement: pin.law for pin in mechanism.pins}
+    written |= {force.value: force.law for force in mechanism.forces}
+    written |= {each: 0 for kind in inputs(mechanism)[3:] for each in kind}
+    return [acceleration.xreplace(written) for acceleration in accelerations(mechanism)]
+
+
+def values_at(symbolic, state, time):
+    values = {each.quantity.symbol: each.value for each in symbolic.quantities if each.value is not None}
+    for index, body in enumerate(symbolic.mechanism.bodies):
+        values[body.coordinate] = state[index]
+        values[body.coordinate.diff(t)] = state[len(symbolic.mechanism.bodies) + index]
+    return {**values, t: time}
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_engine_moves_the_examples_as_they_are_derived(path):
+    mechanism = Mechanism.from_toml(path)
+    assert_motion_agrees(mechanism, 0.3 / (mechanism.frequency or 1.0))
+
+
+@settings(max_examples=15)
+@given(mechanisms(most_bodies=3))
+def test_engine_moves_random_mechanisms_as_they_are_derived(mechanism):
+    assert_motion_agrees(mechanism, 0.4)
 
 
 @settings(max_examples=10)
