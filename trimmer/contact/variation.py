@@ -82,7 +82,6 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
     Returns:
         Distances at its end, (n, columns). Where contact or stick holds at the start, they fit it first.
     """
-    count = modes.layout.state_count
     distances = np.ascontiguousarray(_fitted(modes, int(log.mode[0]), tangents))
     rows = len(log.start)
     row = 0

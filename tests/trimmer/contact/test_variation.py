@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from tests.trimmer.contact.test_limits import trimmer
 
+from tests.trimmer.contact.test_limits import trimmer
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism.parts import Body, ContactLaw, Friction, Link, Pin, Stop
 
 
 def differences(flow, instant, steps):
