@@ -124,7 +124,7 @@ def test_with_little_damping_a_relaxing_contact_approaches_the_dead_zone_in_prop
 
 
 def light_bridge(scale):
-    """Return a bridge that friction holds, in a slot whose stiffness and lightness grow as ``scale`` falls."""
+    """Return a bridge that friction holds, in a slot that is stiffer the smaller ``scale`` is."""
     mass, stiffness = 1e-5 * scale, 1e6 / scale
     return Mechanism(
         bodies={"bridge": Body(mass)},
