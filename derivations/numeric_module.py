@@ -33,7 +33,7 @@ def numeric_module(title: str, derivation: MechanismDerivation, arguments: Mappi
     contact.
 
     Args:
-        title: What the mechanism is; what would end a docstring is left out.
+        title: What the mechanism is; what would end a docstring is replaced.
         derivation: The derivation.
         arguments: A name for each symbol, in their order; those that do not occur are left out.
     """
@@ -92,13 +92,13 @@ def _input_matrix(name: str, motion: LinearMotion) -> Iterator[NumericFunction]:
     pins = len(mechanism.pins)
     kinds = {
         "pin displacement and pin velocity": pins == 1,
-        "displacements of the pins, then velocities of the pins": pins > 1,
+        "displacements of pins, velocities of pins": pins > 1,
         "given forces": mechanism.forces,
-        "tensions of contacts": mechanism.contacts,
-        "dry forces of frictions": mechanism.frictions,
-        "one constant": not motion.matrices.constant_force.is_zero_matrix,
+        "tensions": mechanism.contacts,
+        "dry forces": mechanism.frictions,
+        "one": not motion.matrices.constant_force.is_zero_matrix,
     }
-    listed = ", then ".join(words for words, there in kinds.items() if there)
+    listed = ", ".join(words for words, there in kinds.items() if there)
     if listed:
         yield NumericFunction(name, f"Return B ({matrix.rows} × {matrix.cols}) for {listed}.", _rows(matrix))
 

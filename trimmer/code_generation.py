@@ -8,7 +8,6 @@ shows up as a readable difference.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import chain, count
@@ -30,7 +29,14 @@ from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from derivations.unevaluated import product, total
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Output, Pin, Play, Stop
-from trimmer.mechanism.printed_symbols import Place, PrintedSymbol, plain_name, printed_symbols
+from trimmer.mechanism.printed_symbols import (
+    Place,
+    PrintedSymbol,
+    natural_order,
+    plain_name,
+    printed_symbols,
+    value_of,
+)
 
 LAWS = {
     ContactLaw.RELAXING: parts.ContactLaw.RELAXING,
@@ -270,7 +276,7 @@ def _quantities(
     by_name = {_name(symbol): symbol for symbol in occurring}
     of_parts = (
         ValuedQuantity(
-            Quantity(by_name[each.symbol], each.meaning, UNITS[each.unit]), _value(mechanism, place)
+            Quantity(by_name[each.symbol], each.meaning, UNITS[each.unit]), value_of(mechanism, place)
         )
         for place, each in printed.items()
         if each.symbol in by_name
@@ -284,31 +290,17 @@ def _quantities(
     )
 
 
-def _value(mechanism: Mechanism, place: Place) -> float | None:
-    section, name, of = place
-    part = getattr(mechanism, section)[name]
-    if of == "static":
-        return float(part.static_force)
-    value = getattr(part, of, None)
-    return None if value is None else float(value)
-
-
 def _arguments(printed: Mapping[Place, PrintedSymbol], occurring: set[sympy.Basic]) -> dict[sympy.Expr, str]:
     """Name the symbols of matrices, by kind and then by name, and the displacements of bodies."""
     by_name = {_name(symbol): symbol for symbol in occurring}
     found: dict[sympy.Expr, str] = {}
     for kind in (*ARGUMENTS, "coordinate"):
         listed = (each.symbol for (_, _, of), each in printed.items() if of == kind)
-        for name in sorted(set(listed) & by_name.keys(), key=_natural):
+        for name in sorted(set(listed) & by_name.keys(), key=natural_order):
             plain, taken = plain_name(name), set(found.values())
             others = (f"{plain}_{number}" for number in count(2))
             found[by_name[name]] = next(each for each in chain((plain,), others) if each not in taken)
     return found
-
-
-def _natural(name: str) -> list[tuple[int, str]]:
-    """Return a key by which q_2 stands before q_10."""
-    return [(int(digits or 0), other) for other, digits in re.findall(r"(\D*)(\d*)", name)]
 
 
 def _name(symbol: sympy.Basic) -> str:

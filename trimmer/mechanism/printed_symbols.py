@@ -149,6 +149,21 @@ def plain_name(symbol: str) -> str:
     return f"{name}_" if iskeyword(name) else name
 
 
+def natural_order(name: str) -> list[tuple[int, str]]:
+    """Return a key by which q_2 stands before q_10."""
+    return [(int(digits or 0), other) for other, digits in re.findall(r"(\D*)(\d*)", name)]
+
+
+def value_of(mechanism: Mechanism, place: Place) -> float | None:
+    """Return the number that a symbol stands for, in SI units; None for a function of time."""
+    section, name, of = place
+    part = getattr(mechanism, section)[name]
+    if of == "static":
+        return float(part.static_force)
+    value = getattr(part, of, None)
+    return None if value is None else float(value)
+
+
 def _carried_symbols(mechanism: Mechanism) -> dict[Place, str]:
     found: dict[Place, str] = {}
     for section, name, part in _parts(mechanism):
@@ -219,4 +234,5 @@ def _with_index(letters: str, index: str | None) -> str:
 
 def _escaped(words: str) -> str:
     special = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    special |= {"<": r"\textless{}", ">": r"\textgreater{}", "`": r"\textasciigrave{}"}
     return "".join(special.get(each, f"\\{each}" if each in "{}$&#_%" else each) for each in words)
