@@ -129,7 +129,9 @@ class BruteForce:
     def run(self, system: System, state: np.ndarray, begin: float, end: float) -> BruteMotion:
         """Integrate from a state, (displacements, velocities, z), at one time to another."""
         motion = BruteMotion(system, final=np.array(state, dtype=float))
-        judge = Judge(system, near=max(1e-11, 10 * self.tolerance), derivative_near=max(1e-9, 1e3 * self.tolerance))
+        judge = Judge(
+            system, near=max(1e-11, 10 * self.tolerance), derivative_near=max(1e-9, 1e3 * self.tolerance)
+        )
         time, mode, at_once = begin, None, 0
         while True:
             y = extend(system, motion.final, time)
@@ -148,9 +150,7 @@ class BruteForce:
                 raise RuntimeError(f"events accumulate at {time}")
             time = reached
 
-    def _until_event(
-        self, motion: BruteMotion, judge: Judge, mode: Mode, time: float, end: float
-    ) -> float:
+    def _until_event(self, motion: BruteMotion, judge: Judge, mode: Mode, time: float, end: float) -> float:
         """Add steps until a guard turns negative or the end, and return the time reached."""
         system = motion.system
         dynamics, size = system.dynamics(mode), system.rows.state_size
@@ -162,8 +162,14 @@ class BruteForce:
 
         def solver(begin: float, x: np.ndarray, until: float, first: float | None = None) -> DOP853:
             return DOP853(
-                rates, begin, x, until, rtol=self.tolerance, atol=self._absolute(system),
-                first_step=first, max_step=longest_step(system),
+                rates,
+                begin,
+                x,
+                until,
+                rtol=self.tolerance,
+                atol=self._absolute(system),
+                first_step=first,
+                max_step=longest_step(system),
             )
 
         guards, armed = dynamics.guards, np.zeros(len(dynamics.guards), dtype=bool)

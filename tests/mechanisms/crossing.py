@@ -88,6 +88,8 @@ def _end(step: Step, guards: Watch, row: int, times: np.ndarray) -> float | None
         return float(guards.rates[row] @ step.interpolated(np.array([time]))[:, 0])
 
     if value(after) >= 0:
+        if not rate(before) < 0 < rate(after):
+            return None
         after = brentq(rate, before, after, xtol=1e-300, rtol=1e-14)
         if value(after) >= 0:
             return None

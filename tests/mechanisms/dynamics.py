@@ -133,7 +133,9 @@ class System:
             if sign:
                 guards.append(sign * friction.velocity)
         if sticking is not None:
-            limits = [f.part.static_force for f, s in zip(self.frictions, mode.frictions, strict=True) if not s]
+            limits = [
+                f.part.static_force for f, s in zip(self.frictions, mode.frictions, strict=True) if not s
+            ]
             for w in sticking.excesses():
                 most, held = self.rows.constant(float(np.abs(w) @ limits)), w @ sticking.forces
                 guards += [most - held, most + held]

@@ -90,7 +90,9 @@ def load(forces: np.ndarray, null: np.ndarray, limits: np.ndarray) -> float:
     return float(solved.fun)
 
 
-def at_limit_in_every_split(forces: np.ndarray, null: np.ndarray, limits: np.ndarray, near: float) -> list[int]:
+def at_limit_in_every_split(
+    forces: np.ndarray, null: np.ndarray, limits: np.ndarray, near: float
+) -> list[int]:
     """Return the frictions whose force has the size of its limit in all admissible splits."""
     allowed = np.r_[limits - forces, limits + forces] + near * np.r_[limits, limits]
     found = []
