@@ -172,7 +172,8 @@ class BruteForce:
                 max_step=longest_step(system),
             )
 
-        guards, armed = dynamics.guards, np.zeros(len(dynamics.guards), dtype=bool)
+        guards, guard_rates = dynamics.guards, dynamics.guards @ dynamics.rates
+        armed = np.zeros(len(dynamics.guards), dtype=bool)
         running = solver(time, motion.final, end)
         while running.status == "running":
             x_before = running.y.copy()
@@ -181,8 +182,8 @@ class BruteForce:
                 raise RuntimeError(f"the integrator fails at {running.t}")
             step = self._step(system, running, x_before, solver)
             y = extend(system, running.y, running.t)
-            positive = np.array([judge.near * judge.size(guard, y) for guard in guards])
-            seen = watch(step, Watch(guards, guards @ dynamics.rates, positive), armed)
+            positive = judge.near * judge.size(guards, y)
+            seen = watch(step, Watch(guards, guard_rates, positive), armed)
             armed = seen.armed
             reached = step.end if seen.crossing is None else seen.crossing
             motion.pieces.append(Piece(step.begin, reached, mode, step.interpolated))
@@ -212,7 +213,7 @@ class BruteForce:
         return Step(begin, running.t, interpolated, exactly)
 
     def _absolute(self, system: System) -> np.ndarray:
-        return self.tolerance * 1e-3 * system.usual()[: system.rows.state_size]
+        return self.tolerance * 1e-3 * system.usual[: system.rows.state_size]
 
 
 def longest_step(system: System) -> float:

@@ -53,28 +53,20 @@ def watch(step: Step, guards: Watch, armed: np.ndarray) -> Watched:
     times = np.linspace(step.begin, step.end, SAMPLES)
     y = step.interpolated(times)
     values, rates = guards.guards @ y, guards.rates @ y
-    armed = armed.copy()
-    for place in range(SAMPLES - 1):
-        armed |= values[:, place] > guards.positive
+    reached = np.maximum.accumulate(values > guards.positive[:, None], axis=1) | armed[:, None]
+    dips = (values[:, :-1] > 0) & (rates[:, :-1] < 0) & (rates[:, 1:] > 0)
+    may_end = reached[:, :-1] & ((values[:, 1:] < 0) | dips)
+    lost = ~reached[:, 1:] & (values[:, 1:] < -1e3 * guards.positive[:, None])
+    for place in np.flatnonzero(np.any(may_end | lost, axis=0)):
         ended = [
-            _end(step, guards, row, times[place : place + 2])
-            for row in np.flatnonzero(armed | (values[:, place + 1] > guards.positive))
-            if _may_end(values[row, place : place + 2], rates[row, place : place + 2], armed[row])
+            _end(step, guards, row, times[place : place + 2]) for row in np.flatnonzero(may_end[:, place])
         ]
         known = [time for time in ended if time is not None]
         if known:
-            return Watched(armed, min(known))
-        lost = values[:, place + 1] < -1e3 * guards.positive
-        if np.any(lost & ~armed & (values[:, place + 1] < values[:, 0] - guards.positive)):
-            return Watched(armed, float(times[place]))
-    return Watched(armed | (values[:, -1] > guards.positive), None)
-
-
-def _may_end(values: np.ndarray, rates: np.ndarray, armed: bool) -> bool:
-    before, after = values
-    if after < 0:
-        return armed
-    return armed and before > 0 and bool(rates[0] < 0 < rates[1])
+            return Watched(reached[:, place], min(known))
+        if np.any(lost[:, place]):
+            return Watched(reached[:, place], float(times[place]))
+    return Watched(reached[:, -1], None)
 
 
 def _end(step: Step, guards: Watch, row: int, times: np.ndarray) -> float | None:

@@ -1,7 +1,7 @@
 """Which mode goes on from an instant: all combinations that the state allows are tried.
 
-A mode is possible if every guard of it is positive, or zero and about to grow: the first of its derivatives in
-that mode that is not zero decides. No pivoting, no memory: the state alone tells.
+A mode is possible if every guard of it is positive, or zero and about to grow: the first of its derivatives
+in that mode that is not zero decides. No pivoting, no memory: the state alone tells.
 """
 
 from __future__ import annotations
@@ -43,10 +43,9 @@ class Judge:
     near: float = 1e-11
     derivative_near: float = 1e-9
 
-    def size(self, row: np.ndarray, y: np.ndarray) -> float:
-        """Size of the terms of a row."""
-        floor = 1e-3 * self.system.usual()
-        return float(np.abs(row) @ np.maximum(np.abs(y), floor))
+    def size(self, rows: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Size of the terms of one row or of several."""
+        return np.abs(rows) @ np.maximum(np.abs(y), 1e-3 * self.system.usual)
 
     def sign(self, row: np.ndarray, y: np.ndarray, near: float) -> int:
         value = float(row @ y)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -141,6 +142,7 @@ class System:
                 guards += [most - held, most + held]
         return np.array(guards).reshape(-1, self.rows.size)
 
+    @cached_property
     def usual(self) -> np.ndarray:
         """A rough size of each entry of y, for what is to count as zero."""
         length, omega = self._length(), self._omega()

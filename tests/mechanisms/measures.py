@@ -31,7 +31,7 @@ class Settled:
 
 def settled(force: BruteForce, system: System, state: np.ndarray, most: int, enough: float) -> Settled:
     """Run period after period, each from time 0, until the state returns to itself."""
-    period, usual = 1 / system.mechanism.frequency, system.usual()[: system.rows.state_size]
+    period, usual = 1 / system.mechanism.frequency, system.usual[: system.rows.state_size]
     for count in range(1, most + 1):
         motion = force.run(system, state, 0.0, period)
         change = float(np.max(np.abs(motion.final - state) / usual))

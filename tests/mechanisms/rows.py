@@ -4,14 +4,15 @@ Everything that the brute force speaks of (a distance, a velocity, a force) is `
 
     y = (displacements, velocities, z of each relaxing contact with damping, 1, t, sin and cos of each order).
 
-The functions of time are carried along as entries of y, so a row may be differentiated: with y' = D y the rate
-of ``row @ y`` is ``row @ D @ y``.
+The functions of time are carried along as entries of y, so a row may be differentiated: with y' = D y the
+rate of ``row @ y`` is ``row @ D @ y``.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -39,16 +40,16 @@ class Rows:
         driven = [force.order for force in mechanism.forces.values() if force.amplitude or force.unbalance]
         self.orders = tuple(sorted({*moving, *driven}))
 
-    @property
+    @cached_property
     def omega(self) -> float:
         """That of the drive, rad/s; 0 without a drive."""
         return 2 * math.pi * (self.mechanism.frequency or 0.0)
 
-    @property
+    @cached_property
     def state_size(self) -> int:
         return 2 * len(self.bodies) + len(self.relaxing)
 
-    @property
+    @cached_property
     def size(self) -> int:
         return self.state_size + 2 + 2 * len(self.orders)
 
@@ -84,9 +85,12 @@ class Rows:
     def functions_of_time(self, t: np.ndarray | float) -> np.ndarray:
         """(1, t, sin, cos, ...) at a time, or as columns at several."""
         t = np.asarray(t, dtype=float)
-        angles = [order * self.omega * t for order in self.orders]
-        waves = [wave(angle) for angle in angles for wave in (np.sin, np.cos)]
-        return np.array([np.ones_like(t), t, *waves])
+        functions = np.ones((self.size - self.state_size, *t.shape))
+        functions[1] = t
+        for place, order in enumerate(self.orders):
+            angle = order * self.omega * t
+            functions[2 + 2 * place], functions[3 + 2 * place] = np.sin(angle), np.cos(angle)
+        return functions
 
     def carrier(self, end: str) -> int | None:
         """Number of the body that takes the force on an end; None for the ground."""
