@@ -16,6 +16,8 @@ from tests.mechanisms.parts import FREE, Contact, ContactMode
 from tests.mechanisms.sticking import at_limit_in_every_split
 
 DERIVATIVES = 7
+# What is left of terms that cancel may be this small beside them; less is rounding.
+CANCELLING = 1e-5
 
 
 class NoModeFoundError(Exception):
@@ -45,7 +47,7 @@ class Judge:
 
     def size(self, rows: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Size of the terms of one row or of several."""
-        return np.abs(rows) @ np.maximum(np.abs(y), 1e-3 * self.system.usual)
+        return np.abs(rows) @ np.maximum(np.abs(y), 0.1 * self.system.usual)
 
     def sign(self, row: np.ndarray, y: np.ndarray, near: float) -> int:
         value = float(row @ y)
@@ -53,11 +55,12 @@ class Judge:
 
     def first_sign(self, row: np.ndarray, rates: np.ndarray, y: np.ndarray) -> int:
         """Sign of a guard just after the instant, 0 if it stays zero."""
+        rounding = 0.0
         for _ in range(DERIVATIVES):
-            if not np.any(row):
-                return 0
-            if (sign := self.sign(row, y, self.derivative_near)) != 0:
-                return sign
+            value = float(row @ y)
+            if abs(value) > self.derivative_near * (self.size(row, y) + rounding):
+                return 1 if value > 0 else -1
+            rounding = CANCELLING * self.size(np.abs(row) @ np.abs(rates), y)
             row = row @ rates
         return 0
 

@@ -14,6 +14,8 @@ from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
 from trimmer.mechanism.mechanism import Mechanism
 
+ROUNDING = 1e-14
+
 
 class Mode(NamedTuple):
     """Modes of all contacts and the sign of each friction's velocity."""
@@ -139,8 +141,13 @@ class System:
             ]
             for w in sticking.excesses():
                 most, held = self.rows.constant(float(np.abs(w) @ limits)), w @ sticking.forces
-                guards += [most - held, most + held]
+                size = np.max(np.abs(np.array([most, held])) * self.usual)
+                guards += [self._cleaned(most - held, size), self._cleaned(most + held, size)]
         return np.array(guards).reshape(-1, self.rows.size)
+
+    def _cleaned(self, row: np.ndarray, size: float) -> np.ndarray:
+        """Return a row without what is only rounding beside the terms that it came from."""
+        return np.where(np.abs(row) * self.usual > ROUNDING * size, row, 0.0)
 
     @cached_property
     def usual(self) -> np.ndarray:

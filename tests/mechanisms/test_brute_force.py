@@ -14,7 +14,7 @@ from tests.mechanisms.dynamics import System
 from tests.mechanisms.measures import extremes, harmonics, root_mean_square, settled
 from tests.mechanisms.oscillator_events import Oscillator, with_friction, with_stop
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Stop
+from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Stop
 
 # Displacements, velocities and z of the settled trimmer at t = 0, by this integrator at 1e-13.
 SETTLED = {
