@@ -1,7 +1,7 @@
 """Any mechanism integrated by SciPy's DOP853, mode by mode: slow, and independent of the exact engine.
 
-Written from the definition alone. The flow is a Runge-Kutta method's, events are found in its dense output and
-polished with steps of its own, and what happens at an event is found by trying all combinations of modes.
+Written from the definition alone. The flow is a Runge-Kutta method's, events are found in its dense output
+and polished with steps of its own, and what happens at an event is found by trying all combinations of modes.
 """
 
 from __future__ import annotations

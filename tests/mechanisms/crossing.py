@@ -39,7 +39,7 @@ class Watch:
 
 @dataclass(frozen=True)
 class Watched:
-    """What one step showed: which guards have been positive by its end, and when the first turned negative."""
+    """What one step showed: which guards were positive by its end, and when the first turned negative."""
 
     armed: np.ndarray
     crossing: float | None

@@ -32,13 +32,14 @@ class Settled:
 def settled(force: BruteForce, system: System, state: np.ndarray, most: int, enough: float) -> Settled:
     """Run period after period, each from time 0, until the state returns to itself."""
     period, usual = 1 / system.mechanism.frequency, system.usual[: system.rows.state_size]
-    for count in range(1, most + 1):
+    periods = 0
+    while True:
+        periods += 1
         motion = force.run(system, state, 0.0, period)
         change = float(np.max(np.abs(motion.final - state) / usual))
         state = motion.final
-        if change < enough:
-            break
-    return Settled(motion, change, count)
+        if change < enough or periods >= most:
+            return Settled(motion, change, periods)
 
 
 def integral(motion: BruteMotion, function) -> np.ndarray:

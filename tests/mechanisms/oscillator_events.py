@@ -1,8 +1,8 @@
 """One oscillator with one stop or one friction, event by event, to as many digits as are asked for.
 
-``m x'' + c x' + k x = constant + P sin(omega t + phase)``, with a stop at ``gap`` or with dry friction against the
-ground. Each phase is a sum of exponentials, each event a root of it, found by bisection on a fine grid and then to
-all digits.
+``m x'' + c x' + k x = constant + P sin(omega t + phase)``, with a stop at ``gap`` or with dry friction on the
+ground. Each phase is a sum of exponentials, each event a root of it: bracketed on a fine grid, then found
+to all digits.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Exponentials:
 
 
 def first_negative(value: Callable[[mpf], mpf], begin: mpf, end: mpf, width: mpf) -> mpf | None:
-    """Return when a function that becomes positive just after ``begin`` turns negative; None before ``end``."""
+    """Return when a function, positive just after ``begin``, turns negative; None if not before ``end``."""
     before, positive = begin, False
     while before < end:
         after = min(before + width, end)
@@ -96,7 +96,7 @@ def with_stop(
     Args:
         oscillator: Without the stop.
         stop: Stiffness, damping and gap of the stop.
-        law: What it does when it would have to pull; truncated ones may not come back in contact beyond the gap.
+        law: What it does when it would have to pull; a truncated one must not push again beyond the gap.
         start: Displacement and velocity at time 0.
         end: The last time.
     """
@@ -153,7 +153,7 @@ class FrictionMotion:
 def with_friction(
     oscillator: Oscillator, kinetic: float, static: float, start: tuple, end: mpf
 ) -> FrictionMotion:
-    """Move an oscillator with dry friction against the ground, beginning in motion (the velocity is not 0)."""
+    """Move an oscillator with dry friction against the ground; it begins in motion."""
     width = 2 * mp.pi / oscillator.omega / GRID
     time, x, sign = mpf(0), mpf(start[0]), 1 if start[1] > 0 else -1
     v = mpf(start[1])

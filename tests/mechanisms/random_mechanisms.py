@@ -1,6 +1,7 @@
 """Random mechanisms in which contacts are made and frictions stick, reproducible by a seed.
 
-Everything is drawn in units of one length, one mass and the drive's angular frequency, which are drawn over decades.
+Everything is drawn in units of one length, one mass and the drive's angular frequency; these are drawn over
+decades.
 """
 
 from __future__ import annotations
@@ -131,7 +132,8 @@ def random_mechanism(seed: int) -> Mechanism:
     _add_pins(shop)
     plays = {f"play {i}": shop.play() for i in range(int(random.integers(0, 4)))}
     stops = {f"stop {i}": shop.stop() for i in range(int(random.integers(0 if plays else 1, 3)))}
-    first, last = list(shop.bodies)[0], list(shop.bodies)[-1]
+    names = list(shop.bodies)
+    first, last = names[0], names[-1]
     return Mechanism(
         bodies=shop.bodies,
         frequency=shop.frequency,

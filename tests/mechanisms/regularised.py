@@ -1,7 +1,7 @@
-"""The same mechanisms with everything smooth: no events, an implicit integrator, and an error that tends to zero.
+"""The same mechanisms, all smooth: no events, an implicit integrator, and an error that tends to zero.
 
-Dry friction is F tanh(v / slow). A relaxing contact has a stiff spring between the sides of its slot, so that its
-side has a force balance at all times; the other laws fade in over a small distance.
+Dry friction is F tanh(v / slow). A relaxing contact has a stiff spring between the sides of its slot, so that
+its side has a force balance at all times; the other laws fade in over a small distance.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ class Regularised:
     """How smooth.
 
     Attributes:
-        smallness: Of the speed at which friction has its force, and of the distance over which contact fades in,
-            relative to usual ones; of the slot's compliance relative to that of the spring.
+        smallness: Of the speed at which friction has its force, and of the distance over which contact fades
+            in, relative to usual ones; of the slot's compliance relative to that of the spring.
         tolerance: Relative tolerance of the integrator.
     """
 

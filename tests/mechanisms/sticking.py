@@ -2,8 +2,8 @@
 
 With J the directions of the frictions, a = M^-1 (f + J^T force) and J a + b = 0. In a ring the forces are
 determined only up to the null space of J^T. By duality of linear programming some split obeys
-|force_i| <= limit_i if and only if ``|w @ force| <= sum(limit |w|)`` for each vector w of smallest support that
-is orthogonal to that null space. Without a ring these w are the unit vectors.
+|force_i| <= limit_i if and only if ``|w @ force| <= sum(limit |w|)`` for each vector w of smallest support
+that is orthogonal to that null space. Without a ring these w are the unit vectors.
 """
 
 from __future__ import annotations

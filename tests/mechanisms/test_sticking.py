@@ -34,7 +34,7 @@ def test_the_dual_gives_the_load_that_linear_programming_gives(seed):
 
 
 def ring(static: float | None) -> Mechanism:
-    """Three frictions of 1 N in a ring of two bodies and the ground; a force on one of them grows and ebbs."""
+    """Three frictions of 1 N in a ring of two bodies and the ground; the force on one body grows."""
     ends = {"a on ground": ("ground", "a"), "b on ground": ("ground", "b"), "a on b": ("a", "b")}
     return Mechanism(
         bodies={"a": Body(1.0), "b": Body(2.0)},
