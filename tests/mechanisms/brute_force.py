@@ -135,7 +135,7 @@ class BruteForce:
         time, mode, at_once = begin, None, 0
         while True:
             y = extend(system, motion.final, time)
-            decided = judge.decide(y)
+            decided = judge.decide(y, mode)
             if decided.others:
                 motion.ambiguous.append(time)
             if mode is not None:

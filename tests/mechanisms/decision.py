@@ -1,7 +1,7 @@
 """Which mode goes on from an instant: all combinations that the state allows are tried.
 
 A mode is possible if every guard of it is positive, or zero and about to grow: the first of its derivatives
-in that mode that is not zero decides. No pivoting, no memory: the state alone tells.
+in that mode that is not zero decides. No pivoting, and next to no memory: the state tells.
 """
 
 from __future__ import annotations
@@ -64,8 +64,13 @@ class Judge:
             row = row @ rates
         return 0
 
-    def decide(self, y: np.ndarray) -> Decided:
+    def decide(self, y: np.ndarray, before: Mode | None = None) -> Decided:
         """Return the mode that goes on from y.
+
+        Args:
+            y: The state.
+            before: The mode that led here. It matters only where static friction is above the kinetic one and
+                the state alone leaves several modes: what sticks then rather goes on sticking.
 
         Raises:
             NoModeFoundError: if no combination is consistent.
@@ -73,14 +78,20 @@ class Judge:
         found = self._consistent(y)
         if not found:
             raise NoModeFoundError(f"no mode goes on from {y}")
-        most = max(mode.frictions.count(0) for mode in found)
         if not any(part.part.static_force > part.part.force for part in self.system.frictions):
+            most = max(mode.frictions.count(0) for mode in found)
             return Decided(next(mode for mode in found if mode.frictions.count(0) == most))
-        return self._chosen(found, most, y)
+        return self._chosen(found, before, y)
 
-    def _chosen(self, found: list[Mode], most: int, y: np.ndarray) -> Decided:
+    def _chosen(self, found: list[Mode], before: Mode | None, y: np.ndarray) -> Decided:
         """Choose where static friction above the kinetic one leaves several."""
-        best = self._begun_at_limit(found, y)
+        stuck = [place for place, sign in enumerate(before.frictions) if sign == 0] if before else []
+
+        def kept(mode: Mode) -> int:
+            return sum(mode.frictions[place] == 0 for place in stuck)
+
+        most_kept = max(map(kept, found))
+        best = self._begun_at_limit([mode for mode in found if kept(mode) == most_kept], y)
         most = max(mode.frictions.count(0) for mode in best)
         first, *rest = (mode for mode in best if mode.frictions.count(0) == most)
         count = len(self.system.masses)
