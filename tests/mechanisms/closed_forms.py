@@ -65,3 +65,22 @@ def steady_state(masses, damping, stiffness, forces, omega) -> mpmath.matrix:
     for place, mass in enumerate(masses):
         dynamic[place, place] -= mpf(omega) ** 2 * mass
     return mpmath.lu_solve(dynamic, mpmath.matrix(forces))
+
+
+def grazing_omega(masses, damping, stiffness, forces, reach, near) -> mpf:
+    """Return the omega near one given at which the steady amplitude of a body has a value.
+
+    Args:
+        masses: Of the bodies.
+        damping: Matrix.
+        stiffness: Matrix.
+        forces: Amplitudes, as a function of omega.
+        reach: Number of the body and the amplitude at which it just touches.
+        near: A guess.
+    """
+    body, amplitude = reach
+
+    def beyond(omega):
+        return abs(steady_state(masses, damping, stiffness, forces(omega), omega)[body]) - amplitude
+
+    return mpmath.findroot(beyond, near)

@@ -66,3 +66,28 @@ def replace_amplitude(oscillator: Oscillator) -> Oscillator:
     return Oscillator(
         oscillator.mass, oscillator.damping, oscillator.stiffness, 2.0, mpf(3) / 4, oscillator.phase
     )
+
+
+@pytest.mark.parametrize("printed", ["0.6534401404", "0.581899639"])
+def test_two_bodies_graze_their_stop(printed):
+    k, c = [[1, -1], [-1, 2]], [[0.03, -0.03], [-0.03, 0.06]]
+    omega = closed_forms.grazing_omega([1, 1], c, k, lambda _: [0, 0.1], (0, 1), mpf(printed))
+    assert digits(omega, printed)
+
+
+@pytest.mark.parametrize("printed", ["5.534678554", "6.997666276"])
+def test_one_body_grazes_its_stop(printed):
+    damping = mpf("0.1") * mpmath.sqrt(40)
+    omega = closed_forms.grazing_omega([1], [[damping]], [[40]], lambda _: [100], (0, 10), mpf(printed))
+    assert digits(omega, printed)
+
+
+@pytest.mark.parametrize("printed", ["0.8206310877", "1.407088466"])
+def test_contact_with_a_dead_zone_is_lost(printed):
+    """It rests at 1.1, 0.1 beyond the zone."""
+
+    def forces(omega):
+        return [mpf("0.05") * omega**2]
+
+    omega = closed_forms.grazing_omega([1], [[mpf("0.1")]], [[1]], forces, (0, mpf("0.1")), mpf(printed))
+    assert digits(omega, printed)
