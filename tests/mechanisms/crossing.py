@@ -9,6 +9,8 @@ import numpy as np
 from scipy.optimize import brentq
 
 SAMPLES = 13
+# Just after an event a guard that was zero may grow and return within the first step.
+EARLY = 24
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,9 @@ def watch(step: Step, guards: Watch, armed: np.ndarray) -> Watched:
     A guard is armed once it was clearly positive. Dips between samples are found by the guard's rate.
     """
     times = np.linspace(step.begin, step.end, SAMPLES)
+    if not np.all(armed):
+        early = step.begin + np.geomspace(1e-7, 0.5, EARLY) * (times[1] - times[0])
+        times = np.r_[times[0], early, times[1:]]
     y = step.interpolated(times)
     values, rates = guards.guards @ y, guards.rates @ y
     reached = np.maximum.accumulate(values > guards.positive[:, None], axis=1) | armed[:, None]

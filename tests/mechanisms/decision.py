@@ -87,41 +87,31 @@ class Judge:
         """Choose where static friction above the kinetic one leaves several."""
         stuck = [place for place, sign in enumerate(before.frictions) if sign == 0] if before else []
 
-        def kept(mode: Mode) -> int:
-            return sum(mode.frictions[place] == 0 for place in stuck)
+        def kept(mode: Mode) -> tuple[int, int]:
+            return sum(mode.frictions[place] == 0 for place in stuck), mode.frictions.count(0)
 
-        most_kept = max(map(kept, found))
-        best = self._begun_at_limit([mode for mode in found if kept(mode) == most_kept], y)
-        most = max(mode.frictions.count(0) for mode in best)
-        first, *rest = (mode for mode in best if mode.frictions.count(0) == most)
+        best = self._begun_at_limit(found, before, y) if stuck else found
+        most = max(map(kept, best))
+        first, *rest = (mode for mode in best if kept(mode) == most)
+        return Decided(first, tuple(mode for mode in rest if self._moves_differently(first, mode, y)))
+
+    def _moves_differently(self, first: Mode, second: Mode, y: np.ndarray) -> bool:
         count = len(self.system.masses)
-        chosen = self.system.dynamics(first).rates[count : 2 * count]
-        others = []
-        for mode in rest:
-            other = self.system.dynamics(mode).rates[count : 2 * count]
-            if any(self.sign(row, y, self.derivative_near) for row in other - chosen):
-                others.append(mode)
-        return Decided(first, tuple(others))
+        accelerations = (self.system.dynamics(mode).rates[count : 2 * count] for mode in (first, second))
+        one, other = accelerations
+        return any(self.sign(row, y, self.derivative_near) != 0 for row in one - other)
 
-    def _begun_at_limit(self, found: list[Mode], y: np.ndarray) -> list[Mode]:
-        """Of the frictions at rest, one that is at its limit in every split begins to slide first."""
-        resting = self._resting(y)
-        if len(resting) < 2 or any(all(m.frictions[i] == 0 for i in resting) for m in found):
-            return found
-        at_rest = tuple(0 if i in resting else found[0].frictions[i] for i in range(len(found[0].frictions)))
-        held = self.system.dynamics(Mode(found[0].contacts, at_rest))
-        limits = np.array([self.system.frictions[i].part.static_force for i in resting])
+    def _begun_at_limit(self, found: list[Mode], before: Mode, y: np.ndarray) -> list[Mode]:
+        """Only what is at its static limit in every admissible split may begin to slide, if possible."""
+        held = self.system.dynamics(before)
+        limits = np.array([self.system.frictions[place].part.static_force for place in held.sticking_places])
         forces = held.sticking.forces @ y
-        limit = at_limit_in_every_split(forces, held.sticking.null, limits, self.derivative_near)
-        slide_there = [m for m in found if any(m.frictions[resting[i]] for i in limit)]
-        return slide_there or found
-
-    def _resting(self, y: np.ndarray) -> list[int]:
-        return [
-            place
-            for place, friction in enumerate(self.system.frictions)
-            if self.sign(friction.velocity, y, self.near) == 0
-        ]
+        places = at_limit_in_every_split(forces, held.sticking.null, limits, self.derivative_near)
+        at_limit = {held.sticking_places[place] for place in places}
+        begun = [{place for place in held.sticking_places if mode.frictions[place] != 0} for mode in found]
+        only = [mode for mode, slides in zip(found, begun, strict=True) if slides <= at_limit]
+        some = [mode for mode, slides in zip(found, begun, strict=True) if slides & at_limit]
+        return only or some or found
 
     def _consistent(self, y: np.ndarray) -> list[Mode]:
         contacts = [self._contact_modes(contact, y) for contact in self.system.contacts]
