@@ -32,6 +32,7 @@ from .elements.viscous_friction import ViscousFriction as ViscousFriction
 from .errors import FrequencyRangeError as FrequencyRangeError
 from .errors import IllPosedLoopError as IllPosedLoopError
 from .errors import LinearElementError as LinearElementError
+from .errors import MechanismError as MechanismError
 from .errors import OrbitNotFoundError as OrbitNotFoundError
 from .errors import OrbitNotFoundWarning as OrbitNotFoundWarning
 from .errors import TrimmerError as TrimmerError
@@ -71,6 +72,10 @@ from .linear.time_response import TimeResponse as TimeResponse
 from .linear.time_response import steady_state as steady_state
 from .linear.time_response import time_response as time_response
 from .linear.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
+from .mechanism.matrices import LinearMatrices as LinearMatrices
+from .mechanism.matrices import linear_matrices as linear_matrices
+from .mechanism.mechanism import Mechanism as Mechanism
+from .mechanism.parts import ContactLaw as ContactLaw
 from .motion.energy import EnergyBalance as EnergyBalance
 from .motion.energy import energy_balance as energy_balance
 from .motion.loop_signal import LoopSignal as LoopSignal

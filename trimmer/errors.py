@@ -48,3 +48,7 @@ class OrbitNotFoundWarning(UserWarning):
 
 class OrbitNotFoundError(TrimmerError, ValueError):
     """A driven loop has no motion with the period of its drive that Newton's method finds."""
+
+
+class MechanismError(TrimmerError, ValueError):
+    """A mechanism, or the file of one, cannot be used; each problem is named with its place and remedy."""

@@ -8,15 +8,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from trimmer.files import read_content
+from trimmer.messages import shown_value
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
+from trimmer.toml_files import is_mechanism_file, read_text
 
 _TEMPLATE_HEAD = """\
 # Parameters of a hair trimmer, in SI units.
 # Every key is needed. Masses are positive; stiffness and damping are zero or positive.
 """
-
-_SHOWN_VALUE_LENGTH = 40
 
 
 def read_parameters(path: Path) -> TrimmerParameters:
@@ -53,26 +52,19 @@ def parameters_as_toml(parameters: TrimmerParameters) -> str:
 
 
 def _parsed(path: Path) -> dict[str, Any]:
+    text = read_text(path, ParameterError, "'trimmer parameters --output FILE' writes one to start from")
     try:
-        text = read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
-    except FileNotFoundError:
-        raise ParameterError(
-            f"{path}: no such file; 'trimmer parameters --output FILE' writes one to start from"
-        ) from None
-    except IsADirectoryError:
-        raise ParameterError(f"{path}: is a folder; name the parameter file in it") from None
-    except UnicodeDecodeError as error:
-        raise ParameterError(
-            f"{path}: not UTF-8 text (byte {error.start}); save it as UTF-8 plain text"
-        ) from error
-    except OSError as error:
-        raise ParameterError(f"{path}: cannot be read: {error.strerror or error}") from error
-    try:
-        return tomllib.loads(text)
+        content = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # ValueError: TOML syntax, or an integer of too many digits
         raise ParameterError(
             f"{path}: not valid TOML: {error}; write one 'key = number' per line, as in 'm1 = 0.035'"
         ) from error
+    if is_mechanism_file(content):
+        raise ParameterError(
+            f"{path}: this is a mechanism, for 'trimmer respond FILE' and 'trimmer simulate FILE'; "
+            "'trimmer parameters --output FILE' writes a parameter file to start from"
+        )
+    return content
 
 
 def _unknown_keys(content: dict[str, Any]) -> Iterator[str]:
@@ -85,7 +77,7 @@ def _unknown_keys(content: dict[str, Any]) -> Iterator[str]:
             continue
         nearest = difflib.get_close_matches(key.lower(), known, n=1, cutoff=0.4)
         advice = f"did you mean {nearest[0]}?" if nearest else f"known keys: {', '.join(known)}"
-        yield f"{key} = {_shown(value)}: unknown key; {advice}"
+        yield f"{key} = {shown_value(value)}: unknown key; {advice}"
 
 
 def _missing_keys(content: dict[str, Any]) -> Iterator[str]:
@@ -107,16 +99,7 @@ def _unusable_values(content: dict[str, Any]) -> Iterator[str]:
             continue
         if isinstance(value, str):
             reason += ", without quotation marks; text is not evaluated"
-        yield f"{parameter.symbol} = {_shown(value)}: {reason}"
-
-
-def _shown(value: object) -> str:
-    """Give a value as text that stays short; an integer may have more digits than Python will print."""
-    try:
-        text = repr(value)
-    except ValueError:
-        return "an integer of thousands of digits"
-    return text if len(text) <= _SHOWN_VALUE_LENGTH else f"{text[: _SHOWN_VALUE_LENGTH - 3]}..."
+        yield f"{parameter.symbol} = {shown_value(value)}: {reason}"
 
 
 def _count(problems: int) -> str:

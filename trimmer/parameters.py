@@ -6,10 +6,13 @@ import math
 from dataclasses import Field, dataclass, field, fields
 from enum import Enum
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
 
 
 class ParameterError(TrimmerError, ValueError):
@@ -125,6 +128,22 @@ class TrimmerParameters:
         from trimmer.parameter_files import parameters_as_toml
 
         return parameters_as_toml(self)
+
+    def to_mechanism(self, amplitude: float, frequency: float) -> Mechanism:
+        """Return the trimmer as a mechanism whose bridge is a link to the pin on the motor.
+
+        Its parts carry the symbols of the thesis, and its output is the stroke, y = q2 - q4.
+
+        Args:
+            amplitude: Amplitude of the pin relative to the motor, m.
+            frequency: Frequency of the drive, Hz.
+
+        Raises:
+            MechanismError: if amplitude or frequency is no such number.
+        """
+        from trimmer.mechanism.thesis import linear_mechanism
+
+        return linear_mechanism(self, amplitude, frequency)
 
     def values(self) -> tuple[float, ...]:
         """Return the thirteen values, SI units, as the generated functions take them: m1-m4, k1-k5, c1-c4."""

@@ -21,6 +21,7 @@ CONTENTS = {
     "html": b"<!DOCTYPE html>\n<html>",
     "json": b'{\n  "schema": 1}',
     "toml": TrimmerParameters.thesis().to_toml().encode(),
+    "mechanism": TrimmerParameters.thesis().to_mechanism(1.5e-3, 110.0).to_toml().encode(),
     "py": b'"""Linear trimmer in numbers.\n"""',
     "tex": b"\\documentclass[11pt]{article}\n\\usepackage{amsmath}\n\\title{The trimmer: derivation}\n",
     "txt": b"anything",

@@ -24,6 +24,7 @@ def modules_after(statement: str, folder: Path) -> set[str]:
     "statement",
     [
         "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.TrimmerError",
+        "import trimmer; trimmer.Mechanism.from_toml('examples/thesis.toml').value('frequency')",
         "from trimmer.command_line.main import main\ntry: main(['--help'])\nexcept SystemExit: pass",
         "from trimmer.command_line.main import main\ntry: main(['linear', '-h'])\nexcept SystemExit: pass",
     ],

@@ -3,20 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer.arguments import file_path, require_instance
+from trimmer.errors import MechanismError
+from trimmer.mechanism.checks import problems_of_types
+from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer.mechanism.problems import as_message
+from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
+from trimmer.mechanism.read_only import ReadOnly
+from trimmer.mechanism.sense import problems_of_sense
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.problems import Problem
 
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """Bodies on one line, with links, plays, stops, frictions and forces between them, by name.
 
+    Mappings are copied into read-only ones. Two mechanisms are equal if they have the same parts in the same
+    order, because the order of the parts is that of the states.
+
     Attributes:
         bodies: Their order is the order of the displacements.
         frequency: That of the drive, Hz; None for a mechanism that moves by itself.
         title: What it is.
         start: Displacement, m, and velocity, m/s, of bodies at t = 0; the others are at rest at 0.
+
+    Raises:
+        MechanismError: if a part cannot be used or the parts do not go together; every problem is named.
     """
 
     bodies: Mapping[str, Body]
@@ -30,3 +48,123 @@ class Mechanism:
     outputs: Mapping[str, Output] = field(default_factory=dict)
     start: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     title: str = ""
+
+    def __post_init__(self) -> None:
+        if problems := problems_with(vars(self)):
+            raise MechanismError(as_message(problems))
+        for section in PARTS:
+            parts = {name: _taken(part) for name, part in getattr(self, section).items()}
+            object.__setattr__(self, section, ReadOnly(parts))
+        outputs = {name: _taken_output(output) for name, output in self.outputs.items()}
+        start = {
+            name: (DISPLACEMENT.taken(displacement), VELOCITY.taken(velocity))
+            for name, (displacement, velocity) in self.start.items()
+        }
+        object.__setattr__(self, "outputs", ReadOnly(outputs))
+        object.__setattr__(self, "start", ReadOnly(start))
+        if self.frequency is not None:
+            object.__setattr__(self, "frequency", FREQUENCY.taken(self.frequency))
+
+    def __eq__(self, other: object) -> bool:
+        return self._contents == other._contents if isinstance(other, Mechanism) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._contents)
+
+    @property
+    def _contents(self) -> tuple[object, ...]:
+        values = (getattr(self, each.name) for each in fields(self))
+        return tuple(tuple(value.items()) if isinstance(value, Mapping) else value for value in values)
+
+    @classmethod
+    def from_toml(cls, path: Path | str) -> Mechanism:
+        """Read a mechanism from a TOML file, which ``docs/mechanism.md`` describes; ``-`` is standard input.
+
+        Raises:
+            MechanismError: if the file cannot be read or is no TOML or no mechanism. Every problem is named,
+                with file, line, key and value, and what to do.
+        """
+        from trimmer.mechanism.reading import read_mechanism
+
+        return read_mechanism(file_path("path", path))
+
+    @classmethod
+    def from_toml_text(cls, text: str, name: str = "the text") -> Mechanism:
+        """Read a mechanism from the text of a TOML file.
+
+        Args:
+            text: The text.
+            name: What messages call it.
+
+        Raises:
+            MechanismError: as for a file.
+        """
+        from trimmer.mechanism.reading import mechanism_of_text
+
+        require_instance("text", text, str, "the text of a TOML file")
+        return mechanism_of_text(text, name)
+
+    def to_toml(self) -> str:
+        """Return the mechanism as the text of a TOML file, which reads back equal."""
+        from trimmer.mechanism.writing import mechanism_as_toml
+
+        return mechanism_as_toml(self)
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """The SI unit of every number, by its dotted place, such as ``{"plays.bridge.gap": "m"}``."""
+        from trimmer.mechanism.place_text import place_text
+        from trimmer.mechanism.places import quantities
+
+        return ReadOnly({place_text(place): each.unit for place, each in quantities(self).items()})
+
+    def value(self, place: str) -> float:
+        """Return the number at a dotted place, in SI units.
+
+        Args:
+            place: Such as ``plays.bridge.gap`` or ``links."motor mount".damping``.
+
+        Raises:
+            MechanismError: if there is none.
+        """
+        from trimmer.mechanism.places import value_at
+
+        return value_at(self, place)
+
+    def with_value(self, place: str, value: float | str) -> Mechanism:
+        """Return the mechanism with another number at a dotted place.
+
+        Args:
+            place: Such as ``plays.bridge.gap`` or ``links."motor mount".damping``.
+            value: The number in SI units, or text with a unit, such as ``40 um``.
+
+        Raises:
+            MechanismError: if there is no such place, or the number cannot stand there.
+        """
+        from trimmer.mechanism.places import with_value_at
+
+        return with_value_at(self, place, value)
+
+
+def problems_with(content: Mapping[str, Any]) -> list[Problem]:
+    """Return what is wrong with the fields of a mechanism, by their names; empty if nothing is."""
+    return list(problems_of_types(content)) or list(problems_of_sense(content))
+
+
+def _taken(part: Any) -> Any:
+    """Return a part with floats for all numbers, a tuple of ends, and a contact law for its word."""
+    numbers = {
+        name: quantity.taken(getattr(part, name))
+        for name, quantity in QUANTITIES[type(part)].items()
+        if getattr(part, name) is not None
+    }
+    others: dict[str, object] = {}
+    if hasattr(part, "between"):
+        others["between"] = tuple(part.between)
+    if hasattr(part, "law"):
+        others["law"] = ContactLaw.chosen(part.law, "law")
+    return replace(part, **numbers, **others)
+
+
+def _taken_output(output: Output) -> Output:
+    return Output(ReadOnly({name: WEIGHT.taken(weight) for name, weight in output.weights.items()}))

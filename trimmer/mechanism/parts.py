@@ -68,13 +68,18 @@ class Link:
         between: Names of start and end.
         stiffness: N/m.
         damping: N s/m.
-        symbol: Symbol of the stiffness in printed equations.
+        symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
     """
 
     between: tuple[str, str]
     stiffness: float = 0.0
     damping: float = 0.0
     symbol: str | None = None
+
+    @property
+    def damping_symbol(self) -> str | None:
+        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
+        return _damping_symbol(self.symbol)
 
 
 @dataclass(frozen=True)
@@ -87,7 +92,7 @@ class Play:
         damping: N s/m.
         gap: Total clearance, m.
         law: The contact law.
-        symbol: Symbol of the stiffness in printed equations.
+        symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
     """
 
     between: tuple[str, str]
@@ -96,6 +101,11 @@ class Play:
     gap: float = 0.0
     law: ContactLaw = ContactLaw.RELAXING
     symbol: str | None = None
+
+    @property
+    def damping_symbol(self) -> str | None:
+        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
+        return _damping_symbol(self.symbol)
 
 
 @dataclass(frozen=True)
@@ -108,7 +118,7 @@ class Stop:
         damping: N s/m.
         gap: Distance at which contact begins, m; a negative one is a preload.
         law: The contact law.
-        symbol: Symbol of the stiffness in printed equations.
+        symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
     """
 
     between: tuple[str, str]
@@ -117,6 +127,11 @@ class Stop:
     gap: float = 0.0
     law: ContactLaw = ContactLaw.RELAXING
     symbol: str | None = None
+
+    @property
+    def damping_symbol(self) -> str | None:
+        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
+        return _damping_symbol(self.symbol)
 
 
 @dataclass(frozen=True)
@@ -175,3 +190,7 @@ class Output:
     """
 
     weights: Mapping[str, float]
+
+
+def _damping_symbol(symbol: str | None) -> str | None:
+    return f"c{symbol[1:]}" if symbol else None

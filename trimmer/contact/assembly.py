@@ -1,0 +1,196 @@
+"""The flow of a mode, the event functions that end it, and what it holds, from the statuses of all parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.machine import independent
+from trimmer.contact.statuses import (
+    ALWAYS,
+    ARRIVED,
+    AT_LIMIT,
+    BROKEN,
+    FORWARD,
+    FREE,
+    JOINTLY,
+    LEFT,
+    MADE_MINUS,
+    MADE_PLUS,
+    MINUS,
+    PLUS,
+    PULLS,
+    RELAXING,
+    RELEASED_MINUS,
+    RELEASED_PLUS,
+    RETURNED,
+    STICK,
+)
+from trimmer.motion.dry_friction import elementary_vectors
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from trimmer.arrays import Places, Reals
+    from trimmer.contact.machine import Machine
+
+PUSHING = (PLUS, MINUS, ALWAYS)
+"""Statuses of a contact that exerts a force."""
+SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
+"""Statuses of a contact on either side of the slot."""
+
+
+@dataclass(frozen=True, eq=False)
+class EventFunction:
+    """A functional that is positive while the mode lasts.
+
+    Attributes:
+        owner: The part that it belongs to, contacts first; ``JOINTLY`` for several frictions.
+        action: What it means that it falls to zero.
+        row: The functional, (N,).
+        signs: Directions in which frictions begin to slide, (p,).
+    """
+
+    owner: int
+    action: int
+    row: Reals
+    signs: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """The equations of a mode.
+
+    Attributes:
+        statuses: Of all contacts, then of all frictions.
+        flow: The matrix M of Z' = M Z, (N, N).
+        functions: The event functions.
+        hold: The state, made to fit what is held: springs in contact, and velocities of what sticks, (N, N).
+    """
+
+    statuses: tuple[int, ...]
+    flow: Reals
+    functions: tuple[EventFunction, ...]
+    hold: Reals
+
+
+def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
+    """Return the equations of a mode.
+
+    Args:
+        machine: The mechanism.
+        statuses: Of all contacts, then of all frictions.
+    """
+    contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
+    flow = flow_without_stick(machine, statuses)
+    hold = np.eye(len(flow))
+    for contact, z in enumerate(machine.relaxing_state):
+        if z >= 0 and statuses[contact] in PUSHING:
+            hold[z] = machine.contact_distance[contact]
+            hold[z, -1] -= offset(machine, contact, statuses[contact])
+        elif z >= 0 and statuses[contact] == FREE:
+            hold[z] = 0.0
+    functions = list(_of_contacts(machine, statuses))
+    sticking = np.array([i for i, each in enumerate(statuses[contacts:]) if each == STICK], dtype=np.intp)
+    if len(sticking):
+        tree = independent(machine.vertices, sticking)
+        rates, push = machine.friction_rate[tree], machine.friction_push[tree]
+        inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
+        forces = inverse @ (rates @ flow)
+        flow[bodies : 2 * bodies] -= push.T @ forces
+        hold[bodies : 2 * bodies] -= push.T @ inverse @ rates
+        functions += _of_stick(machine, sticking, tree, forces)
+    for friction, status in enumerate(statuses[contacts:]):
+        if status != STICK:
+            direction = 1.0 if status == FORWARD else -1.0
+            row = direction * machine.friction_rate[friction]
+            functions.append(EventFunction(contacts + friction, ARRIVED, row))
+    return Mode(statuses, flow, tuple(functions), hold)
+
+
+def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Places | None = None) -> Reals:
+    """Return the flow of a mode without what sticks, and without some frictions, (N, N)."""
+    flow = machine.base.copy()
+    contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
+    for contact, status in enumerate(statuses[:contacts]):
+        z = machine.relaxing_state[contact]
+        if status in PUSHING:
+            force = force_of(machine, contact, status)
+            flow[bodies : 2 * bodies] += machine.contact_push[contact][:, None] * force
+            if z >= 0:
+                flow[z] = machine.contact_rate[contact]
+        elif status == RELAXING:
+            flow[z, z] = -machine.stiffness[contact] / machine.damping[contact]
+    for friction, status in enumerate(statuses[contacts:]):
+        if status != STICK and (left_out is None or friction not in left_out):
+            resisted = machine.kinetic[friction] * (1.0 if status == FORWARD else -1.0)
+            flow[bodies : 2 * bodies, -1] -= resisted * machine.friction_push[friction]
+    return flow
+
+
+def offset(machine: Machine, contact: int, status: int) -> float:
+    """Return the distance at which the spring behind a slot is relaxed, m."""
+    side = SIDES.get(status, 0)
+    return float(machine.offsets[contact, 0 if side > 0 else 1]) if side else 0.0
+
+
+def force_of(machine: Machine, contact: int, status: int) -> Reals:
+    """Return k (s - offset) + c s', the force of a contact as a functional, (N,)."""
+    force = machine.stiffness[contact] * machine.contact_distance[contact]
+    force = force + machine.damping[contact] * machine.contact_rate[contact]
+    force[-1] -= machine.stiffness[contact] * offset(machine, contact, status)
+    return np.asarray(force)
+
+
+def _of_contacts(machine: Machine, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
+    for contact in range(len(machine.stiffness)):
+        status = statuses[contact]
+        if status in (FREE, RELAXING):
+            yield from _while_free(machine, contact, status)
+        elif status in (PLUS, MINUS):
+            side = SIDES[status]
+            pulls = machine.law[contact] == PULLS
+            row = _beyond(machine, contact, side) if pulls else side * force_of(machine, contact, status)
+            yield EventFunction(contact, BROKEN, row)
+        elif status in (RELEASED_PLUS, RELEASED_MINUS):
+            side = SIDES[status]
+            yield EventFunction(contact, RETURNED, -side * force_of(machine, contact, status))
+            yield EventFunction(contact, LEFT, _beyond(machine, contact, side))
+
+
+def _while_free(machine: Machine, contact: int, status: int) -> Iterator[EventFunction]:
+    for side, action in ((1, MADE_PLUS), (-1, MADE_MINUS)):
+        if np.isfinite(machine.offsets[contact, 0 if side > 0 else 1]):
+            row = -_beyond(machine, contact, side)
+            if status == RELAXING:
+                row[machine.relaxing_state[contact]] += side
+            yield EventFunction(contact, action, row)
+
+
+def _beyond(machine: Machine, contact: int, side: int) -> Reals:
+    """Return how far the end is beyond the place where contact begins, as a functional."""
+    row = side * machine.contact_distance[contact]
+    row[-1] -= side * machine.offsets[contact, 0 if side > 0 else 1]
+    return np.asarray(row)
+
+
+def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -> Iterator[EventFunction]:
+    """Yield how far what sticks is from its limits; rings share their forces in any admissible way."""
+    bodies, count = machine.contact_push.shape[1], len(machine.kinetic)
+    vectors = np.eye(len(sticking))
+    if len(tree) < len(sticking):
+        vectors = elementary_vectors(machine.friction_rate[sticking, bodies : 2 * bodies])
+    every = np.zeros((len(sticking), forces.shape[1]))
+    every[np.searchsorted(sticking, tree)] = forces
+    for vector in vectors:
+        limit, across = abs(vector) @ machine.static[sticking], vector @ every
+        involved = np.flatnonzero(vector)
+        owner = len(machine.stiffness) + int(sticking[involved[0]]) if len(involved) == 1 else JOINTLY
+        for side in (1, -1):
+            signs = np.zeros(count, dtype=np.int64)
+            signs[sticking] = side * np.sign(vector)
+            row = -side * across
+            row[-1] += limit
+            yield EventFunction(owner, AT_LIMIT, row, tuple(signs.tolist()))

@@ -1,0 +1,265 @@
+"""The exact motion of a mechanism: the interface of this package.
+
+Times in a ``Course`` count from its start, in which whole drive periods follow each other. Between the rows
+of its log the motion is linear, so it is known at all times.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.contact.assembly import force_of
+from trimmer.contact.joint import decide
+from trimmer.contact.machine import machine_of
+from trimmer.contact.nodes import nodes, sample
+from trimmer.contact.statuses import (
+    ALWAYS,
+    ARRIVED,
+    BACKWARD,
+    FORWARD,
+    FREE,
+    MINUS,
+    NOTHING,
+    PLUS,
+    RELAXES,
+    RELAXING,
+    RELEASED_MINUS,
+    RELEASED_PLUS,
+    STICK,
+    TRUNCATES,
+)
+from trimmer.contact.tables import Modes
+from trimmer.contact.variation import propagated
+from trimmer.contact.work import Log
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Integers, Reals
+    from trimmer.mechanism.mechanism import Mechanism
+
+AT_REST = 2.0**-46
+"""Share of the moduli of its terms below which a relative velocity at the start is zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A motion between two instants.
+
+    Attributes:
+        modes: The modes of the mechanism.
+        begin: The instant at which it begins.
+        end: The instant at which it ends.
+        ending: Why it ends there.
+        duration: s.
+        log: Its segments; times count from its start.
+    """
+
+    modes: Modes
+    begin: Instant
+    end: Instant
+    ending: Ending
+    duration: float
+    log: Log
+
+    @cached_property
+    def nodes(self) -> tuple[Reals, Reals, Integers, Reals]:
+        """Times, weights, rows of the log and states at the nodes of quadrature; see ``nodes.nodes``."""
+        return nodes(self.modes.tables, self.log, self.duration)
+
+    def states(self, times: Reals) -> Reals:
+        """Return the extended states, (times, N), at times, s, that do not decrease."""
+        return sample(self.modes.tables, self.log, times)
+
+    def tangents(self, at_start: Reals) -> Reals:
+        """Return what becomes of small distances of the state, (n, columns), over the motion."""
+        return propagated(self.modes, self.log, self.duration, at_start)
+
+    @property
+    def monodromy(self) -> Reals:
+        """The derivative of the state at the end by that at the start, (n, n)."""
+        return self.tangents(np.eye(self.modes.layout.state_count))
+
+    @property
+    def events(self) -> list[tuple[float, int, int]]:
+        """Time, s, part and kind of each event that counts."""
+        rows = np.flatnonzero(self.log.kind != NOTHING)
+        return [
+            (float(self.log.start[row]), int(self.log.part[row]), int(self.log.kind[row])) for row in rows
+        ]
+
+
+@dataclass(frozen=True, eq=False)
+class Strobe:
+    """A motion seen once a drive period.
+
+    Attributes:
+        states: At the start and after each period, (periods + 1, n).
+        counts: Events of each period by kind, (periods, kinds).
+        end: The instant at which it ends.
+        ending: Why it ends there.
+    """
+
+    states: Reals
+    counts: Integers
+    end: Instant
+    ending: Ending
+
+
+@dataclass(frozen=True, eq=False)
+class ExactFlow:
+    """The exact motion of one mechanism.
+
+    The state of n entries holds the displacements of the bodies, m, their velocities, m/s, and the stretches
+    of relaxing springs, m, plays before stops, in the order of the mechanism.
+
+    Attributes:
+        mechanism: The mechanism.
+    """
+
+    mechanism: Mechanism
+
+    @cached_property
+    def modes(self) -> Modes:
+        """The modes that were met so far, with ``machine`` and ``layout``."""
+        return Modes(*machine_of(self.mechanism))
+
+    @property
+    def size(self) -> int:
+        """Number n of states."""
+        return self.modes.layout.state_count
+
+    @property
+    def period(self) -> float:
+        """Period of the drive, s; 0 without one."""
+        return self.modes.layout.period
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
+        layout = self.modes.layout
+        return (*layout.bodies, *(f"{body}'" for body in layout.bodies), *layout.relaxing)
+
+    def rest(self, start: Mapping[str, tuple[float, float]] | None = None) -> Instant:
+        """Return the instant t = 0 at which bodies have given displacements, m, and velocities, m/s.
+
+        The others are where the mechanism's own start puts them, or at rest at 0.
+        """
+        layout = self.modes.layout
+        count = len(layout.bodies)
+        state = np.zeros(self.size)
+        for name, (displacement, velocity) in {**self.mechanism.start, **(start or {})}.items():
+            body = layout.bodies.index(name)
+            state[body], state[count + body] = displacement, velocity
+        return self.at(state, stretched=False)
+
+    def at(
+        self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
+    ) -> Instant:
+        """Return the instant at which the mechanism is in a given state.
+
+        Args:
+            state: Displacements, velocities and, if ``stretched``, stretches of relaxing springs, (n,).
+            phase: Time since the start of a drive period, s.
+            stretched: Whether the stretches are given; otherwise the springs are as short as can be.
+            like: An instant of a neighbouring motion, whose contacts hold and whose frictions stick in this
+                one too; the state is made to fit.
+        """
+        machine, layout = self.modes.machine, self.modes.layout
+        extended = np.concatenate([state, layout.forcing_at(phase)])
+        if like is not None:
+            held = self.modes[self.modes.number(like.statuses)].hold @ extended
+            return replace(like, state=held[: self.size], periods=0, phase=phase)
+        contacts = [self._contact(contact, extended, stretched) for contact in range(len(machine.stiffness))]
+        negligible = 2.0**-56 * np.array(
+            [abs(each).max(initial=0.0) for each in machine.contact_distance @ extended[:, None]]
+        )
+        speeds = machine.friction_rate @ extended
+        sizes = abs(machine.friction_rate) @ abs(extended)
+        slow = abs(speeds) <= AT_REST * sizes
+        frictions = [
+            STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
+        ]
+        statuses = (*contacts, *frictions)
+        if slow.any():
+            statuses = decide(machine, statuses, extended, np.flatnonzero(slow))
+        known = np.zeros(len(statuses), dtype=np.int64)
+        action = np.full(len(statuses), -1, dtype=np.int64)
+        begun = [len(contacts) + i for i in np.flatnonzero(slow) if statuses[len(contacts) + i] != STICK]
+        known[begun], action[begun] = 1, ARRIVED
+        return Instant(extended[: self.size], statuses, 0, phase, known, action, negligible)
+
+    def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
+        """Return the status of a contact, and set the stretch of its spring if that is not given."""
+        machine = self.modes.machine
+        z = machine.relaxing_state[contact]
+        distance = machine.contact_distance[contact] @ extended
+        upper, lower = machine.offsets[contact]
+        if machine.always[contact]:
+            if z >= 0:
+                extended[z] = distance
+            return ALWAYS
+        nearest = distance - min(max(distance, lower), upper)
+        if z >= 0 and not stretched:
+            extended[z] = nearest
+        held = z >= 0 and stretched and extended[z] != 0
+        side = PLUS if distance >= upper else MINUS if distance <= lower else FREE
+        if held:
+            reach = distance - extended[z]
+            side = PLUS if reach >= upper else MINUS if reach <= lower else FREE
+        if side == FREE:
+            return RELAXING if held else FREE
+        force = force_of(machine, contact, side) @ extended * (1 if side == PLUS else -1)
+        if machine.law[contact] == RELAXES:
+            return side if force >= 0 else RELAXING
+        if machine.law[contact] == TRUNCATES and force < 0:
+            return RELEASED_PLUS if side == PLUS else RELEASED_MINUS
+        return side
+
+    def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
+        """Go on for a number of drive periods, and keep the state between them."""
+        stretch = advance(self.modes, instant, periods, self.period, False, most_steps)
+        return Strobe(stretch.states, stretch.counts, stretch.end, stretch.ending)
+
+    def course(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Course:
+        """Go on for a number of drive periods, and keep the motion."""
+        parts, begin, steps = [], instant, most_steps
+        for period in range(periods):
+            stretch = advance(self.modes, begin, 1, self.period, True, steps)
+            log = stretch.log
+            parts.append(log._replace(start=log.start + period * self.period))
+            begin = stretch.end
+            if stretch.ending is not Ending.REACHED_END:
+                break
+        return self._joined(instant, begin, stretch.ending, parts)
+
+    def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
+        """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
+        if not self.period:
+            stretch = advance(self.modes, instant, 1, duration, True, most_steps)
+            return self._joined(instant, stretch.end, stretch.ending, [stretch.log], duration)
+        whole = int(duration / self.period)
+        parts, begin, ending = [], instant, Ending.REACHED_END
+        for period in range(whole + 1):
+            length = self.period if period < whole else duration - whole * self.period
+            if length <= 0:
+                break
+            stretch = advance(self.modes, begin, 1, length, True, most_steps)
+            parts.append(stretch.log._replace(start=stretch.log.start + period * self.period))
+            begin, ending = stretch.end, stretch.ending
+            if ending is not Ending.REACHED_END:
+                break
+        return self._joined(instant, begin, ending, parts, duration)
+
+    def _joined(
+        self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None
+    ) -> Course:
+        log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+        if duration is None or ending is not Ending.REACHED_END:
+            duration = (end.periods - begin.periods) * self.period + end.phase
+        return Course(self.modes, begin, end, ending, float(duration), log)

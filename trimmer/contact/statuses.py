@@ -1,0 +1,22 @@
+"""Statuses of contacts and frictions, and what an event function that falls to zero means."""
+
+from __future__ import annotations
+
+FREE, RELAXING, PLUS, MINUS, RELEASED_PLUS, RELEASED_MINUS, ALWAYS = range(7)
+"""A contact: without force and relaxed; without force, its spring relaxing; in contact where the end is far
+from the start, or on the other side; beyond the gap without force; a play without gap, always in contact."""
+FORWARD, BACKWARD, STICK = range(3)
+"""A friction: its end slides forward relative to its start, slides backward, or sticks."""
+
+RELAXES, TRUNCATES, PULLS = range(3)
+"""The contact laws. Without damping they are one, which is held as the last."""
+
+MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT, ARRIVED, AT_LIMIT = range(7)
+"""Event functions: contact made on either side, broken; the force of a contact that was released is a push
+again, or it left the range of contact; a sliding velocity is zero; sticking frictions are at their limit."""
+JOINTLY = -1
+"""In place of a part: several frictions."""
+
+NOTHING, CONTACT_MADE, CONTACT_BROKEN, REVERSED, STICK_BEGUN, STICK_ENDED = range(6)
+"""What begins a segment of the motion: nothing that counts, or an event."""
+KINDS = 6

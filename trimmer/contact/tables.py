@@ -1,0 +1,193 @@
+"""The modes that a motion has met, as the tables that the compiled integration reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from trimmer.arrays import Integers, Reals
+from trimmer.contact.assembly import Mode, assemble
+from trimmer.contact.machine import Layout, Machine
+from trimmer.contact.series import tabulate
+from trimmer.contact.statuses import FREE, RELAXING
+from trimmer.contact.transitions import transition
+from trimmer.motion.taylor import DEGREE, LEVELS, bernstein_from_taylor
+
+UNKNOWN, JOINT = -1, -2
+"""In place of a mode to go on in: not tabulated yet; several frictions decide it together."""
+CAPACITY = 12
+"""Modes for which there is room at first."""
+
+
+class Tables(NamedTuple):
+    """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
+
+    Attributes:
+        statuses: Of all parts, (modes, m + p).
+        settled: The mode in which relaxing springs are at rest, itself if none relaxes, (modes,).
+        step: Length h of a step, s, (modes,).
+        screen: Side by side exp(M h), transposed, and the Bernstein coefficients of the event functions over
+            a step, (modes, N, N + functions (K + 1)).
+        series: (M h)^k / k!, transposed and side by side, (modes, N, (K + 1) N).
+        terms: How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS).
+        taylor: Coefficients of s^k of the event functions, (modes, functions, N, K + 1).
+        sizes: Sums of the moduli of what these are made of, in the same shape.
+        hold: The state, made to fit what is held, transposed, (modes, N, N).
+        function_count: Number of event functions, (modes,).
+        owner: The parts that they belong to, (modes, functions).
+        action: What it means that they fall to zero, (modes, functions).
+        target: The mode to go on in, (modes, functions, 2).
+        kind: What the event counts as, (modes, functions, 2).
+        known_action: An event function of the part of which some derivatives vanish then, the same shape.
+        known_zeros: How many, the same shape.
+        relaxing_state: Place of the spring of each contact in the state, -1 for none, (m,).
+        relaxation: Rates of the springs that relax, 1/s, 0 for others, (modes, m).
+        gap: Size of the gap, m, by which it is measured what is negligible, (m,).
+        bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
+    """
+
+    statuses: Integers
+    settled: Integers
+    step: Reals
+    screen: Reals
+    series: Reals
+    terms: Integers
+    taylor: Reals
+    sizes: Reals
+    hold: Reals
+    function_count: Integers
+    owner: Integers
+    action: Integers
+    target: Integers
+    kind: Integers
+    known_action: Integers
+    known_zeros: Integers
+    relaxing_state: Integers
+    relaxation: Reals
+    gap: Reals
+    bernstein_from_taylor: Reals
+
+
+def _empty(machine: Machine, capacity: int, functions: int) -> Tables:
+    size, contacts = machine.base.shape[0], len(machine.stiffness)
+    parts, degree = contacts + len(machine.kinetic), DEGREE + 1
+    finite = np.where(np.isfinite(machine.offsets), abs(machine.offsets), 0.0)
+
+    def integers(*shape: int) -> Integers:
+        return np.full((capacity, *shape), UNKNOWN, dtype=np.int64)
+
+    return Tables(
+        statuses=integers(parts),
+        settled=integers(),
+        step=np.zeros(capacity),
+        screen=np.zeros((capacity, size, size + functions * degree)),
+        series=np.zeros((capacity, size, degree * size)),
+        terms=integers(LEVELS),
+        taylor=np.zeros((capacity, functions, size, degree)),
+        sizes=np.zeros((capacity, functions, size, degree)),
+        hold=np.zeros((capacity, size, size)),
+        function_count=integers(),
+        owner=integers(functions),
+        action=integers(functions),
+        target=integers(functions, 2),
+        kind=integers(functions, 2),
+        known_action=integers(functions, 2),
+        known_zeros=integers(functions, 2),
+        relaxing_state=machine.relaxing_state,
+        relaxation=np.zeros((capacity, contacts)),
+        gap=finite.max(axis=1, initial=0.0),
+        bernstein_from_taylor=bernstein_from_taylor(),
+    )
+
+
+_FIXED = ("relaxing_state", "gap", "bernstein_from_taylor")
+
+
+@dataclass(eq=False)
+class Modes:
+    """The modes of a mechanism by number; they are assembled and tabulated when they are first asked for.
+
+    Attributes:
+        machine: The mechanism.
+        layout: Names and places of its extended state.
+        tables: Tables of the modes that were asked for.
+    """
+
+    machine: Machine
+    layout: Layout
+    _known: list[Mode] = field(default_factory=list, init=False, repr=False)
+    _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
+
+    @cached_property
+    def tables(self) -> Tables:
+        """Tables of all modes so far; they are replaced where there is no room."""
+        functions = 2 * len(self.machine.stiffness) + 2 * len(self.machine.kinetic)
+        return _empty(self.machine, CAPACITY, max(functions, 1))
+
+    def __getitem__(self, number: int) -> Mode:
+        return self._known[number]
+
+    def number(self, statuses: tuple[int, ...]) -> int:
+        """Return the number of a mode, which is tabulated when it is new."""
+        if statuses in self._numbers:
+            return self._numbers[statuses]
+        contacts = len(self.machine.stiffness)
+        at_rest = tuple(FREE if each == RELAXING else each for each in statuses[:contacts])
+        settled = self.number(at_rest + statuses[contacts:]) if at_rest != statuses[:contacts] else None
+        mode = assemble(self.machine, statuses)
+        number = len(self._known)
+        self._make_room(number + 1, len(mode.functions))
+        self._numbers[statuses] = number
+        self._known.append(mode)
+        self._tabulate(number, mode)
+        self.tables.settled[number] = number if settled is None else settled
+        return number
+
+    def follow(self, number: int, function: int, jumped: bool) -> None:
+        """Tabulate the mode that follows an event, if the statuses decide it."""
+        change = transition(self.machine, self[number].statuses, self[number].functions[function], jumped)
+        target = JOINT if change is None else self.number(change.statuses)
+        place = number, function, int(jumped)
+        self.tables.target[place] = target
+        if change is not None:
+            self.tables.kind[place] = change.kind
+            self.tables.known_action[place] = change.action
+            self.tables.known_zeros[place] = change.zeros
+
+    def _make_room(self, modes: int, functions: int) -> None:
+        tables = self.tables
+        if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
+            return
+        capacity = len(tables.step) * (2 if modes > len(tables.step) else 1)
+        larger = _empty(self.machine, capacity, max(functions, tables.taylor.shape[1]))
+        for name, old in tables._asdict().items():
+            if name not in _FIXED:
+                new = getattr(larger, name)
+                new[tuple(slice(0, length) for length in old.shape)] = old
+        self.__dict__["tables"] = larger
+
+    def _tabulate(self, number: int, mode: Mode) -> None:
+        tables, count = self.tables, len(mode.functions)
+        contacts = len(self.machine.stiffness)
+        rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
+        tables.step[number] = tabulate(
+            mode.flow,
+            self.layout.state_count,
+            rows,
+            tables.screen[number],
+            tables.series[number],
+            tables.terms[number],
+            tables.taylor[number],
+            tables.sizes[number],
+            tables.bernstein_from_taylor,
+        )
+        tables.statuses[number] = mode.statuses
+        tables.hold[number] = mode.hold.T
+        tables.function_count[number] = count
+        tables.owner[number, :count] = [each.owner for each in mode.functions]
+        tables.action[number, :count] = [each.action for each in mode.functions]
+        relaxing = np.array(mode.statuses[:contacts]) == RELAXING
+        tables.relaxation[number, relaxing] = self.machine.stiffness[relaxing] / self.machine.damping[relaxing]

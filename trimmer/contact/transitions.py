@@ -1,0 +1,109 @@
+"""What follows an event, as far as the statuses decide it: their change, and what is zero at first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trimmer.contact.statuses import (
+    ARRIVED,
+    AT_LIMIT,
+    BACKWARD,
+    BROKEN,
+    CONTACT_BROKEN,
+    CONTACT_MADE,
+    FORWARD,
+    FREE,
+    JOINTLY,
+    LEFT,
+    MADE_MINUS,
+    MADE_PLUS,
+    MINUS,
+    NOTHING,
+    PLUS,
+    PULLS,
+    RELAXES,
+    RELAXING,
+    RELEASED_MINUS,
+    RELEASED_PLUS,
+    RETURNED,
+    STICK,
+    STICK_BEGUN,
+    STICK_ENDED,
+)
+
+if TYPE_CHECKING:
+    from trimmer.contact.assembly import EventFunction
+    from trimmer.contact.machine import Machine
+
+
+@dataclass(frozen=True)
+class Transition:
+    """The change of one part.
+
+    Attributes:
+        statuses: Of all parts afterwards.
+        kind: What it counts as.
+        action: An event function of the part afterwards of which some derivatives vanish.
+        zeros: How many, counting the zeroth; 0 for none.
+    """
+
+    statuses: tuple[int, ...]
+    kind: int
+    action: int = -1
+    zeros: int = 0
+
+
+def transition(
+    machine: Machine, statuses: tuple[int, ...], function: EventFunction, jumped: bool
+) -> Transition | None:
+    """Return what follows where an event function of a mode falls to zero.
+
+    Args:
+        machine: The mechanism.
+        statuses: Those of the mode.
+        function: The event function.
+        jumped: Whether it is negative at once, because a force has jumped.
+
+    Returns:
+        The change, or None where several frictions are at rest and decide it together.
+    """
+    if function.action not in (ARRIVED, AT_LIMIT):
+        return _of_contact(machine, statuses, function)
+    contacts = len(machine.stiffness)
+    others = [
+        part for part in range(contacts, len(statuses)) if part != function.owner and statuses[part] == STICK
+    ]
+    if function.action == ARRIVED:
+        return None if others else Transition(_with(statuses, function.owner, STICK), STICK_BEGUN)
+    friction = function.owner - contacts
+    drops = machine.static[friction] > machine.kinetic[friction]
+    if function.owner == JOINTLY or (others and (drops or jumped)):
+        return None
+    direction = FORWARD if function.signs[friction] > 0 else BACKWARD
+    zeros = 1 if drops or jumped else 2
+    return Transition(_with(statuses, function.owner, direction), STICK_ENDED, ARRIVED, zeros)
+
+
+def _with(statuses: tuple[int, ...], part: int, status: int) -> tuple[int, ...]:
+    return (*statuses[:part], status, *statuses[part + 1 :])
+
+
+def _of_contact(machine: Machine, statuses: tuple[int, ...], function: EventFunction) -> Transition:
+    contact = function.owner
+    status, pulls = statuses[contact], machine.law[contact] == PULLS
+    same_side = MADE_PLUS if status in (PLUS, RELEASED_PLUS) else MADE_MINUS
+    if function.action in (MADE_PLUS, MADE_MINUS):
+        after = _with(statuses, contact, PLUS if function.action == MADE_PLUS else MINUS)
+        return Transition(after, CONTACT_MADE, BROKEN, 1 if pulls else 0)
+    if function.action == RETURNED:
+        after = _with(statuses, contact, PLUS if status == RELEASED_PLUS else MINUS)
+        return Transition(after, CONTACT_MADE, BROKEN, 1)
+    if function.action == LEFT:
+        return Transition(_with(statuses, contact, FREE), NOTHING, same_side, 1)
+    if pulls:
+        return Transition(_with(statuses, contact, FREE), CONTACT_BROKEN, same_side, 1)
+    if machine.law[contact] == RELAXES:
+        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, same_side, 2)
+    released = RELEASED_PLUS if status == PLUS else RELEASED_MINUS
+    return Transition(_with(statuses, contact, released), CONTACT_BROKEN, RETURNED, 1)

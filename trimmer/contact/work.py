@@ -1,0 +1,99 @@
+"""The arrays that the compiled integration writes: where the motion is, its log, and work space."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from trimmer.arrays import Integers, Reals
+from trimmer.contact.tables import Tables
+from trimmer.motion.first_event import DEEPEST
+from trimmer.motion.taylor import DEGREE
+
+
+class Work(NamedTuple):
+    """Where the motion is, and work space.
+
+    Attributes:
+        state: Extended state, (N,).
+        known_zeros: For each part, how many derivatives of one of its event functions vanish now, (m + p,).
+        known_action: Which one that is, (m + p,).
+        negligible: Stretches of relaxing springs that count as zero, m, (m,).
+        margins: By how much relaxing springs could bring contact forward, m, (m,).
+        screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
+        following, terms, bernstein, taylor, sizes, pieces: Room for states and polynomials.
+    """
+
+    state: Reals
+    known_zeros: Integers
+    known_action: Integers
+    negligible: Reals
+    margins: Reals
+    screened: Reals
+    following: Reals
+    terms: Reals
+    bernstein: Reals
+    taylor: Reals
+    sizes: Reals
+    pieces: Reals
+
+
+def work_for(tables: Tables) -> Work:
+    """Return work space for the modes of a mechanism."""
+    size, contacts, degree = tables.screen.shape[1], len(tables.gap), DEGREE + 1
+    parts = tables.statuses.shape[1]
+    return Work(
+        state=np.zeros(size),
+        known_zeros=np.zeros(parts, dtype=np.int64),
+        known_action=np.full(parts, -1, dtype=np.int64),
+        negligible=np.zeros(contacts),
+        margins=np.zeros(contacts),
+        screened=np.empty(tables.screen.shape[2]),
+        following=np.empty(size),
+        terms=np.empty(size * degree),
+        bernstein=np.empty(degree),
+        taylor=np.empty(degree),
+        sizes=np.empty(degree),
+        pieces=np.empty((DEEPEST + 3, degree + 2)),
+    )
+
+
+class Log(NamedTuple):
+    """One row per segment of motion between events.
+
+    Attributes:
+        start: Time of its start, s, (rows,).
+        mode: Number of its mode, (rows,).
+        state: Extended state at its start, (rows, N).
+        part: The part whose event began it, -1 for none, (rows,).
+        kind: What began it, see ``statuses``, (rows,).
+        function: The event function of the mode before that fell to zero, -1 for none, (rows,).
+    """
+
+    start: Reals
+    mode: Integers
+    state: Reals
+    part: Integers
+    kind: Integers
+    function: Integers
+
+    @classmethod
+    def empty(cls, rows: int, size: int) -> Log:
+        """Return room for segments of motions with an extended state of some size."""
+        return cls(
+            np.zeros(rows),
+            np.zeros(rows, dtype=np.int64),
+            np.zeros((rows, size)),
+            np.zeros(rows, dtype=np.int64),
+            np.zeros(rows, dtype=np.int64),
+            np.zeros(rows, dtype=np.int64),
+        )
+
+    def doubled(self) -> Log:
+        """Return the same rows with twice the room."""
+        return Log(*(np.concatenate([each, np.zeros_like(each)]) for each in self))
+
+    def first(self, rows: int) -> Log:
+        """Return the first rows."""
+        return Log(*(each[:rows].copy() for each in self))

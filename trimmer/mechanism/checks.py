@@ -1,0 +1,137 @@
+"""Whether what a mechanism is made of has the right types and numbers.
+
+``sense`` looks at how it goes together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+
+from trimmer.choices import ChoiceError
+from trimmer.mechanism.parts import ContactLaw, Output
+from trimmer.mechanism.problems import NOTHING, Problem
+from trimmer.mechanism.quantities import (
+    DISPLACEMENT,
+    FREQUENCY,
+    PARTS,
+    QUANTITIES,
+    VELOCITY,
+    WEIGHT,
+    Quantity,
+)
+from trimmer.mechanism.symbols import SYMBOL_RULE, is_symbol
+
+Content = Mapping[str, object]
+"""Fields of a mechanism, by name."""
+
+OPTIONAL_NUMBERS = {"static"}
+"""Numbers that may be None, for what the docstring of the part says."""
+
+
+def problems_of_types(content: Content) -> Iterator[Problem]:
+    """Find fields that are not what they should be: sections, parts, numbers, words."""
+    yield from _heading(content)
+    for section, kind in PARTS.items():
+        parts = content[section]
+        if not isinstance(parts, Mapping):
+            yield Problem(
+                (section,), f"must map names to instances of trimmer.mechanism.{kind.__name__}", parts
+            )
+            continue
+        for name, part in parts.items():
+            yield from _name((section,), name)
+            if isinstance(part, kind):
+                yield from _fields((section, str(name)), part)
+            else:
+                yield Problem((section, str(name)), f"give a trimmer.mechanism.{kind.__name__}", part)
+    yield from _outputs(content["outputs"])
+    yield from _start(content["start"])
+
+
+def _heading(content: Content) -> Iterator[Problem]:
+    title, frequency = content["title"], content["frequency"]
+    if not isinstance(title, str) or not title.isprintable():
+        yield Problem(("title",), "must be text on one line", title)
+    if frequency is not None:
+        yield from _number(("frequency",), frequency, FREQUENCY)
+
+
+def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
+    if not isinstance(name, str):
+        yield Problem(section, f"a name must be text, not {name!r}")
+    elif not name or not name.isprintable() or name != name.strip():
+        yield Problem((*section, name), "a name must be text on one line, without spaces around it")
+
+
+def _fields(place: tuple[str, ...], part: object) -> Iterator[Problem]:
+    quantities = QUANTITIES[type(part)]
+    for each in fields(part):  # type: ignore[arg-type]
+        value, there = getattr(part, each.name), (*place, each.name)
+        if each.name in quantities:
+            if value is not None or each.name not in OPTIONAL_NUMBERS:
+                yield from _number(there, value, quantities[each.name])
+        else:
+            yield from _word(there, value)
+
+
+def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
+    match place[-1]:
+        case "symbol":
+            if value is not None and not is_symbol(value):
+                yield Problem(place, SYMBOL_RULE, value)
+        case "law":
+            yield from _law(place, value)
+        case "on":
+            if not isinstance(value, str):
+                yield Problem(place, "name a body", value)
+        case "between":
+            if not _is_pair(value) or not all(isinstance(end, str) for end in value):  # type: ignore[attr-defined]
+                yield Problem(place, 'name two ends, as in ["ground", "motor"]', value)
+
+
+def _law(place: tuple[str, ...], value: object) -> Iterator[Problem]:
+    try:
+        ContactLaw.chosen(value, "law")  # type: ignore[arg-type]
+    except ChoiceError as error:
+        yield Problem(place, str(error).split(": ", 1)[-1], value)
+
+
+def _outputs(outputs: object) -> Iterator[Problem]:
+    if not isinstance(outputs, Mapping):
+        yield Problem(("outputs",), "must map names to instances of trimmer.mechanism.Output", outputs)
+        return
+    for name, output in outputs.items():
+        yield from _name(("outputs",), name)
+        place = ("outputs", str(name))
+        if not isinstance(output, Output) or not isinstance(output.weights, Mapping):
+            yield Problem(place, "give a trimmer.mechanism.Output with a mapping of weights", output)
+            continue
+        for body, weight in output.weights.items():
+            yield from _name(place, body)
+            yield from _number((*place, str(body)), weight, WEIGHT)
+
+
+def _start(start: object) -> Iterator[Problem]:
+    if not isinstance(start, Mapping):
+        yield Problem(("start",), "must map bodies to [displacement in m, velocity in m/s]", start)
+        return
+    for body, state in start.items():
+        yield from _name(("start",), body)
+        place = ("start", str(body))
+        if not _is_pair(state):
+            yield Problem(place, "give two numbers: [displacement in m, velocity in m/s]", state)
+            continue
+        for value, quantity in zip(state, (DISPLACEMENT, VELOCITY), strict=True):
+            if reason := quantity.reason_against(value):
+                yield Problem(place, f"{value!r} {reason}" if reason.startswith("must") else reason, state)
+
+
+def _is_pair(value: object) -> bool:
+    return isinstance(value, list | tuple) and len(value) == 2
+
+
+def _number(place: tuple[str, ...], value: object, quantity: Quantity) -> Iterator[Problem]:
+    if reason := quantity.reason_against(value):
+        missing = value is None
+        yield Problem(place, f"missing; {reason}" if missing else reason, NOTHING if missing else value)

@@ -1,0 +1,164 @@
+"""The numbers of a mechanism by their dotted places, such as ``plays.bridge.gap``: read, replaced, listed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from trimmer.arguments import require_instance
+from trimmer.errors import MechanismError
+from trimmer.mechanism.parts import Friction, Output
+from trimmer.mechanism.place_text import key_text, parse_place, place_text, split_assignment
+from trimmer.mechanism.quantities import (
+    DISPLACEMENT,
+    FREQUENCY,
+    PARTS,
+    QUANTITIES,
+    VELOCITY,
+    WEIGHT,
+    Quantity,
+)
+from trimmer.mechanism.units import UnitError, quantity
+from trimmer.messages import listed, near_match, shown_value
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+
+Place = tuple[str, ...]
+STATE: Mapping[str, Quantity] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
+"""What a start gives of a body, in the order of the file."""
+
+
+def quantities(mechanism: Mechanism) -> dict[Place, Quantity]:
+    """Return all numbers that may be set, with what they measure."""
+    found: dict[Place, Quantity] = {("frequency",): FREQUENCY}
+    for section, kind in PARTS.items():
+        for name in getattr(mechanism, section):
+            found |= {(section, name, key): each for key, each in QUANTITIES[kind].items()}
+    for name, output in mechanism.outputs.items():
+        found |= {("outputs", name, body): WEIGHT for body in output.weights}
+    for name in mechanism.bodies:
+        found |= {("start", name, key): each for key, each in STATE.items()}
+    return found
+
+
+def value_at(mechanism: Mechanism, place: str) -> float:
+    """Return the number at a place, SI units.
+
+    Raises:
+        MechanismError: if there is none.
+    """
+    names, _ = _found(mechanism, place)
+    match names:
+        case ("frequency",):
+            if mechanism.frequency is None:
+                raise MechanismError("frequency: the mechanism has none; it moves by itself")
+            return mechanism.frequency
+        case ("outputs", name, body):
+            return mechanism.outputs[name].weights[body]
+        case ("start", name, key):
+            return mechanism.start.get(name, (0.0, 0.0))[list(STATE).index(key)]
+        case (section, name, key):
+            part = getattr(mechanism, section)[name]
+            if isinstance(part, Friction) and key == "static":
+                return part.static_force
+            return getattr(part, key)  # type: ignore[no-any-return]
+    raise AssertionError(names)
+
+
+def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mechanism:
+    """Return the mechanism with another number at a place.
+
+    Args:
+        mechanism: The mechanism, which stays as it is.
+        place: Such as ``plays.bridge.gap``.
+        value: The number in SI units, or text with a unit, such as ``40 um``.
+
+    Raises:
+        MechanismError: if there is no such place, or the number cannot stand there.
+    """
+    names, wanted = _found(mechanism, place)
+    number = _number(names, value, wanted)
+    match names:
+        case ("frequency",):
+            return replace(mechanism, frequency=number)
+        case ("outputs", name, body):
+            weights = {**mechanism.outputs[name].weights, body: number}
+            return _with_entry(mechanism, "outputs", name, Output(weights))
+        case ("start", name, key):
+            state = list(mechanism.start.get(name, (0.0, 0.0)))
+            state[list(STATE).index(key)] = number
+            return _with_entry(mechanism, "start", name, tuple(state))
+        case (section, name, key):
+            part = replace(getattr(mechanism, section)[name], **{key: number})
+            return _with_entry(mechanism, section, name, part)
+    raise AssertionError(names)
+
+
+def assignment(text: str) -> tuple[str, float | str]:
+    """Read ``PLACE=VALUE``, such as ``plays.bridge.gap=40um``, as the type of an option.
+
+    Returns:
+        The place as ``with_value`` takes it, and the value: a number, or text with a unit. Text is never
+        evaluated; whether the place is there and the unit fits is for the mechanism to say.
+
+    Raises:
+        MechanismError: if the text sets nothing.
+    """
+    place, value = split_assignment(text)
+    names = parse_place(place)
+    if not value:
+        raise MechanismError(
+            f"{text!r} sets nothing: write a number, or one with its unit, after the equals sign"
+        )
+    try:
+        return place_text(names), quantity(value, "1")
+    except UnitError:
+        return place_text(names), value
+
+
+def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) -> Mechanism:
+    changed: dict[str, Any] = {section: {**getattr(mechanism, section), name: entry}}
+    return replace(mechanism, **changed)
+
+
+def _number(names: Place, value: float | str, wanted: Quantity) -> float:
+    if isinstance(value, str):
+        try:
+            value = quantity(value, wanted.unit)
+        except UnitError as error:
+            reason = f'{error}; "{wanted.example}" would do'
+            raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}") from None
+    if reason := wanted.reason_against(value):
+        raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}")
+    return wanted.taken(value)
+
+
+def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
+    require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
+    names = parse_place(place)
+    known = quantities(mechanism)
+    if names in known:
+        return names, known[names]
+    raise MechanismError(f"there is no number at {place_text(names)}; {_advice(names, known)}")
+
+
+def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:
+    """Say what follows if more is needed, else what place looks like this one, else what may be there."""
+    near = near_match(place_text(names), map(place_text, known))
+    if near and not any(_goes_on(each, names) for each in known):
+        return near
+    right = next(
+        names[:length]
+        for length in range(len(names), -1, -1)
+        if any(_goes_on(each, names[:length]) for each in known)
+    )
+    following = dict.fromkeys(key_text(each[len(right)]) for each in known if _goes_on(each, right))
+    return (
+        f"{f'after {place_text(right)} comes' if right else 'a place begins with'} {listed(following, 'or')}"
+    )
+
+
+def _goes_on(place: Place, names: Place) -> bool:
+    return place[: len(names)] == names and len(place) > len(names)

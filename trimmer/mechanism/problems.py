@@ -1,0 +1,91 @@
+"""What is wrong with a mechanism: the place of it, the value there, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+from trimmer.mechanism.place_text import place_text
+from trimmer.messages import shown_value
+
+
+class _Nothing(Enum):
+    NOTHING = "nothing"
+
+
+NOTHING = _Nothing.NOTHING
+"""Stands for no value: a whole part or section is meant, or something that is not there."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something that is wrong with a mechanism.
+
+    Attributes:
+        place: Names that lead there, such as ``("plays", "bridge", "gap")``.
+        reason: What is wrong and what to do.
+        value: What was given; ``NOTHING`` if there is nothing to show.
+    """
+
+    place: tuple[str, ...]
+    reason: str
+    value: object = NOTHING
+
+    def sentence(self, written: object = NOTHING) -> str:
+        """Return place, value and reason.
+
+        Args:
+            written: The value as it stands in a file, if it was converted since.
+        """
+        value = self.value if self.value is NOTHING or written is NOTHING else written
+        shown = "" if value is NOTHING else f" = {shown_value(value)}"
+        return f"{place_text(self.place)}{shown}: {self.reason}" if self.place else self.reason
+
+
+def as_message(problems: Sequence[Problem]) -> str:
+    """Return one message of all problems of a mechanism that no file stands behind."""
+    return in_one([problem.sentence() for problem in problems], "the mechanism")
+
+
+def as_message_of_file(
+    name: str, problems: Sequence[Problem], content: Mapping[str, Any], lines: Mapping[tuple[str, ...], int]
+) -> str:
+    """Return one message of all problems of a file.
+
+    Args:
+        name: What the file is called.
+        problems: At least one.
+        content: The file as nested dictionaries.
+        lines: The line of each key, from 1 on, by the names that lead there.
+    """
+    ordered = sorted(problems, key=lambda problem: _line(problem.place, lines))
+    sentences = [
+        f"line {_line(problem.place, lines)}: {problem.sentence(_written(problem.place, content))}"
+        if _line(problem.place, lines)
+        else problem.sentence()
+        for problem in ordered
+    ]
+    return in_one(sentences, name)
+
+
+def in_one(sentences: Sequence[str], name: str) -> str:
+    """Return one sentence as it is, and several as a list below a headline."""
+    if len(sentences) == 1:
+        return f"{name}: {sentences[0]}"
+    return f"{name}: {len(sentences)} problems:" + "".join(f"\n  {sentence}" for sentence in sentences)
+
+
+def _line(place: tuple[str, ...], lines: Mapping[tuple[str, ...], int]) -> int:
+    """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
+    return next((lines[place[:length]] for length in range(len(place), 0, -1) if place[:length] in lines), 0)
+
+
+def _written(place: tuple[str, ...], content: Mapping[str, Any]) -> object:
+    value: Any = content
+    for name in place:
+        if not isinstance(value, Mapping) or name not in value:
+            return NOTHING
+        value = value[name]
+    return value

@@ -1,0 +1,122 @@
+"""Which fields of the parts are numbers: unit, and which values will do."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from numbers import Real
+from types import MappingProxyType
+
+from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+
+
+class Range(Enum):
+    """Which numbers will do; the value says so after "must be"."""
+
+    ANY = "finite"
+    NOT_NEGATIVE = "zero or greater"
+    POSITIVE = "greater than zero"
+    WHOLE = "a whole number from 1 on"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number of a part.
+
+    Attributes:
+        unit: SI unit as text, such as ``N/m``.
+        example: How it may be written as text in a file.
+        range: Which values will do.
+    """
+
+    unit: str
+    example: str
+    range: Range = Range.ANY
+
+    def reason_against(self, value: object) -> str:
+        """Return why a value cannot be used, as a piece of a message; empty if it can.
+
+        NumPy's real scalars count as numbers; truth values, text and complex numbers do not.
+        """
+        if not is_number(value):
+            return f"give a number{self._in_unit}"
+        number = self.taken(value)
+        if isinstance(number, float) and not math.isfinite(number):
+            return "is too large for a floating-point number" if isinstance(value, int) else "must be finite"
+        fits = {
+            Range.ANY: True,
+            Range.NOT_NEGATIVE: number >= 0,
+            Range.POSITIVE: number > 0,
+            Range.WHOLE: isinstance(number, int) and number >= 1,
+        }[self.range]
+        return "" if fits else f"must be {self.range.value}{self._in_unit}"
+
+    def taken(self, value: object) -> float:
+        """Return a number as the float, or for a whole one the int, that the parts hold."""
+        try:
+            number = float(_scalar(value))  # type: ignore[arg-type]
+        except OverflowError:
+            return math.inf
+        return int(number) if self.range is Range.WHOLE and number.is_integer() else number
+
+    @property
+    def _in_unit(self) -> str:
+        return "" if self.unit == "1" else f", in {self.unit}"
+
+
+def is_number(value: object) -> bool:
+    """Say whether a value is a real number; truth values are none, scalars of NumPy are."""
+    scalar = _scalar(value)
+    return isinstance(scalar, Real) and not isinstance(scalar, bool)
+
+
+def _scalar(value: object) -> object:
+    return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
+
+
+FREQUENCY = Quantity("Hz", "110 Hz", Range.POSITIVE)
+DISPLACEMENT = Quantity("m", "40 um")
+VELOCITY = Quantity("m/s", "20 mm/s")
+WEIGHT = Quantity("1", "1")
+_MASS = Quantity("kg", "35 g", Range.POSITIVE)
+_STIFFNESS = Quantity("N/m", "200 N/mm", Range.NOT_NEGATIVE)
+_DAMPING = Quantity("N s/m", "3.5 N s/m", Range.NOT_NEGATIVE)
+_CLEARANCE = Quantity("m", "40 um", Range.NOT_NEGATIVE)
+_FORCE = Quantity("N", "500 mN")
+_FORCE_LIMIT = Quantity("N", "500 mN", Range.NOT_NEGATIVE)
+_PHASE = Quantity("rad", "90 deg")
+_ORDER = Quantity("1", "2", Range.WHOLE)
+
+QUANTITIES: Mapping[type, Mapping[str, Quantity]] = MappingProxyType(
+    {
+        Body: {"mass": _MASS},
+        Pin: {
+            **{"amplitude": DISPLACEMENT, "phase": _PHASE, "offset": DISPLACEMENT, "velocity": VELOCITY},
+            "order": _ORDER,
+        },
+        Link: {"stiffness": _STIFFNESS, "damping": _DAMPING},
+        Play: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": _CLEARANCE},
+        Stop: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": DISPLACEMENT},
+        Friction: {"force": _FORCE_LIMIT, "static": _FORCE_LIMIT, "viscous": _DAMPING},
+        Force: {
+            **{"constant": _FORCE, "amplitude": _FORCE, "phase": _PHASE, "order": _ORDER},
+            "unbalance": Quantity("kg m", "50 g mm"),
+        },
+    }
+)
+"""The numbers of each kind of part, by field."""
+
+PARTS: Mapping[str, type] = MappingProxyType(
+    {
+        "bodies": Body,
+        "pins": Pin,
+        "links": Link,
+        "plays": Play,
+        "stops": Stop,
+        "frictions": Friction,
+        "forces": Force,
+    }
+)
+"""What each section holds, apart from ``outputs`` and ``start``."""

@@ -1,0 +1,176 @@
+"""Mechanisms from TOML: sections, keys and units; what is wrong is named with its line."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, fields
+from pathlib import Path
+from typing import Any
+
+from trimmer.errors import MechanismError
+from trimmer.mechanism.mechanism import Mechanism, problems_with
+from trimmer.mechanism.parts import Output
+from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
+from trimmer.mechanism.quantities import (
+    DISPLACEMENT,
+    FREQUENCY,
+    PARTS,
+    QUANTITIES,
+    VELOCITY,
+    WEIGHT,
+    Quantity,
+    is_number,
+)
+from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.mechanism.units import UnitError, quantity
+from trimmer.messages import listed, near_match
+from trimmer.toml_files import is_parameter_file, read_text
+
+SECTIONS = (*PARTS, "outputs", "start")
+KEYS = ("title", "frequency", *SECTIONS)
+
+
+def read_mechanism(path: Path) -> Mechanism:
+    """Read a mechanism from a file, or from standard input if the path is ``-``.
+
+    Raises:
+        MechanismError: see ``Mechanism.from_toml``.
+    """
+    advice = "examples/thesis-play.toml is one to start from"
+    return mechanism_of_text(read_text(path, MechanismError, advice), str(path))
+
+
+def mechanism_of_text(text: str, name: str) -> Mechanism:
+    """Read a mechanism from the text of a file that messages call by a name.
+
+    Raises:
+        MechanismError: see ``Mechanism.from_toml``.
+    """
+    content = _parsed(text, name)
+    problems = list(_problems_of_form(content))
+    if not problems:
+        arguments = _arguments(content, problems)
+        problems = problems or problems_with(arguments)
+        if not problems:
+            return Mechanism(**arguments)
+    raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
+
+
+def _parsed(text: str, name: str) -> dict[str, Any]:
+    try:
+        content = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # ValueError: TOML syntax, or an integer of too many digits
+        raise MechanismError(
+            f"{name}: not valid TOML: {error}; "
+            "a part is written as in 'motor = { mass = 0.035 }' below [bodies]"
+        ) from error
+    if is_parameter_file(content):
+        raise MechanismError(
+            f"{name}: this is a parameter file, for 'trimmer linear --parameters FILE' and other commands "
+            "for the thesis's loop; a mechanism has [bodies], as in examples/thesis.toml"
+        )
+    return content
+
+
+def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
+    """Find unknown and missing keys, and what should be a table and is none."""
+    for key, value in content.items():
+        if key not in KEYS:
+            yield Problem((key,), _unknown(key, KEYS, "the top of the file"), _if_plain(value))
+        elif key in SECTIONS and not isinstance(value, dict):
+            yield Problem((key,), f"is a section: write [{key}] on a line of its own", value)
+        elif key in PARTS:
+            for name, entries in value.items():
+                yield from _problems_of_part((key, name), entries)
+        elif key == "outputs":
+            for name, entries in value.items():
+                if not isinstance(entries, dict):
+                    yield Problem((key, name), "give weights, as in { cutter = 1, guard = -1 }", entries)
+    if "bodies" not in content:
+        yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
+
+
+def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Problem]:
+    kind = PARTS[place[0]]
+    if not isinstance(entries, dict):
+        yield Problem(place, f"give its keys in braces, as in {{ {_example(kind)} }}", entries)
+        return
+    known = [each.name for each in fields(kind)]
+    unknown = [key for key in entries if key not in known]
+    for key in unknown:
+        reason = _unknown(key, known, f"a part of [{place[0]}]")
+        yield Problem((*place, key), reason, _if_plain(entries[key]))
+    if unknown:  # what is missing is there perhaps, but misspelt
+        return
+    for each in fields(kind):
+        if each.default is MISSING and each.name not in entries:
+            yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")
+
+
+def _arguments(content: Mapping[str, Any], problems: list[Problem]) -> dict[str, Any]:
+    """Return the fields of the mechanism; texts that are no quantities are added to the problems."""
+    convert = _Converter(problems)
+    arguments: dict[str, Any] = {each.name: {} for each in fields(Mechanism)}
+    arguments["title"] = content.get("title", "")
+    arguments["frequency"] = convert.number(("frequency",), content.get("frequency"), FREQUENCY)
+    for section, kind in PARTS.items():
+        for name, entries in content.get(section, {}).items():
+            arguments[section][name] = kind(
+                **{
+                    key: convert.number((section, name, key), value, QUANTITIES[kind][key])
+                    if key in QUANTITIES[kind]
+                    else value
+                    for key, value in entries.items()
+                }
+            )
+    for name, weights in content.get("outputs", {}).items():
+        arguments["outputs"][name] = Output(
+            {key: convert.number(("outputs", name, key), value, WEIGHT) for key, value in weights.items()}
+        )
+    for name, state in content.get("start", {}).items():
+        arguments["start"][name] = convert.state(("start", name), state)
+    return arguments
+
+
+class _Converter:
+    """Numbers of text with units; what cannot be read is noted.
+
+    Args:
+        problems: The list that gets the notes.
+    """
+
+    def __init__(self, problems: list[Problem]) -> None:
+        self._problems = problems
+
+    def number(self, place: tuple[str, ...], value: object, wanted: Quantity) -> Any:
+        """Return the number of a text in the SI unit; what is no text is returned as it is."""
+        if not isinstance(value, str):
+            return value
+        try:
+            return quantity(value, wanted.unit)
+        except UnitError as error:
+            self._problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
+            return None
+
+    def state(self, place: tuple[str, ...], value: object) -> object:
+        """Return displacement and velocity, each of which may be text."""
+        if not isinstance(value, list) or len(value) != 2:
+            return value
+        return [
+            self.number(place, each, of) for each, of in zip(value, (DISPLACEMENT, VELOCITY), strict=True)
+        ]
+
+
+def _unknown(key: str, known: tuple[str, ...] | list[str], where: str) -> str:
+    return f"unknown key; {near_match(key, known) or f'{where} may hold {listed(known)}'}"
+
+
+def _if_plain(value: object) -> object:
+    return value if isinstance(value, str) or is_number(value) else NOTHING
+
+
+def _example(kind: type, key: str | None = None) -> str:
+    examples = {"on": 'on = "motor"', "between": 'between = ["ground", "motor"]', "mass": "mass = 0.035"}
+    required = [each.name for each in fields(kind) if each.default is MISSING]
+    return ", ".join(examples.get(name, f"{name} = 0.5") for name in ([key] if key else required))

@@ -1,0 +1,150 @@
+"""Quantities as text with a unit, such as ``40 um`` or ``3.5 N s/m``, in SI units.
+
+A unit is a product of factors, then perhaps quotients: ``N s/m``, ``kg m``, ``m/s/s``. A factor is a name,
+perhaps with a prefix and a power: ``mm^2``, ``s²``. After a quotient no product follows, since ``N/m s`` may
+be read in two ways. Numbers are multiplied as fractions, so that ``40 um`` is exactly the number ``40e-6``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from trimmer.messages import near_match
+
+_NUMBER_AND_UNIT = re.compile(
+    r"\s*(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)\s*(?P<unit>.*?)\s*",
+    flags=re.DOTALL,
+)
+_FACTOR = re.compile(r"(?P<name>[A-Za-zµμ]+|°|1)(?:\^(?P<power>[+-]?[1-9])|(?P<raised>⁻?[¹²³⁴⁵⁶⁷⁸⁹]))?")
+_RAISED = str.maketrans("⁻¹²³⁴⁵⁶⁷⁸⁹", "-123456789")
+_LONGEST_NUMBER = 60
+_LARGEST_EXPONENT = 400
+"""Beyond these a fraction would cost memory, and no double-precision number is so large or so small."""
+
+
+class UnitError(ValueError):
+    """A text is no quantity of the dimension that is wanted; the message is the end of a sentence."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit: scale · pi^half_turns in kilograms, metres, seconds and radians.
+
+    Attributes:
+        scale: Factor to the SI unit, without powers of pi.
+        dimension: Powers of kilogram, metre, second and radian.
+        half_turns: Power of pi in the factor.
+    """
+
+    scale: Fraction
+    dimension: tuple[int, int, int, int]
+    half_turns: int = 0
+
+    def __mul__(self, other: Unit) -> Unit:
+        kilogram, metre, second, radian = map(sum, zip(self.dimension, other.dimension, strict=True))
+        half_turns = self.half_turns + other.half_turns
+        return Unit(self.scale * other.scale, (kilogram, metre, second, radian), half_turns)
+
+    def __pow__(self, power: int) -> Unit:
+        kilogram, metre, second, radian = (power * exponent for exponent in self.dimension)
+        return Unit(self.scale**power, (kilogram, metre, second, radian), power * self.half_turns)
+
+
+_PREFIXES = {
+    "": Fraction(1),
+    **{"n": Fraction(1, 10**9), "u": Fraction(1, 10**6), "µ": Fraction(1, 10**6), "μ": Fraction(1, 10**6)},
+    **{"m": Fraction(1, 1000), "c": Fraction(1, 100), "k": Fraction(1000), "M": Fraction(10**6)},
+}
+"""The micro sign and the Greek letter look the same; keyboards have either."""
+
+_ONE = Unit(Fraction(1), (0, 0, 0, 0))
+_PREFIXED = {
+    "g": (Unit(Fraction(1, 1000), (1, 0, 0, 0)), "numk"),
+    "m": (Unit(Fraction(1), (0, 1, 0, 0)), "numck"),
+    "s": (Unit(Fraction(1), (0, 0, 1, 0)), "num"),
+    "N": (Unit(Fraction(1), (1, 1, -2, 0)), "numkM"),
+    "Hz": (Unit(Fraction(1), (0, 0, -1, 0)), "mkM"),
+    "rad": (Unit(Fraction(1), (0, 0, 0, 1)), "m"),
+}
+_UNITS = {
+    "1": _ONE,
+    "t": Unit(Fraction(1000), (1, 0, 0, 0)),
+    "min": Unit(Fraction(60), (0, 0, 1, 0)),
+    "rpm": Unit(Fraction(1, 60), (0, 0, -1, 0)),
+    "Ns": Unit(Fraction(1), (1, 1, -1, 0)),
+    "deg": Unit(Fraction(1, 180), (0, 0, 0, 1), 1),
+    "°": Unit(Fraction(1, 180), (0, 0, 0, 1), 1),
+    **{
+        prefix + name: Unit(size * unit.scale, unit.dimension)
+        for name, (unit, allowed) in _PREFIXED.items()
+        for prefix, size in _PREFIXES.items()
+        if prefix.replace("µ", "u").replace("μ", "u") in ("", *allowed)
+    },
+}
+
+
+def unit(text: str) -> Unit:
+    """Read a unit.
+
+    Raises:
+        UnitError: if it is none, or may be read in two ways.
+    """
+    numerator, *denominators = text.replace("**", "^").split("/")
+    result = _ONE
+    for factor in re.split(r"\s*[*·⋅]\s*|\s+", numerator.strip()):
+        result *= _factor(factor, text)
+    for denominator in denominators:
+        if re.search(r"\S[\s*·⋅]+\S", denominator):
+            raise UnitError(f"unit {text!r} can be read in two ways: write products first, as in 'N s/m'")
+        result *= _factor(denominator.strip(), text) ** -1
+    return result
+
+
+def quantity(text: str, si_unit: str) -> float:
+    """Read a number with its unit, and give it in an SI unit.
+
+    Args:
+        text: Such as ``40 um``; a number without a unit is taken only where the SI unit is ``1``.
+        si_unit: The unit of the answer.
+
+    Raises:
+        UnitError: if the text is no number with a unit, or the unit measures something else.
+    """
+    found = _NUMBER_AND_UNIT.fullmatch(text)
+    if found is None:
+        raise UnitError(f"is no number{'' if si_unit == '1' else ' with a unit'}; text is not evaluated")
+    if len(found["number"]) > _LONGEST_NUMBER or abs(int((found["exponent"] or "0")[:9])) > _LARGEST_EXPONENT:
+        raise UnitError("has too many digits, or is too large or too small for a floating-point number")
+    wanted = unit(si_unit)
+    if not found["unit"] and wanted != _ONE:
+        raise UnitError(
+            f"has no unit: write the number in {si_unit} without quotation marks, or add the unit"
+        )
+    given = unit(found["unit"] or "1")
+    if given.dimension != wanted.dimension:
+        raise UnitError(f"{found['unit']!r} does not measure what {si_unit} does")
+    return _product(
+        Fraction(found["number"]) * given.scale / wanted.scale, given.half_turns - wanted.half_turns
+    )
+
+
+def _product(number: Fraction, half_turns: int) -> float:
+    try:
+        result = float(number) * math.pi**half_turns
+    except OverflowError:
+        raise UnitError("is too large for a floating-point number") from None
+    if number and not result:
+        raise UnitError("is too small for a floating-point number")
+    return result
+
+
+def _factor(text: str, whole: str) -> Unit:
+    found = _FACTOR.fullmatch(text)
+    if found is None or found["name"] not in _UNITS:
+        name = found["name"] if found else text
+        advice = near_match(name, _UNITS) or "known are m, kg, s, N, Hz, rad, deg with prefixes, as in 'N/mm'"
+        raise UnitError(f"has the unknown unit {whole!r}; {advice}")
+    return _UNITS[found["name"]] ** int(found["power"] or (found["raised"] or "1").translate(_RAISED))

@@ -1,0 +1,67 @@
+"""A mechanism as the text of a TOML file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import MISSING, fields
+from typing import TYPE_CHECKING, Any
+
+from trimmer.mechanism.parts import ContactLaw
+from trimmer.mechanism.place_text import key_text, quoted
+from trimmer.mechanism.quantities import PARTS
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+
+_HEAD = (
+    "# Mechanism that moves along one line, in SI units: bodies, and what holds, pushes and rubs them.\n\n"
+)
+
+
+def mechanism_as_toml(mechanism: Mechanism) -> str:
+    """Write a mechanism as TOML text, which reads back equal; what has its default is left out."""
+    return _HEAD + "".join(_paragraphs(mechanism))
+
+
+def _paragraphs(mechanism: Mechanism) -> Iterator[str]:
+    if mechanism.title:
+        yield f"title = {_value(mechanism.title)}\n"
+    if mechanism.frequency is not None:
+        yield f"frequency = {_value(mechanism.frequency)}\n"
+    for section in PARTS:
+        if parts := getattr(mechanism, section):
+            yield _section(section, {name: _inline(_entries(part)) for name, part in parts.items()})
+    if mechanism.outputs:
+        weights = {name: _inline(dict(output.weights)) for name, output in mechanism.outputs.items()}
+        yield _section("outputs", weights)
+    if mechanism.start:
+        yield _section("start", {name: _value(state) for name, state in mechanism.start.items()})
+
+
+def _section(name: str, entries: dict[str, str]) -> str:
+    return f"\n[{name}]\n" + "".join(f"{key_text(key)} = {text}\n" for key, text in entries.items())
+
+
+def _entries(part: Any) -> dict[str, object]:
+    """Return the fields of a part that a file has to hold: needed ones, and what is not as by default."""
+    held = {each.name: getattr(part, each.name) for each in fields(part)}
+    defaults = {each.name: each.default for each in fields(part)}
+    return {
+        name: value for name, value in held.items() if defaults[name] is MISSING or value != defaults[name]
+    }
+
+
+def _inline(entries: dict[str, object]) -> str:
+    return "{ " + ", ".join(f"{key_text(key)} = {_value(value)}" for key, value in entries.items()) + " }"
+
+
+def _value(value: object) -> str:
+    match value:
+        case ContactLaw():
+            return quoted(value.word)
+        case str():
+            return quoted(value)
+        case tuple():
+            return f"[{', '.join(map(_value, value))}]"
+        case _:
+            return repr(value)

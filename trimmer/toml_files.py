@@ -1,0 +1,44 @@
+"""TOML files that users write: their text, and which kind of file one is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from trimmer.errors import TrimmerError
+from trimmer.files import read_content
+from trimmer.parameters import parameter_table
+
+
+def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
+    """Read the text of a file, or of standard input.
+
+    Args:
+        path: The file; ``-`` is standard input.
+        error: What is raised.
+        advice: Where a file to start from comes from, for the message of a file that is not there.
+
+    Raises:
+        TrimmerError: of the type that is given, if the file cannot be read or is no text.
+    """
+    try:
+        return read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
+    except FileNotFoundError:
+        raise error(f"{path}: no such file; {advice}") from None
+    except IsADirectoryError:
+        raise error(f"{path}: is a folder; name the file in it") from None
+    except UnicodeDecodeError as reason:
+        message = f"{path}: not UTF-8 text (byte {reason.start}); save it as UTF-8 plain text"
+        raise error(message) from reason
+    except OSError as reason:
+        raise error(f"{path}: cannot be read: {reason.strerror or reason}") from reason
+
+
+def is_parameter_file(content: Mapping[str, object]) -> bool:
+    """Say whether the content of a file holds parameters of the thesis's trimmer, and no bodies."""
+    return "bodies" not in content and any(parameter.symbol in content for parameter in parameter_table())
+
+
+def is_mechanism_file(content: Mapping[str, object]) -> bool:
+    """Say whether the content of a file is a mechanism."""
+    return isinstance(content.get("bodies"), dict)
