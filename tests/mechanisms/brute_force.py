@@ -264,6 +264,8 @@ def changes(system: System, time: float, before: Mode, after: Mode) -> list[Even
     """The events that are counted where one mode follows another."""
     events = []
     for contact, old, new in zip(system.contacts, before.contacts, after.contacts, strict=True):
+        if contact.is_link:
+            continue
         if old != new and old.touching:
             events.append(Event(time, contact.name, EventKind.CONTACT_BROKEN))
         if old != new and new.touching:

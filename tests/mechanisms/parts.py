@@ -51,6 +51,11 @@ class Contact:
     def lifts(self) -> bool:
         return self.part.law is ContactLaw.TRUNCATED and self.part.damping > 0
 
+    @property
+    def is_link(self) -> bool:
+        """Whether it is always in contact: a play without a gap, unless its law lifts it."""
+        return isinstance(self.part, Play) and self.part.gap == 0 and not self.lifts
+
     def beyond(self, side: int) -> np.ndarray:
         """How far the gap is overcome on a side, positive when it is."""
         return side * self.rows.distance(self.part.between) - self.rows.constant(self.half_gap)

@@ -1,4 +1,4 @@
-"""Mechanisms that are easy to get wrong: coincidences, rings, preloads, what touches or rests at the start."""
+"""Mechanisms that are easy to get wrong: coincidences, rings, preloads, parts that touch from the start."""
 
 from __future__ import annotations
 
