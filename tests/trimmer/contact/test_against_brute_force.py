@@ -1,7 +1,7 @@
 """The exact engine against brute force: kind, part and time of each event, states at many times.
 
-The brute force runs at two tolerances. Their difference is its error, and where they part the comparison ends:
-a chaotic motion is compared only as long as it is known.
+The brute force runs at two tolerances. Their difference is its error, and where they part the comparison
+ends: a chaotic motion is compared only as long as it is known.
 """
 
 from __future__ import annotations
