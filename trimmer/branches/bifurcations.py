@@ -144,7 +144,7 @@ def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
 def _corner(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
     """Return the fold where a test function jumps past zero, none for another kind.
 
-    The slope of the map jumps where events change their order, and multipliers with it: that is no bifurcation.
+    The slope of the map jumps where events change their order, and multipliers with it: no bifurcation.
     """
     if kind is not SpecialKind.FOLD:
         return []

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from trimmer.arguments import finite_number, whole_number
+from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
@@ -16,6 +16,7 @@ from trimmer.branches.corner import turned
 from trimmer.branches.doubled_map import DoubledMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
+from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.branches.step import Front, Step, begun, step
 from trimmer.branches.switching import parted_fronts
@@ -24,8 +25,6 @@ FIRST = 1e-3
 """Length of the first step."""
 SMALLEST = 2e-12
 """Length below which a step is not shortened any more."""
-LARGEST_STEP = 0.01
-"""Largest change of the value on a step, as a share of the interval."""
 LARGEST_MOVE = 0.1
 """Largest length of a step in all coordinates."""
 BEND = 0.15
@@ -38,7 +37,6 @@ LEAST_SIZE = 1e-2
 """Least scale of a state, relative to the largest that it had on the branch."""
 SAME = 1e-6
 """Distance within which two orbits are the same."""
-MOST_POINTS = 2000
 
 
 @dataclass(frozen=True)
@@ -73,16 +71,8 @@ class _Record:
     switches: list[tuple[Problem, Bifurcation]] = field(default_factory=list)
 
 
-def continuation(  # noqa: PLR0913
-    map: PeriodMap,
-    state: Reals,
-    start: float,
-    stop: float,
-    *,
-    most_points: int = MOST_POINTS,
-    largest_step: float = LARGEST_STEP,
-    switches: int = 1,
-    bounds: tuple[float, float] | None = None,
+def continuation(
+    map: PeriodMap, state: Reals, start: float, stop: float, settings: FollowSettings = DEFAULT
 ) -> Branch:
     """Follow the branch of an orbit over an interval of values.
 
@@ -93,25 +83,20 @@ def continuation(  # noqa: PLR0913
         map: The map of a period.
         state: Guess of the state at the beginning of the period, shape (n,).
         start: First value.
-        stop: Other end of the interval.
-        most_points: Number of orbits after which to stop.
-        largest_step: Largest change of the value on a step, as a share of the interval.
-        switches: How many times one after another to switch to a branch that parts from the last one.
-        bounds: The interval within which the branch is followed, if it is not that of start and stop; from
-            ``start`` it goes towards ``stop``.
+        stop: Other end of the interval; with bounds of their own, on which side of ``start`` to begin.
+        settings: How to follow it.
 
     Raises:
-        WrongTypeError: if start or stop is no number, or most_points or switches no whole number.
+        WrongTypeError: if start or stop is no number.
         ValueError: if start and stop are equal or not finite, or bounds are not around start.
     """
     begin = finite_number("start", start)
-    interval = _interval(begin, finite_number("stop", stop), bounds)
-    limits = _Limits(interval, whole_number("most_points", most_points, 2), largest_step)
-    front = _first_front(map, np.asarray(state, dtype=float), begin, interval)
+    limits = _Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
+    front = _first_front(map, np.asarray(state, dtype=float), begin, limits.interval)
     if front is None:
         message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
-    return _followed(front, limits, whole_number("switches", switches, 0), None)
+    return _followed(front, limits, settings.switches, None)
 
 
 def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> Interval:
@@ -119,7 +104,7 @@ def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> 
         raise ValueError(f"start and stop are both {start!r}: give an interval")
     if bounds is None:
         return Interval(start, stop)
-    lowest, highest = sorted(finite_number("bounds", each) for each in bounds)
+    lowest, highest = sorted(bounds)
     if not lowest <= start <= highest or lowest == highest:
         raise ValueError(f"bounds must be two numbers around start {start!r}, not {bounds!r}")
     return Interval(lowest, highest) if start < stop else Interval(highest, lowest)
@@ -128,8 +113,7 @@ def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> 
 @dataclass(frozen=True)
 class _Limits:
     interval: Interval
-    most_points: int
-    largest_step: float
+    settings: FollowSettings
 
 
 def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | None:
@@ -197,13 +181,13 @@ def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]
 
 def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: _Limits) -> bool:
     away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
-    return bool(away[-1] <= limits.largest_step and away.max() <= LARGEST_MOVE)
+    return bool(away[-1] <= limits.settings.largest_step and away.max() <= LARGEST_MOVE)
 
 
 def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
     """Yield one step after the other, with the problem in whose scale it was made, and why they end."""
     first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
-    for count in range(1, limits.most_points):
+    for count in range(1, limits.settings.most_points):
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
@@ -236,7 +220,7 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
 
 def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | None, float]:
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
-    length = min(length, LARGEST_MOVE, limits.largest_step / max(abs(front.tangent[-1]), 1e-12))
+    length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
     while length >= SMALLEST:
         made = step(front, length, *limits.interval.ends)
         if made is not None:

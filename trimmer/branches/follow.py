@@ -12,21 +12,21 @@ import numpy as np
 from trimmer.arguments import real_array, require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.continuation import LARGEST_STEP, MOST_POINTS, continuation
+from trimmer.branches.continuation import continuation
 from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.mirror import is_mirror_symmetric
 from trimmer.branches.outputs import OutputMeasure, body_rows, coefficients, output_measures
+from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place, place_text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-MOST_PERIODS = 2000
-"""Drive periods after which a motion from rest is not waited for any more."""
 SYMMETRIC = 1e-6
 """Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
 
@@ -52,12 +52,10 @@ class FollowedOrbit:
     Attributes:
         point: The orbit on the branch: value, state, multipliers, stability.
         map: The map of its whole period.
-        harmonics: Number of harmonics of the drive for ``balanced``.
     """
 
     point: BranchPoint
     map: MechanismMap
-    harmonics: int
 
     @property
     def value(self) -> float:
@@ -94,14 +92,16 @@ class FollowedOrbit:
         """Peak to peak and harmonics of each output."""
         return output_measures(self.map.mechanism, self.passage.course, self.periods)
 
-    @cached_property
-    def balanced(self) -> BalancedOrbit:
-        """The orbit by multi-harmonic balance, begun from its own harmonics, and how far that is from it.
+    def balanced(self, harmonics: int) -> BalancedOrbit:
+        """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
+
+        Args:
+            harmonics: Harmonics of the drive up to which the forces balance.
 
         Raises:
             UnsupportedMotionError: if a spring leans on a pin that moves on.
         """
-        course, orders = self.passage.course, np.arange(self.periods * self.harmonics + 1)
+        course, orders = self.passage.course, np.arange(self.periods * harmonics + 1)
         exact = np.array([coefficients(course, row, orders) for row in body_rows(course)])
         balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
         _, weights, _, states = course.nodes
@@ -148,6 +148,16 @@ class FollowedBranch:
         return self.map.periods
 
     @property
+    def unit(self) -> str:
+        """SI unit of the number that is varied; Hz for a frequency."""
+        return self.map.mechanism.places[place_text(parse_place(self.map.place))]
+
+    def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
+        """Return peak to peak and harmonics of each output at a special point of the branch."""
+        course = self.map.passage(special.value, special.state).course
+        return output_measures(self.map.mechanism, course, self.periods)
+
+    @property
     def success(self) -> bool:
         """Whether it was followed to an end of the interval, around, or to one that it joins."""
         return self.reason.is_success
@@ -161,11 +171,7 @@ def follow(
     *,
     periods: int | None = None,
     state: ArrayLike | None = None,
-    most_points: int = MOST_POINTS,
-    largest_step: float = LARGEST_STEP,
-    switches: int = 1,
-    harmonics: int = 9,
-    most_periods: int = MOST_PERIODS,
+    settings: FollowSettings = DEFAULT,
 ) -> FollowedBranch:
     """Follow a branch of exact periodic motions of a driven mechanism over one of its numbers.
 
@@ -181,11 +187,7 @@ def follow(
         periods: Drive periods after which the motion repeats; by default those after which it does.
         state: State at the start of a drive period from which to begin instead, shape (n,); see
             ``trimmer.contact.flow.ExactFlow.names`` for its entries.
-        most_points: Number of motions after which to stop.
-        largest_step: Largest change of the value between two motions, as a share of the interval.
-        switches: How many times one after another to switch to a branch that parts from the last one.
-        harmonics: Harmonics of the drive for the multi-harmonic balance beside the exact motions.
-        most_periods: Drive periods to wait for the motion from rest to settle.
+        settings: How to follow it.
 
     Returns:
         The branch. If the mechanism does not settle, it has no points and a message that says so.
@@ -197,11 +199,10 @@ def follow(
         ValueError: if start and stop are equal, or a number is out of its range.
 
     Sources:
-        Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer, Dynamics
-        and Bifurcations of Non-Smooth Mechanical Systems, 2004.
+        Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer,
+        Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004.
     """
     require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
-    whole_number("harmonics", harmonics, 1)
     if periods is not None:
         whole_number("periods", periods, 1)
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
@@ -210,28 +211,20 @@ def follow(
     at_start = mechanism.with_value(place, begin)
     if at_start.frequency is None:
         raise UnsupportedMotionError(
-            "the mechanism has no frequency, so that nothing says after which time its motion repeats; give it "
-            "a frequency, or simulate it"
+            "the mechanism has no frequency, so that nothing says after which time its motion repeats; "
+            "give it a frequency, or simulate it"
         )
     map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
     if state is None:
-        found = settled(at_start, whole_number("most_periods", most_periods, 1), periods)
+        found = settled(at_start, settings.most_periods, periods)
         if found is None:
-            return FollowedBranch(map, (), (), BranchEnd.NO_START, _unsettled(begin, most_periods))
+            message = _unsettled(begin, settings.most_periods)
+            return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=found.periods), found.state
     else:
         first = real_array("state", state)
     map = replace(map, mirrored=_is_symmetric(map, begin, first))
-    branch = continuation(
-        map,
-        first,
-        begin,
-        end,
-        most_points=most_points,
-        largest_step=largest_step,
-        switches=switches,
-    )
-    return _followed(branch, map, harmonics)
+    return _followed(continuation(map, first, begin, end, settings), map)
 
 
 def _unsettled(begin: float, most_periods: int) -> str:
@@ -252,15 +245,15 @@ def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
     return float(abs((half.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
 
 
-def _followed(branch: Branch, map: MechanismMap, harmonics: int) -> FollowedBranch:
+def _followed(branch: Branch, map: MechanismMap) -> FollowedBranch:
     halves = 2**branch.doublings if map.mirrored else 2 ** (1 + branch.doublings)
     whole = replace(map, mirrored=False, periods=max(map.periods * halves // 2, map.periods))
     return FollowedBranch(
         map=whole,
-        points=tuple(FollowedOrbit(point, whole, harmonics) for point in branch.points),
+        points=tuple(FollowedOrbit(point, whole) for point in branch.points),
         special=branch.special,
         reason=branch.reason,
         message=branch.message,
-        branches=tuple(_followed(each, map, harmonics) for each in branch.branches),
+        branches=tuple(_followed(each, map) for each in branch.branches),
         parted=branch.parted,
     )

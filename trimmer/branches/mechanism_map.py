@@ -76,8 +76,8 @@ class MechanismMap:
     def passage(self, value: float, state: Reals) -> MechanismPassage:
         """Follow the motion from a state over the periods.
 
-        What is in contact or sticks at the end does so at the beginning too, if the motion then ends so again:
-        a state that is not known to the last digit does not say it by itself.
+        What is in contact or sticks at the end does so at the beginning too: a state that is not known to
+        the last digit does not say it by itself.
 
         Raises:
             UnsupportedMotionError: if the motion cannot be followed.
@@ -158,7 +158,7 @@ class MechanismPassage:
         """Largest magnitude of each entry at events and at equal times, shape (n,)."""
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
-        return abs(states).max(axis=0)[: len(self.course.end.state)]
+        return np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
 
     @cached_property
     def signature(self) -> Signature:
@@ -174,8 +174,8 @@ class MechanismPassage:
     def _phase(self, row: int, part: int) -> Phase:
         """Return what begins with a row of the log.
 
-        What leaves half a period at its end comes in at its beginning on the other side, so that of a mirrored
-        motion the sides are not told apart.
+        What leaves half a period at its end comes in at its beginning on the other side, so that of a
+        mirrored motion the sides are not told apart.
         """
         log = self.course.log
         if log.kind[row] == STICK_BEGUN:
@@ -195,7 +195,7 @@ class MechanismPassage:
         step = DIFFERENCE * self.map.scale
         flow = self.map.flow(self.value + step)
         end = self.map.course(flow, flow.at(self.begin.state, like=self.begin)).end
-        return (self.sign * end.state - self.end) / step
+        return np.asarray((self.sign * end.state - self.end) / step)
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,).

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Integers, Places, Reals
 from trimmer.contact.flow import Course
 from trimmer.mechanism.mechanism import Mechanism
 
@@ -37,12 +37,12 @@ def output_measures(mechanism: Mechanism, course: Course, periods: int) -> dict[
     """
     orders = periods * np.arange(1, HARMONICS + 1)
     return {
-        name: OutputMeasure(_peak_to_peak(course, row), abs(coefficients(course, row, orders)))
+        name: OutputMeasure(_peak_to_peak(course, row), np.abs(coefficients(course, row, orders)))
         for name, row in _rows(mechanism, course).items()
     }
 
 
-def coefficients(course: Course, row: Reals, orders: Reals) -> Complexes:
+def coefficients(course: Course, row: Reals, orders: Integers) -> Complexes:
     """Return c_n of Re c_n exp(i n omega t), n > 0, and the mean for n = 0.
 
     Args:
@@ -73,7 +73,7 @@ def _rows(mechanism: Mechanism, course: Course) -> dict[str, Reals]:
 
 
 def _peak_to_peak(course: Course, row: Reals) -> float:
-    times, _, rows, states = course.nodes
+    _, _, rows, states = course.nodes
     rates = _rates(course, row, rows, states)
     turns = np.flatnonzero((rates[1:] * rates[:-1] < 0.0) & (rows[1:] == rows[:-1]))
     values = np.concatenate([states @ row, course.log.state @ row])
@@ -82,13 +82,13 @@ def _peak_to_peak(course: Course, row: Reals) -> float:
     return float(np.ptp(values))
 
 
-def _rates(course: Course, row: Reals, rows: Reals, states: Reals) -> Reals:
+def _rates(course: Course, row: Reals, rows: Integers, states: Reals) -> Reals:
     by_row = np.array([row @ course.modes[int(mode)].flow for mode in course.log.mode])
     rates: Reals = np.einsum("ij,ij->i", by_row[rows], states)
     return rates
 
 
-def _at_turns(course: Course, row: Reals, turns: Reals) -> Reals:
+def _at_turns(course: Course, row: Reals, turns: Places) -> Reals:
     """Return the values where the rate vanishes, by the secant method between neighbouring nodes."""
     times, _, rows, states = course.nodes
     before, after, within = times[turns], times[turns + 1], rows[turns]

@@ -19,6 +19,7 @@ from tests.trimmer.branches.maps import (
 )
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
+from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 
 CASCADE = (3.0, 1.0 + 6.0**0.5, 3.544090359551, 3.564407266095, 3.568759419544)
@@ -30,7 +31,7 @@ def found(branch: Branch, kind: SpecialKind) -> list[float]:
 
 
 def test_cascade_of_period_doublings() -> None:
-    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, switches=4)
+    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, FollowSettings(switches=4))
     values = []
     for _ in range(4):
         assert branch.reason is BranchEnd.LEFT_AT_STOP
@@ -42,7 +43,7 @@ def test_cascade_of_period_doublings() -> None:
 
 
 def test_stability_along_the_logistic_branch() -> None:
-    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, switches=0)
+    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, FollowSettings(switches=0))
     assert all(point.stable == (point.value < 3.0) for point in branch.points)
     assert all(point.multipliers[0] == pytest.approx(2.0 - point.value) for point in branch.points)
 
@@ -57,7 +58,13 @@ def test_fold_and_flip_of_henon_in_all_units(units: tuple[float, float], unit_of
     assert branch.reason is BranchEnd.LEFT_AT_START
     values = [value / unit_of_value for value in found(branch, SpecialKind.FOLD)]
     assert values == pytest.approx([-0.1225], rel=1e-11)
-    up = continuation(map, np.array([0.6, 0.2]) * units, 0.2 * unit_of_value, 1.0 * unit_of_value, switches=1)
+    up = continuation(
+        map,
+        np.array([0.6, 0.2]) * units,
+        0.2 * unit_of_value,
+        1.0 * unit_of_value,
+        FollowSettings(switches=1),
+    )
     values = [value / unit_of_value for value in found(up, SpecialKind.PERIOD_DOUBLING)]
     assert values == pytest.approx([0.3675], rel=1e-11)
     (doubled,) = up.branches
@@ -106,14 +113,14 @@ def test_symmetry_breaking(mirrored: bool) -> None:
 
 
 def test_isolated_branch_closes_on_itself() -> None:
-    branch = continuation(Ring(), np.array([1.0]), 0.0, 1.0, bounds=(-2.0, 2.0))
+    branch = continuation(Ring(), np.array([1.0]), 0.0, 1.0, FollowSettings(bounds=(-2.0, 2.0)))
     assert branch.reason is BranchEnd.CLOSED
     assert found(branch, SpecialKind.FOLD) == pytest.approx([1.0, -1.0])
 
 
 @pytest.mark.parametrize("distance", [3e-3, 1e-4, 1e-6])
 def test_two_crossings_of_the_circle_on_one_step(distance: float) -> None:
-    branch = continuation(Twice(0.1, 0.1 + distance), np.array([0.0]), -1.0, 1.0, switches=0)
+    branch = continuation(Twice(0.1, 0.1 + distance), np.array([0.0]), -1.0, 1.0, FollowSettings(switches=0))
     assert found(branch, SpecialKind.PERIOD_DOUBLING) == pytest.approx([0.1, 0.1 + distance], rel=1e-9)
 
 
@@ -147,12 +154,12 @@ def test_no_start() -> None:
 
 
 def test_unstable_start_is_said() -> None:
-    branch = continuation(Logistic(), np.array([0.7]), 3.3, 3.5, switches=0)
+    branch = continuation(Logistic(), np.array([0.7]), 3.3, 3.5, FollowSettings(switches=0))
     assert branch.message.endswith("; the orbit it begins with is unstable")
 
 
 def test_most_points() -> None:
-    branch = continuation(Logistic(), np.array([0.6]), 2.5, 2.9, most_points=7)
+    branch = continuation(Logistic(), np.array([0.6]), 2.5, 2.9, FollowSettings(most_points=7))
     assert branch.reason is BranchEnd.MOST_POINTS
     assert len(branch.points) == 7
 
@@ -162,4 +169,4 @@ def test_most_points() -> None:
 )
 def test_unusable_interval(start: float, stop: float, bounds: tuple[float, float] | None) -> None:
     with pytest.raises(ValueError):
-        continuation(Logistic(), np.array([0.6]), start, stop, bounds=bounds)
+        continuation(Logistic(), np.array([0.6]), start, stop, FollowSettings(bounds=bounds))

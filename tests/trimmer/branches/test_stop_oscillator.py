@@ -8,6 +8,7 @@ import pytest
 from tests.trimmer.branches.stop_oscillator import StopOscillator, of_dead_zone, of_pyharm
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
+from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 
 PYHARM = [
@@ -24,7 +25,7 @@ def followed(map: StopOscillator, start: float, stop: float, periods: int, switc
     state = np.array([2.0, 0.0]) * map.unit_of_length
     for _ in range(periods):
         state = map.passage(start, state).end
-    return continuation(map, state, start, stop, switches=switches)
+    return continuation(map, state, start, stop, FollowSettings(switches=switches))
 
 
 def test_derivatives_of_the_closed_form() -> None:
@@ -63,7 +64,7 @@ def test_units_of_length_and_frequency_make_no_difference() -> None:
 
 @pytest.mark.slow
 def test_period_doubled_branch_joins_at_its_other_end() -> None:
-    branch = followed(of_pyharm(), 5.4, 5.8, 60, switches=1)
+    branch = followed(of_pyharm(), 5.4, 5.8, 60, FollowSettings(switches=1))
     (doubled,) = branch.branches
     assert doubled.reason is BranchEnd.REJOINED
     assert doubled.points[0].value == pytest.approx(5.5567187941, rel=1e-4)

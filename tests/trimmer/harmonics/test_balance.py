@@ -9,6 +9,7 @@ import pytest
 
 from tests.trimmer.branches.stop_oscillator import of_pyharm
 from trimmer.branches.continuation import continuation
+from trimmer.branches.settings import FollowSettings
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
@@ -33,7 +34,7 @@ def exact_coefficients(samples: int = 1024) -> np.ndarray:
     state = np.array([2.0, 0.0])
     for _ in range(60):
         state = map.passage(5.0, state).end
-    state = continuation(map, state, 5.0, OMEGA, switches=0).points[-1].state
+    state = continuation(map, state, 5.0, OMEGA, FollowSettings(switches=0)).points[-1].state
     piece_states = map.samples(OMEGA, state, samples)
     coefficients = 2.0 * np.fft.rfft(piece_states[0]) / samples
     coefficients[0] *= 0.5
