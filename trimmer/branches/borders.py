@@ -14,7 +14,7 @@ from trimmer.branches.special import SpecialKind, SpecialPoint
 MOST_BORDERS = 12
 """Changes of phases on one step, beyond which the step is shortened."""
 MOST_BISECTIONS = 60
-CONTINUOUS = 1e-6
+CONTINUOUS = 1e-9
 """Distance of the orbits on both sides of a border, beyond which the branch is torn."""
 
 

@@ -10,8 +10,10 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_map import Phase, Signature
+from trimmer.branches.value_rate import ValueChange
 from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
+from trimmer.contact.machine import machine_of
 from trimmer.contact.statuses import (
     BACKWARD,
     CONTACT_MADE,
@@ -22,10 +24,10 @@ from trimmer.contact.statuses import (
     RELEASED_PLUS,
     STICK_BEGUN,
 )
-from trimmer.errors import UnsupportedMotionError
+from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 
-DIFFERENCE = 3e-8
+DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
 MOST_STEPS = 200_000
 """Steps of a passage, after which it counts as one that cannot be followed."""
@@ -91,6 +93,18 @@ class MechanismMap:
             begin = flow.at(state, like=final)
             course = self.course(flow, begin)
         return MechanismPassage(self, value, flow, begin, course)
+
+    def neighbour(self, value: float) -> tuple[float, Mechanism]:
+        """Return a value a little off, and the mechanism with that value.
+
+        Raises:
+            MechanismError: if the number can have neither of the neighbouring values.
+        """
+        step = DIFFERENCE * self.scale
+        try:
+            return value + step, self.mechanism.with_value(self.place, value + step)
+        except MechanismError:
+            return value - step, self.mechanism.with_value(self.place, value - step)
 
     def course(self, flow: ExactFlow, begin: Instant) -> Course:
         """Follow the motion from an instant over the periods.
@@ -192,9 +206,19 @@ class MechanismPassage:
 
     @cached_property
     def _rate(self) -> Reals:
-        step = DIFFERENCE * self.map.scale
-        flow = self.map.flow(self.value + step)
-        end = self.map.course(flow, flow.at(self.begin.state, like=self.begin)).end
+        neighbour = self.map.neighbour(self.value)
+        step = neighbour[0] - self.value
+        machine, layout = machine_of(neighbour[1])
+        own = self.flow.modes.layout
+        if (layout.size, layout.contacts, layout.frictions) != (own.size, own.contacts, own.frictions):
+            return self._difference(neighbour[1], step)
+        longer = self.course.duration * (layout.period / own.period - 1.0) / step
+        return self.sign * ValueChange(self.course, machine, step, longer).rate()
+
+    def _difference(self, mechanism: Mechanism, step: float) -> Reals:
+        """Return the derivative by a difference, where a part appears or vanishes with the number."""
+        flow = ExactFlow(mechanism)
+        end = self.map.course(flow, flow.at(self.begin.state)).end
         return np.asarray((self.sign * end.state - self.end) / step)
 
     def rate(self) -> Reals:

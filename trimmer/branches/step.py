@@ -174,7 +174,7 @@ def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
     starts = [front.place, *(border.after for border in crossed)]
     ends = [*(border.before for border in crossed), far]
     pieces = list(zip(starts, ends, strict=True))
-    if not all(straight(arc, *piece) for piece in pieces):
+    if not all(straight(arc, *piece) for piece in pieces) or not all(_passes(arc, each) for each in crossed):
         return None
     special: list[SpecialPoint] = []
     switches: list[Bifurcation] = []
@@ -190,6 +190,17 @@ def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
         return None
     bend = float(np.arccos(np.clip(tangent @ front.tangent, -1.0, 1.0)))
     return Step(front.moved(far, tangent), tuple(special), tuple(switches), bend)
+
+
+def _passes(arc: Arc, border: Border) -> bool:
+    """Say whether the branch goes on beyond a border, and does not turn around there.
+
+    Where it turns, another part of it lies beyond the border as near as one likes.
+    """
+    tangents = [place.tangent(arc.direction) for place in (border.before, border.after)]
+    if tangents[0] is None or tangents[1] is None:
+        return False
+    return border.before.orientation(tangents[0]) * border.after.orientation(tangents[1]) > 0.0
 
 
 def _between(front: Front, arc: Arc, piece: tuple[Place, Place], border: tuple[bool, bool]) -> list[Place]:
