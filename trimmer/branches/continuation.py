@@ -13,7 +13,6 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.corner import turned
-from trimmer.branches.doubled_map import DoubledMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -155,7 +154,6 @@ def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint
         record.special += made.special
         record.switches += [(problem, each) for each in made.switches]
     branches = tuple(_parted(record, limits, switches)) if switches else ()
-    map = front.problem.map
     return Branch(
         points=tuple(record.points),
         special=tuple(record.special),
@@ -163,7 +161,7 @@ def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint
         message=_message(reason, record),
         branches=branches,
         parted=parted,
-        doublings=map.doublings if isinstance(map, DoubledMap) else 0,
+        doublings=front.problem.map.doublings,
     )
 
 

@@ -48,6 +48,11 @@ class DoubledPassage:
         """Number of events."""
         return self.first.events + self.second.events
 
+    @property
+    def middle(self) -> Reals:
+        """End of the first passage, shape (n,)."""
+        return self.first.end
+
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,)."""
         return self.second.jacobian @ self.first.rate() + self.second.rate()
@@ -72,7 +77,11 @@ class DoubledMap:
     @property
     def doublings(self) -> int:
         """How often the passage is doubled."""
-        return 1 + (self.single.doublings if isinstance(self.single, DoubledMap) else 0)
+        return self.single.doublings + 1
+
+    def doubled(self) -> DoubledMap:
+        """Return the map of two such passages."""
+        return DoubledMap(self)
 
     def passage(self, value: float, state: Reals) -> DoubledPassage:
         """Follow two passages.

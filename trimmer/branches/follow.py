@@ -246,14 +246,16 @@ def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
 
 
 def _followed(branch: Branch, map: MechanismMap) -> FollowedBranch:
-    halves = 2**branch.doublings if map.mirrored else 2 ** (1 + branch.doublings)
-    whole = replace(map, mirrored=False, periods=max(map.periods * halves // 2, map.periods))
+    whole = replace(map, mirrored=False)
     return FollowedBranch(
         map=whole,
         points=tuple(FollowedOrbit(point, whole) for point in branch.points),
         special=branch.special,
         reason=branch.reason,
         message=branch.message,
-        branches=tuple(_followed(each, map) for each in branch.branches),
+        branches=tuple(
+            _followed(each, map.doubled() if each.doublings > branch.doublings else map)
+            for each in branch.branches
+        ),
         parted=branch.parted,
     )

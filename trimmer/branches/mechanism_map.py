@@ -45,6 +45,7 @@ class MechanismMap:
         scale: Magnitude of the number, in its unit, for differences.
         periods: Drive periods after which the motion repeats; odd, if mirrored.
         mirrored: Whether half a period is followed and the end taken with changed signs.
+        single: The map of which this is two passages; None if it was not doubled.
     """
 
     mechanism: Mechanism
@@ -52,6 +53,17 @@ class MechanismMap:
     scale: float
     periods: int = 1
     mirrored: bool = False
+    single: MechanismMap | None = None
+
+    @property
+    def doublings(self) -> int:
+        """How often the passage was doubled."""
+        return 0 if self.single is None else self.single.doublings + 1
+
+    def doubled(self) -> MechanismMap:
+        """Return the map of two passages; that of a mirrored map is a whole period without mirror."""
+        periods = self.periods if self.mirrored else 2 * self.periods
+        return replace(self, periods=periods, mirrored=False, single=self)
 
     @cached_property
     def size(self) -> int:
@@ -90,9 +102,17 @@ class MechanismMap:
         course = self.course(flow, begin)
         final = self.returned(flow, course.end)
         if final.statuses != begin.statuses:
-            begin = flow.at(state, like=final)
-            course = self.course(flow, begin)
+            begin, course = self._repeated(flow, state, final) or (begin, course)
         return MechanismPassage(self, value, flow, begin, course)
+
+    def _repeated(self, flow: ExactFlow, state: Reals, final: Instant) -> tuple[Instant, Course] | None:
+        """Return the motion that begins with the statuses of an end, if it ends with them again."""
+        begin = flow.at(state, like=final)
+        try:
+            course = self.course(flow, begin)
+        except UnsupportedMotionError:
+            return None
+        return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
 
     def neighbour(self, value: float) -> tuple[float, Mechanism]:
         """Return a value a little off, and the mechanism with that value.
@@ -203,6 +223,15 @@ class MechanismPassage:
     def events(self) -> int:
         """Number of events."""
         return len(self.course.events)
+
+    @cached_property
+    def middle(self) -> Reals | None:
+        """End of the first half, if the map was doubled, shape (n,); None otherwise."""
+        if self.map.single is None:
+            return None
+        (state,) = self.course.states(np.array([0.5 * self.course.duration]))
+        sign = -1.0 if self.map.single.mirrored else 1.0
+        return np.asarray(sign * state[: len(self.end)])
 
     @cached_property
     def _rate(self) -> Reals:

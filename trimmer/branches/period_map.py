@@ -31,6 +31,7 @@ class Passage(Protocol):
         sizes: Magnitude of each entry over the passage, positive where the entry ever moves, shape (n,).
         signature: The phases that begin in it.
         events: Number of events.
+        middle: End of its first half, if the passage is one of a doubled map, shape (n,); None otherwise.
     """
 
     @property
@@ -48,6 +49,9 @@ class Passage(Protocol):
     @property
     def events(self) -> int: ...  # noqa: D102
 
+    @property
+    def middle(self) -> Reals | None: ...  # noqa: D102
+
     def rate(self) -> Reals:
         """Return the derivative of ``end`` by the number that is varied, shape (n,)."""
         ...
@@ -60,6 +64,7 @@ class PeriodMap(Protocol):
         size: Number n of states.
         mirrored: Whether a passage is half a period and its end is taken with changed signs, so that the
             fixed points are the orbits with x(t + T/2) = -x(t).
+        doublings: How often it was doubled.
     """
 
     @property
@@ -67,6 +72,13 @@ class PeriodMap(Protocol):
 
     @property
     def mirrored(self) -> bool: ...  # noqa: D102
+
+    @property
+    def doublings(self) -> int: ...  # noqa: D102
+
+    def doubled(self) -> PeriodMap:
+        """Return the map of two passages; that of a mirrored map is a whole period without mirror."""
+        ...
 
     def passage(self, value: float, state: Reals) -> Passage:
         """Follow the motion from a state, shape (n,), with a value of the number that is varied.

@@ -11,7 +11,6 @@ from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.bifurcations import SHORTEST, Bifurcation, bifurcations, dips, straight
 from trimmer.branches.borders import Border, borders, special_points
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.doubled_map import DoubledPassage
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
@@ -156,10 +155,8 @@ def _rejoined(front: Front, far: Place) -> bool:
 
 def _halves(problem: Problem, place: Place) -> Reals | None:
     """Return the difference between the halves of a doubled orbit, shape (n,); None of a single one."""
-    if not isinstance(place.passage, DoubledPassage):
-        return None
-    difference: Reals = place.passage.first.end / problem.sizes - place.position[:-1]
-    return difference
+    middle = place.passage.middle
+    return None if middle is None else middle / problem.sizes - place.position[:-1]
 
 
 def _examined(front: Front, arc: Arc, far: Place) -> Step | None:

@@ -7,7 +7,6 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.doubled_map import DoubledMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.step import Front, begun
 
@@ -27,7 +26,7 @@ def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
     doubled = abs(bifurcation.place.multipliers + 1.0).min() < abs(bifurcation.place.multipliers - 1.0).min()
     critical = _critical(bifurcation.place, -1.0 if doubled else 1.0)
     if doubled:
-        problem = Problem(DoubledMap(problem.map), problem.span, problem.sizes)
+        problem = Problem(problem.map.doubled(), problem.span, problem.sizes)
     directions = [critical] if doubled else [critical, -critical]
     fronts = [_first(problem, bifurcation.place.position, each) for each in directions]
     return [front for front in fronts if front is not None]

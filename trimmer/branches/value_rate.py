@@ -1,8 +1,8 @@
 """The derivative of a motion by a number of its mechanism: compiled flow, and what events make of it.
 
 With Z' = M Z between events, the derivative Y of Z at a fixed time obeys Y' = M Y + M_p Z. An event at which
-g · Z = 0 moves by dt = -(g · Y + g_p · Z) / (g · f) with the rate f before it. A difference of two motions would
-be wrong wherever their events differ, as next to a grazing.
+g · Z = 0 moves by dt = -(g · Y + g_p · Z) / (g · f) with the rate f before it. A difference of two motions
+would be wrong wherever their events differ, as next to a grazing.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class ValueChange:
         return held
 
     def _flown(self, row: int, duration: float, tangent: Reals) -> tuple[Reals, Reals]:
-        """Return state and derivative at the end of a segment; springs that relax are left out of the flow."""
+        """Return state and derivative at the end of a segment; springs that relax flow by themselves."""
         modes, state = self.course.modes, self.course.log.state[row].copy()
         settled = int(modes.tables.settled[int(self.course.log.mode[row])])
         own, other = modes[settled], self._other(settled)

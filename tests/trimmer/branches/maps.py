@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from trimmer.branches.doubled_map import DoubledMap
 from trimmer.branches.period_map import Phase
 from trimmer.errors import UnsupportedMotionError
 
@@ -21,13 +22,23 @@ class Given:
     sizes: np.ndarray
     signature: Mapping[tuple[str, Phase], int] = field(default_factory=dict)
     events: int = 0
+    middle: None = None
 
     def rate(self) -> np.ndarray:
         return self.by_value
 
 
+class Single:
+    """What all these maps share."""
+
+    doublings = 0
+
+    def doubled(self) -> DoubledMap:
+        return DoubledMap(self)
+
+
 @dataclass(frozen=True)
-class Logistic:
+class Logistic(Single):
     """x -> r x (1 - x)."""
 
     size: int = 1
@@ -39,7 +50,7 @@ class Logistic:
 
 
 @dataclass(frozen=True)
-class Henon:
+class Henon(Single):
     """(x, y) -> (1 - a x² + y, b x) with the units of x and y chosen at will."""
 
     b: float = 0.3
@@ -58,7 +69,7 @@ class Henon:
 
 
 @dataclass(frozen=True)
-class DelayedLogistic:
+class DelayedLogistic(Single):
     """(x, y) -> (r x (1 - y), x): a torus parts at r = 2."""
 
     size: int = 2
@@ -73,7 +84,7 @@ class DelayedLogistic:
 
 
 @dataclass(frozen=True)
-class Bent:
+class Bent(Single):
     """x -> p + left x for x < 0, p + right x otherwise: fixed points p/(1 - left) and p/(1 - right).
 
     It stands for a contact whose damping sets in at once: the slope jumps where x = 0.
@@ -91,7 +102,7 @@ class Bent:
 
 
 @dataclass(frozen=True)
-class Cubic:
+class Cubic(Single):
     """x -> (1 + p) x - x³, its mirror image taken if it is mirrored: symmetry is lost at p = 0."""
 
     mirrored: bool = False
@@ -104,7 +115,7 @@ class Cubic:
 
 
 @dataclass(frozen=True)
-class Ring:
+class Ring(Single):
     """x -> x - (x² + p² - 1) / 5: the fixed points lie on a circle."""
 
     size: int = 1
@@ -116,7 +127,7 @@ class Ring:
 
 
 @dataclass(frozen=True)
-class Twice:
+class Twice(Single):
     """x -> -(1 + (p - a) (p - b)) x: a multiplier is beyond -1 but for p between a and b."""
 
     first: float
@@ -131,7 +142,7 @@ class Twice:
 
 
 @dataclass(frozen=True)
-class Steps:
+class Steps(Single):
     """x -> x / 2 + |p - a| + |p - b| + x_0 with a contact for each kink, near as they are."""
 
     kinks: tuple[float, ...]
@@ -145,7 +156,7 @@ class Steps:
 
 
 @dataclass(frozen=True)
-class Torn:
+class Torn(Single):
     """x -> x / 2 + p, and 1 more from p = 0 on: the fixed point jumps."""
 
     size: int = 1
@@ -158,7 +169,7 @@ class Torn:
 
 
 @dataclass(frozen=True)
-class Failing:
+class Failing(Single):
     """x -> x / 2 + p for p < 1/2; beyond that the motion cannot be followed."""
 
     size: int = 1

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.optimize
 
-from tests.trimmer.branches.maps import Given
+from tests.trimmer.branches.maps import Given, Single
 from trimmer.branches.period_map import Phase
 
 SAMPLES = 240
@@ -72,7 +72,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class StopOscillator:
+class StopOscillator(Single):
     """An oscillator of unit mass.
 
     ``gaps`` gives the displacement at which the stop on either side, 1 or -1, is touched; that at ``gaps[1]``
