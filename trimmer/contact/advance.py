@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.contact.integration import (
+    AT_REST,
     CYCLING,
     DIVERGED,
     LOG_FULL,
@@ -198,13 +199,18 @@ class _Progress:
         return self._change_together(done, row, time, fired, (before, after), zeros, at_rest)
 
     def _at_rest(self, arrived: int | None) -> Places:
-        contacts = len(self.modes.machine.stiffness)
+        machine, state = self.modes.machine, self.work.state
+        contacts = len(machine.stiffness)
         statuses = self.modes[self.mode].statuses
+        slow = abs(machine.friction_rate @ state) <= AT_REST * (abs(machine.friction_rate) @ abs(state))
         return np.array(
             [
                 part - contacts
                 for part in range(contacts, len(statuses))
-                if statuses[part] == STICK or self.work.known_zeros[part] > 0 or part == arrived
+                if statuses[part] == STICK
+                or self.work.known_zeros[part] > 0
+                or part == arrived
+                or slow[part - contacts]
             ],
             dtype=np.intp,
         )

@@ -14,6 +14,7 @@ import numpy as np
 
 from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
+from trimmer.contact.integration import AT_REST
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
 from trimmer.contact.nodes import nodes, sample
@@ -42,9 +43,6 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Integers, Reals
     from trimmer.mechanism.mechanism import Mechanism
-
-AT_REST = 2.0**-46
-"""Share of the moduli of its terms below which a relative velocity at the start is zero."""
 
 
 @dataclass(frozen=True, eq=False)
