@@ -47,9 +47,6 @@ def counted(motion: ExactMotion) -> list[tuple[float, str, EventKind]]:
     return [(round(event.time, 9), event.part, event.kind) for event in motion.events]
 
 
-serial = pytest.mark.xfail(
-    reason="frictions that come to rest at one instant are decided one after another", strict=True
-)
 PAIRS = {
     "one stops the body alone": pair((1.0, 1.0), (0.6, 0.6)),
     "both are needed": pair((0.8, 0.8), (0.8, 0.8)),
@@ -58,7 +55,6 @@ PAIRS = {
 }
 
 
-@serial
 @pytest.mark.parametrize("speed", [1.0, 1.7])
 @pytest.mark.parametrize("name", list(PAIRS))
 def test_two_frictions_side_by_side_stick_together(name, speed):
@@ -71,7 +67,6 @@ def test_two_frictions_side_by_side_stick_together(name, speed):
     assert sorted(counted(motion), key=str) == sorted(wanted, key=str)
 
 
-@serial
 def test_a_body_stays_where_two_static_forces_hold_it():
     """1.2 N brings it to rest; a kinetic 1.0 N would let it go back, a static 1.5 N holds it."""
     frictions = pair((0.5, 1.0), (0.5, 0.5))
@@ -83,7 +78,6 @@ def test_a_body_stays_where_two_static_forces_hold_it():
     assert counted(motion) == [(round(1 / 2.2, 9), name, EventKind.STICK_BEGUN) for name in frictions]
 
 
-@serial
 @pytest.mark.parametrize("first", ["between", "on ground", "wall on ground"])
 def test_a_body_stays_where_the_ground_and_a_wall_at_rest_hold_it(first):
     """The same, with one of the frictions on a second body that sticks; in any order of the file."""
@@ -107,9 +101,6 @@ def test_a_body_stays_where_the_ground_and_a_wall_at_rest_hold_it(first):
     ]
 
 
-@pytest.mark.xfail(
-    reason="a limit that several frictions reach jointly is looked up as one friction's", strict=True
-)
 def test_a_pair_begins_to_slide_beside_two_stops_that_are_far_away():
     far = Stop(GROUND_TO_BODY, 1.0, 0.0, 100.0)
     drive = Force("body", amplitude=2.0)
@@ -138,7 +129,6 @@ def test_a_body_that_sticks_to_the_ground_while_a_table_turns_back():
     assert np.all(motion.states(np.linspace(0, 2, 21)) == 0)
 
 
-@serial
 def test_a_body_on_a_table_and_on_the_ground_from_rest_of_both():
     """At t = 0 the table is at rest as well; only its acceleration tells which friction slides."""
     mechanism = Mechanism(
@@ -151,9 +141,6 @@ def test_a_body_on_a_table_and_on_the_ground_from_rest_of_both():
     assert counted(motion) == [(t, "on table", EventKind.SLIDING_REVERSED) for t in (0.5, 1.0)]
 
 
-@pytest.mark.xfail(
-    reason="two frictions of one body, of which only one can stick, make the influence singular", strict=True
-)
 def test_a_body_is_pulled_off_the_ground_when_the_table_turns_back():
     """It sticks to the ground with the table's help; when that turns, both frictions change at once."""
     mechanism = Mechanism(
