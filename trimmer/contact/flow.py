@@ -178,7 +178,9 @@ class ExactFlow:
             [abs(each).max(initial=0.0) for each in machine.contact_distance @ extended[:, None]]
         )
         speeds = machine.friction_rate @ extended
-        sizes = abs(machine.friction_rate) @ abs(extended)
+        # A wave that turns back is at rest, although the cosine of its phase is rounding.
+        largest = np.concatenate([abs(extended[: self.size]), np.maximum(abs(extended[self.size :]), 1.0)])
+        sizes = abs(machine.friction_rate) @ largest
         slow = abs(speeds) <= AT_REST * sizes
         frictions = [
             STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)

@@ -47,17 +47,6 @@ def counted(motion: ExactMotion) -> list[tuple[float, str, EventKind]]:
     return [(round(event.time, 9), event.part, event.kind) for event in motion.events]
 
 
-unseen = pytest.mark.xfail(
-    reason="where one friction comes to rest and alone holds, the other is not counted as sticking",
-    strict=True,
-)
-let_go = pytest.mark.xfail(
-    reason="frictions in a ring that come to rest at one instant slide back below their static forces",
-    strict=True,
-)
-at_the_start = pytest.mark.xfail(
-    reason="a velocity of rounding at t = 0 is taken for sliding, and reverses at once", strict=True
-)
 PAIRS = {
     "one stops the body alone": pair((1.0, 1.0), (0.6, 0.6)),
     "both are needed": pair((0.8, 0.8), (0.8, 0.8)),
@@ -66,19 +55,8 @@ PAIRS = {
 }
 
 
-@pytest.mark.parametrize(
-    ("name", "speed"),
-    [
-        ("one stops the body alone", 1.0),
-        pytest.param("one stops the body alone", 1.7, marks=unseen),
-        ("both are needed", 1.0),
-        pytest.param("both are needed", 1.7, marks=unseen),
-        pytest.param("the first has a static force", 1.0, marks=unseen),
-        ("the first has a static force", 1.7),
-        ("the second has a static force", 1.0),
-        ("the second has a static force", 1.7),
-    ],
-)
+@pytest.mark.parametrize("speed", [1.0, 1.7])
+@pytest.mark.parametrize("name", list(PAIRS))
 def test_two_frictions_side_by_side_stick_together(name, speed):
     frictions = PAIRS[name]
     motion = exact_motion(sliding_body(frictions, speed=speed), 3.0)
@@ -100,7 +78,6 @@ def test_a_body_stays_where_two_static_forces_hold_it():
     assert counted(motion) == [(round(1 / 2.2, 9), name, EventKind.STICK_BEGUN) for name in frictions]
 
 
-@let_go
 @pytest.mark.parametrize("first", ["between", "on ground", "wall on ground"])
 def test_a_body_stays_where_the_ground_and_a_wall_at_rest_hold_it(first):
     """The same, with one of the frictions on a second body that sticks; in any order of the file."""
@@ -152,7 +129,6 @@ def test_a_body_that_sticks_to_the_ground_while_a_table_turns_back():
     assert np.all(motion.states(np.linspace(0, 2, 21)) == 0)
 
 
-@at_the_start
 def test_a_body_on_a_table_and_on_the_ground_from_rest_of_both():
     """At t = 0 the table is at rest as well; only its acceleration tells which friction slides."""
     mechanism = Mechanism(
