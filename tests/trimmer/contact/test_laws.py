@@ -29,17 +29,7 @@ ENOUGH = 1e-9
 FEW = tuple(seed for seed in range(330) if len(random_mechanism(seed).frictions) < 2)
 MANY = tuple(seed for seed in range(330) if len(random_mechanism(seed).frictions) >= 2)
 law = settings(max_examples=15)
-seeds = pytest.mark.parametrize(
-    "seeds",
-    [
-        pytest.param(FEW, id="at most one friction"),
-        pytest.param(
-            MANY,
-            id="several frictions",
-            marks=pytest.mark.xfail(reason="test_frictions_at_once says what fails", strict=True),
-        ),
-    ],
-)
+seeds = pytest.mark.parametrize("seeds", [FEW, MANY], ids=["at most one friction", "several frictions"])
 
 
 def run(mechanism: Mechanism) -> ExactMotion:
@@ -151,7 +141,7 @@ def test_a_link_is_two_side_by_side(data, seeds, share):
     assert np.max(np.abs(apart) / usual(mechanism)) < ENOUGH
 
 
-@pytest.mark.parametrize("seeds", [FEW, MANY], ids=["at most one friction", "several frictions"])
+@seeds
 @law
 @given(data=st.data())
 def test_motion_does_not_know_when_it_began(data, seeds):
