@@ -54,7 +54,7 @@ def forced_orbit(
     """
     if isinstance(loop, Mechanism):
         return mechanism_orbit(loop, periods, guess, settling)
-    from trimmer.orbits.forced_orbit import forced_orbit as loop_orbit
+    from trimmer.orbits.forced_orbit import loop_orbit
 
     return loop_orbit(loop, settling)
 
@@ -74,7 +74,9 @@ def mechanism_orbit(
     require_repeating(flow)
     if not flow.period:
         if periods > 1:
-            raise ValueError(f"periods is {periods}, but the mechanism has no drive whose periods could count")
+            raise ValueError(
+                f"periods is {periods}, but the mechanism has no drive whose periods could count"
+            )
         return self_excited_orbit(flow, instant_of(flow, guess))
     return _driven(flow, periods, guess, settling)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -86,7 +86,9 @@ class MechanismOrbit:
         """States at the start of each drive period, (periods, n)."""
         if not self.periods:
             return self.instant.state[None]
-        return self.course.states(np.arange(self.periods) * self.flow.period)[:, : self.flow.size]
+        return self.course.states(np.arange(self.periods, dtype=np.float64) * self.flow.period)[
+            :, : self.flow.size
+        ]
 
     @cached_property
     def measures(self) -> Measures:
@@ -116,8 +118,6 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
 
 
 def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
-    from dataclasses import replace
-
     if not orbit.success:
         time = f"{orbit.periods} drive periods" if orbit.periods else f"{orbit.period:.6g} s"
         return replace(
@@ -125,13 +125,13 @@ def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
             message=f"no motion that returns after {time} was found; the closest misses by "
             f"{orbit.residual:.1e} of its size. Begin elsewhere, or with another number of periods",
         )
-    kind = "stable" if orbit.stable else "unstable"
+    kind = "a stable" if orbit.stable else "an unstable"
     if not orbit.periods:
-        told = f"a {kind} motion that repeats after {orbit.period:.9g} s"
+        told = f"{kind} motion that repeats after {orbit.period:.9g} s"
     elif orbit.period_count < orbit.periods:
-        told = f"a {kind} motion that repeats after {_periods(orbit.period_count)} already, not {orbit.periods}"
+        told = f"{kind} motion that repeats after {_periods(orbit.period_count)} already, not {orbit.periods}"
     else:
-        told = f"a {kind} motion that repeats after {_periods(orbit.periods)}"
+        told = f"{kind} motion that repeats after {_periods(orbit.periods)}"
     return replace(orbit, message=f"{told}; {about}" if about else told)
 
 
@@ -143,7 +143,7 @@ def _smallest(flow: ExactFlow, shot: Shot, periods: int) -> int:
     """Return the smallest number of drive periods after which a motion returns."""
     if periods <= 1:
         return 1
-    strobed = shot.course.states(np.arange(periods) * flow.period)[:, : flow.size]
+    strobed = shot.course.states(np.arange(periods, dtype=np.float64) * flow.period)[:, : flow.size]
     apart = abs((strobed - strobed[0]) / shot.sizes).max(axis=1)
     return next(each for each in range(1, periods + 1) if each == periods or _divides(each, periods, apart))
 

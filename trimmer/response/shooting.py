@@ -31,7 +31,7 @@ SETTLED = 4e-15
 ROUNDED = 1e-12
 """Miss below which a step that does not reduce it is not shortened: it is rounding."""
 SMALLEST_SHARE = 1e-4
-"""Share of the largest displacement, velocity or stretch below which a smaller one is not measured by itself."""
+"""Share of the largest displacement, velocity or stretch below which none is measured by itself."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -66,7 +66,7 @@ class Shot:
 
     @property
     def duration(self) -> float:
-        """s."""
+        """Its duration, s."""
         return self.course.duration
 
     @property

@@ -1,4 +1,4 @@
-"""Where a motion begins: rest, given displacements and velocities, a state, or an instant of another motion."""
+"""Where a motion begins: at rest, with given displacements and velocities, or at an instant of another one."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _moving(flow: ExactFlow, name: str, pair: object) -> tuple[float, float]:
     if name not in bodies:
         raise MechanismError(f"the start names {name!r}, which is no body; there are {listed(bodies)}")
     try:
-        displacement, velocity = pair  # type: ignore[misc]
+        displacement, velocity = tuple(pair)  # type: ignore[arg-type]
     except (TypeError, ValueError):
         raise WrongTypeError(f"the start of {name} must be (m, m/s), not {shown(pair)}") from None
     return (
