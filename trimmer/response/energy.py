@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -125,7 +125,8 @@ class _Balance:
         return float(0.5 * masses @ state[len(masses) : 2 * len(masses)] ** 2)
 
     def stored(self, state: Reals, row: int) -> float:
-        energy, mode = np.float64(0.0), int(self.course.log.mode[row])
+        mode = int(self.course.log.mode[row])
+        energy: Any = 0.0
         for link in self.mechanism.links.values():
             start, end = link.between
             energy += 0.5 * link.stiffness * ((self.rows[end][0] - self.rows[start][0]) @ state) ** 2

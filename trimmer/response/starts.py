@@ -1,9 +1,9 @@
-"""Where a motion begins: at rest, with given displacements and velocities, or at an instant of another one."""
+"""Where a motion begins: at rest, with given displacements and velocities, or at a known instant."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -47,12 +47,12 @@ def instant_of(flow: ExactFlow, start: Start) -> Instant:
     return flow.at(np.array(state, dtype=np.float64))
 
 
-def _moving(flow: ExactFlow, name: str, pair: object) -> tuple[float, float]:
+def _moving(flow: ExactFlow, name: str, pair: Any) -> tuple[float, float]:
     bodies = flow.modes.layout.bodies
     if name not in bodies:
         raise MechanismError(f"the start names {name!r}, which is no body; there are {listed(bodies)}")
     try:
-        displacement, velocity = tuple(pair)  # type: ignore[arg-type]
+        displacement, velocity = tuple(pair)
     except (TypeError, ValueError):
         raise WrongTypeError(f"the start of {name} must be (m, m/s), not {shown(pair)}") from None
     return (
