@@ -105,6 +105,9 @@ from .parameters import TrimmerParameters as TrimmerParameters
 from .parameters import parameter_table as parameter_table
 from .response.forced_orbit import forced_orbit as forced_orbit
 from .response.orbit import MechanismOrbit as MechanismOrbit
+from .response.respond import respond as respond
+from .response.response import MotionKind as MotionKind
+from .response.response import Response as Response
 from .signals.csv_layout import CsvLayout as CsvLayout
 from .signals.csv_layout import DecimalSign as DecimalSign
 from .signals.csv_layout import Delimiter as Delimiter
