@@ -15,6 +15,7 @@ from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.same import same_orbit, twins
 from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import Settling
+from trimmer.response.shooting import sizes_of
 from trimmer.response.starts import instant_of
 from trimmer.response.verdict import unsettled
 
@@ -118,12 +119,9 @@ class _Search:
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
-        sizes = np.maximum(abs(instant.state), 1e-3)
-        shift = NEIGHBOUR * sizes * np.random.default_rng(1).uniform(-1, 1, self.flow.size)
-        state = instant.state + shift
-        state[2 * len(self.flow.modes.layout.bodies) :] = instant.state[
-            2 * len(self.flow.modes.layout.bodies) :
-        ]
+        moving = 2 * len(self.flow.modes.layout.bodies)
+        state = instant.state.copy()
+        state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
         settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
         other = settling.until_settled(self.most_periods)
         if orbit is None or other is None:

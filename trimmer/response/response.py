@@ -62,7 +62,7 @@ class SettledMotion:
 
     @cached_property
     def lyapunov(self) -> Estimate | None:
-        """The largest Lyapunov exponent per drive period; None where no distance is left, or without drive."""
+        """Largest Lyapunov exponent per drive period; None where no distance is left, or without drive."""
         if self.window is not None:
             return self.window.exponents[0]
         if self.orbit is None or not self.orbit.periods:

@@ -9,6 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.parts import Force, Pin
     from trimmer.response.orbit import MechanismOrbit
 
 SAME = 1e-6
@@ -40,7 +41,7 @@ def mirrored(orbit: MechanismOrbit) -> Reals:
 
 def is_symmetric(mechanism: Mechanism) -> bool:
     """Return whether with each motion its mirror image, half a drive period later, is a motion too."""
-    moving = [*mechanism.pins.values(), *mechanism.forces.values()]
+    moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
     odd = all(part.order % 2 == 1 for part in moving)
     centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
     pushed = any(force.constant != 0 for force in mechanism.forces.values())

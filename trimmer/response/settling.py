@@ -1,4 +1,4 @@
-"""Following a motion until it repeats: exact orbits are sought on the way, and accepted when it settles to them."""
+"""A motion followed until it repeats: orbits are sought on the way, and accepted when it settles to them."""
 
 from __future__ import annotations
 

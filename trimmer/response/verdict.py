@@ -1,4 +1,4 @@
-"""What a motion that has not settled is: chaotic, on a torus, or undecided, as far as the numbers carry it."""
+"""What a motion that has not settled is, as far as the numbers carry it: chaos, a torus, or undecided."""
 
 from __future__ import annotations
 
@@ -96,8 +96,8 @@ def _told(seen: _Seen, waited: int, agrees: bool | None) -> str:
         MotionKind.UNDECIDED: "It is undecided what it settles to",
     }
     told = (
-        f"{kinds[seen.kind]}: it had not settled after {waited} drive periods, and over {seen.window.periods} "
-        f"more its largest Lyapunov exponent is {exponent}; a neighbouring motion "
+        f"{kinds[seen.kind]}: it had not settled after {waited} drive periods, and over "
+        f"{seen.window.periods} more its largest Lyapunov exponent is {exponent}; a neighbouring motion "
         f"{'leaves it' if seen.leaves else 'stays near it'}."
     )
     if agrees is None:

@@ -1,10 +1,10 @@
-"""A motion that does not repeat, watched over a window of drive periods: sums, growth of distances, samples."""
+"""A motion that does not repeat, watched over some drive periods: sums, growth of distances, samples."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -111,7 +111,7 @@ class Window:
 
     @cached_property
     def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
-        """Frequencies, Hz, and power density of each output, m²/Hz, by Welch's method (Hann, half overlap)."""
+        """Frequencies, Hz, and power density of each output, m²/Hz, by Welch's method (Hann, half over)."""
         from scipy.signal import welch
 
         rate = SAMPLES / self.flow.period
@@ -129,7 +129,9 @@ def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window:
 def joined(first: Window, second: Window) -> Window:
     """Return two windows, one after the other, as one."""
     series = ("growth", "means", "squares", "waves", "ranges", "accelerations", "events", "states", "samples")
-    both = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in series}
+    both: dict[str, Any] = {
+        name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in series
+    }
     return replace(first, end=second.end, ending=second.ending, **both)
 
 
@@ -139,7 +141,7 @@ class _Watch:
         self.rows = list(output_rows(flow.mechanism, flow.modes.layout).values())
         self.sizes = np.ones(flow.size)
         self.distances = np.linalg.qr(np.random.default_rng(0).normal(size=(flow.size, 2)))[0]
-        self.seen: list[tuple[Reals, ...]] = []
+        self.seen: list[tuple[Any, ...]] = []
 
     def over(self, periods: int) -> Window:
         begin, ending = self.instant, Ending.REACHED_END
@@ -156,7 +158,7 @@ class _Watch:
         columns[-1] = columns[-1].reshape(-1, len(self.rows))
         return Window(self.flow, self.sizes, begin, self.instant, ending, *columns)
 
-    def _of(self, course: Course) -> tuple[Reals, ...]:
+    def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration
         signals = nodes.states @ np.array(self.rows).reshape(len(self.rows), -1).T
         accelerations = [

@@ -1,7 +1,7 @@
-"""The 0-1 test for chaos (Gottwald and Melbourne, SIAM J. Appl. Dyn. Syst. 8, 2009): 0 for order, 1 for chaos.
+"""The 0-1 test for chaos, which gives 0 for order and 1 for chaos.
 
 A series drives a point in the plane, which stays in bounds if the series is quasi-periodic and wanders off
-like a random walk if it is chaotic.
+like a random walk if it is chaotic (Gottwald and Melbourne, SIAM J. Appl. Dyn. Syst. 8, 2009).
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import pytest
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Mechanism, MechanismError, MotionKind, UnsupportedMotionError, WrongTypeError, respond
 from trimmer.contact.flow import ExactFlow
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
 from trimmer.response.response_json import response_json
 
 KEYS = {"kind", "period_count", "lyapunov", "drive_periods", "events_per_period", "multipliers"}
@@ -96,18 +96,6 @@ def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
     assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
     assert response.motion.peak_to_peak["body"] == 0
     assert response.motion.orbit.instant.state[0] == 0.3
-
-
-def two_wells() -> Mechanism:
-    """Return a body between two springs that push it away from the middle, which rests on either side."""
-    return Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0,
-        pins={"seat": Pin("ground", 1e-3)},
-        plays={"slot": Play(("seat", "body"), 400.0, 4.0, 0.2)},
-        frictions={"floor": Friction(("ground", "body"), 1.0)},
-        outputs={"body": Output({"body": 1.0})},
-    )
 
 
 def test_starts_find_several_motions_and_their_shares() -> None:
