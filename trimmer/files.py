@@ -43,13 +43,14 @@ PDF = FileKind("PDF file", re.compile(rb"%PDF-"))
 HTML = FileKind("HTML page", re.compile(rb"(?i)<!doctype html"))
 JSON = FileKind("JSON file of claims", re.compile(rb'\{\s*"schema"'))
 TOML = FileKind("parameter file", re.compile(rb"# Parameters of a hair trimmer"))
+MAP = FileKind("file of a map", re.compile(rb'\{"trimmer map"'))
 MECHANISM = FileKind("mechanism file", re.compile(rb"# Mechanism that moves along one line"))
 MODULE = FileKind("derived module", re.compile(rb'"""Linear trimmer in numbers\.'))
 LATEX = FileKind(
     "derivation in LaTeX",
     re.compile(rb"\\documentclass.*\\title\{The trimmer: derivation\}", flags=re.DOTALL),
 )
-KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, TOML, MECHANISM, MODULE, LATEX)
+KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, TOML, MAP, MECHANISM, MODULE, LATEX)
 
 _HEAD = 512
 """As many bytes as it takes to tell the kind of a file."""

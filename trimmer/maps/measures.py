@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.contact.statuses import CONTACT_MADE, KINDS, NOTHING, STICK
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+    from trimmer.arrays import Integers, Reals
     from trimmer.contact.flow import Course
     from trimmer.mechanism.mechanism import Mechanism
 
@@ -36,23 +36,63 @@ class Measures:
     impact_speed: float
 
 
+@dataclass(frozen=True, eq=False)
+class _Samples:
+    """A motion at the nodes of quadrature, at its events and at its end, in order.
+
+    Attributes:
+        times: s, (samples,).
+        weights: s, zero at events and at the end, (samples,).
+        rows: Rows of the log, (samples,).
+        states: Extended states, (samples, N).
+        rates: Their rates, (samples, N).
+    """
+
+    times: Reals
+    weights: Reals
+    rows: Integers
+    states: Reals
+    rates: Reals
+
+
 def measured(mechanism: Mechanism, course: Course, periods: int) -> Measures:
     """Return the measures of a motion.
+
+    Swings are exact to some 1e-11, means to rounding.
 
     Args:
         mechanism: The mechanism.
         course: Its motion.
         periods: Drive periods that the motion lasts.
     """
+    samples = _sampled(course)
     counts = np.bincount(course.log.kind, minlength=KINDS)
+    outputs = mechanism.outputs
     return Measures(
-        {name: _swing(course, _output_row(mechanism, course, name)) for name in mechanism.outputs},
-        _rms_accelerations(course),
-        _wear_powers(mechanism, course),
+        {name: _swing(samples, _output_row(mechanism, course, name)) for name in outputs},
+        _rms_accelerations(course, samples),
+        _wear_powers(mechanism, course, samples),
         float((len(course.log.kind) - counts[NOTHING]) / periods),
         float(counts[CONTACT_MADE] / periods),
         _impact_speed(course),
     )
+
+
+def _sampled(course: Course) -> _Samples:
+    times, weights, rows, states = course.nodes
+    log, end, layout = course.log, course.end, course.modes.layout
+    last = np.concatenate([end.state, layout.forcing_at(end.phase, end.periods * layout.period)])
+    count = len(log.start)
+    order = np.argsort(np.concatenate([log.start, times, [course.duration]]), kind="stable")
+    times = np.concatenate([log.start, times, [course.duration]])[order]
+    weights = np.concatenate([np.zeros(count), weights, [0.0]])[order]
+    rows = np.concatenate([np.arange(count), rows, [count - 1]])[order]
+    states = np.concatenate([log.state, states, last[None]])[order]
+    numbers, rates = log.mode[rows], np.empty_like(states)
+    for number in np.unique(numbers):
+        here = numbers == number
+        rates[here] = states[here] @ course.modes[int(number)].flow.T
+    return _Samples(times, weights, rows, states, rates)
 
 
 def _output_row(mechanism: Mechanism, course: Course, name: str) -> Reals:
@@ -67,26 +107,14 @@ def _output_row(mechanism: Mechanism, course: Course, name: str) -> Reals:
     return row
 
 
-def _swing(course: Course, row: Reals) -> float:
+def _swing(samples: _Samples, row: Reals) -> float:
     """Return the difference of the highest and the lowest value of a functional."""
-    times, _, _, states = course.nodes
-    values, rates = states @ row, _rates(course) @ row
-    return _highest(times, values, rates) + _highest(times, -values, -rates)
-
-
-def _rates(course: Course) -> Reals:
-    """Return the rates of the extended state at the nodes, (nodes, N)."""
-    _, _, rows, states = course.nodes
-    numbers = course.log.mode[rows]
-    rates = np.empty_like(states)
-    for number in np.unique(numbers):
-        here = numbers == number
-        rates[here] = states[here] @ course.modes[int(number)].flow.T
-    return rates
+    values, rates = samples.states @ row, samples.rates @ row
+    return _highest(samples.times, values, rates) + _highest(samples.times, -values, -rates)
 
 
 def _highest(times: Reals, values: Reals, rates: Reals) -> float:
-    """Return the largest value on the cubics through values and rates beside the highest node."""
+    """Return the largest value on the cubics through values and rates beside the highest sample."""
     top = int(np.argmax(values))
     best = float(values[top])
     for first in (top - 1, top):
@@ -105,20 +133,18 @@ def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> floa
     return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))
 
 
-def _rms_accelerations(course: Course) -> dict[str, float]:
-    _, weights, _, _ = course.nodes
+def _rms_accelerations(course: Course, samples: _Samples) -> dict[str, float]:
     bodies = course.modes.layout.bodies
-    accelerations = _rates(course)[:, len(bodies) : 2 * len(bodies)]
-    squares = weights @ accelerations**2 / course.duration
+    accelerations = samples.rates[:, len(bodies) : 2 * len(bodies)]
+    squares = samples.weights @ accelerations**2 / course.duration
     return dict(zip(bodies, np.sqrt(squares).tolist(), strict=True))
 
 
-def _wear_powers(mechanism: Mechanism, course: Course) -> dict[str, float]:
+def _wear_powers(mechanism: Mechanism, course: Course, samples: _Samples) -> dict[str, float]:
     machine, layout = course.modes.machine, course.modes.layout
-    _, weights, rows, states = course.nodes
-    statuses = course.modes.tables.statuses[course.log.mode[rows], len(machine.stiffness) :]
-    speeds = np.where(statuses == STICK, 0.0, abs(states @ machine.friction_rate.T))
-    powers = machine.kinetic * (weights @ speeds) / course.duration
+    statuses = course.modes.tables.statuses[course.log.mode[samples.rows], len(machine.stiffness) :]
+    speeds = np.where(statuses == STICK, 0.0, abs(samples.states @ machine.friction_rate.T))
+    powers = machine.kinetic * (samples.weights @ speeds) / course.duration
     found = dict(zip(layout.frictions, powers.tolist(), strict=True))
     return {name: found.get(name, 0.0) for name in mechanism.frictions}
 

@@ -57,7 +57,7 @@ class Settled:
         end: The last instant of the motion, or that of the orbit.
         orbit: The exact orbit, if the motion is periodic and Newton's method found it.
         period_count: Drive periods after which the motion repeats, 0 if it does not.
-        lyapunov: Growth of small distances per drive period, as a logarithm; NaN where it was not measured.
+        lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
         ending: Why the motion ended before its time, if it did.
     """
 
@@ -66,7 +66,7 @@ class Settled:
     end: Instant
     orbit: Orbit | None = None
     period_count: int = 0
-    lyapunov: float = float("nan")
+    lyapunov: float | None = None
     ending: Ending = Ending.REACHED_END
 
 
@@ -167,13 +167,13 @@ def _at_last(flow: ExactFlow, instant: Instant, states: Reals, compared: int, mo
     return Settled(kind, done, strobe.end, lyapunov=exponent)
 
 
-def _compared(states: Reals, beside: Reals, sizes: Reals) -> tuple[MotionKind, float]:
+def _compared(states: Reals, beside: Reals, sizes: Reals) -> tuple[MotionKind, float | None]:
     """Return the kind of a motion that has not settled, and the growth of its distance per period."""
     distances = np.maximum((abs(beside - states) / sizes).max(axis=1), ALIKE * APART)
     separate = np.flatnonzero(distances > SEPARATE)
     last = int(separate[0]) if len(separate) else len(distances) - 1
     if last < 3:
-        return MotionKind.UNDECIDED, float("nan")
+        return MotionKind.UNDECIDED, None
     exponent = float(np.polyfit(np.arange(last + 1), np.log(distances[: last + 1]), 1)[0])
     growth = distances[last] / distances[0]
     if growth > GROWN and exponent * last > np.log(GROWN) / 2:
