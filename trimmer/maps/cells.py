@@ -216,7 +216,9 @@ def _described(flow: ExactFlow, mechanism: Mechanism, settled: Settled) -> CellM
         orbit.largest if orbit is not None else None,
         settled.lyapunov,
         tuple(map(tuple, states.tolist())),
-        measured(mechanism, course, round(course.duration / flow.period)),
+        measured(
+            mechanism, course, round(course.duration / flow.period), closes=settled.kind is MotionKind.PERIODIC
+        ),
     )
 
 

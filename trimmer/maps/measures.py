@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 
+COARSE = 128
+"""Samples per drive period of a motion that does not repeat."""
+
+
 @dataclass(frozen=True)
 class Measures:
     """Measures of a motion over some drive periods.
@@ -45,32 +49,35 @@ class _Samples:
         weights: s, zero at events and at the end, (samples,).
         rows: Rows of the log, (samples,).
         states: Extended states, (samples, N).
-        rates: Their rates, (samples, N).
     """
 
     times: Reals
     weights: Reals
     rows: Integers
     states: Reals
-    rates: Reals
 
 
-def measured(mechanism: Mechanism, course: Course, periods: int) -> Measures:
+def measured(mechanism: Mechanism, course: Course, periods: int, *, closes: bool = True) -> Measures:
     """Return the measures of a motion.
-
-    Swings are exact to some 1e-11, means to rounding.
 
     Args:
         mechanism: The mechanism.
         course: Its motion.
         periods: Drive periods that the motion lasts.
+        closes: Whether the motion is an orbit, of which swings are wanted to some 1e-11 and means to rounding.
+            Otherwise ``COARSE`` samples a period are enough beside what the window leaves open.
     """
-    samples = _sampled(course)
+    samples = _with_events(course, _nodes(course) if closes else _even(course, periods))
+    outputs = np.array([_output_row(mechanism, course, name) for name in mechanism.outputs])
+    outputs = outputs.reshape(-1, course.modes.layout.size)
+    accelerations, rates = _rates(course, samples, outputs)
+    values = product(samples.states, outputs)
+    swings = [_swing(samples.times, values[:, i], rates[:, i]) for i in range(len(outputs))]
     counts = np.bincount(course.log.kind, minlength=KINDS)
-    outputs = mechanism.outputs
+    squares = (samples.weights[:, None] * accelerations**2).sum(axis=0) / course.duration
     return Measures(
-        {name: _swing(samples, _output_row(mechanism, course, name)) for name in outputs},
-        _rms_accelerations(course, samples),
+        dict(zip(mechanism.outputs, swings, strict=True)),
+        dict(zip(mechanism.bodies, np.sqrt(squares).tolist(), strict=True)),
         _wear_powers(mechanism, course, samples),
         float((len(course.log.kind) - counts[NOTHING]) / periods),
         float(counts[CONTACT_MADE] / periods),
@@ -78,21 +85,49 @@ def measured(mechanism: Mechanism, course: Course, periods: int) -> Measures:
     )
 
 
-def _sampled(course: Course) -> _Samples:
-    times, weights, rows, states = course.nodes
+def product(states: Reals, functionals: Reals) -> Reals:
+    """Return functionals (m, N) of states (samples, N), as (samples, m).
+
+    The linear algebra of NumPy would start threads for it, which cost more than the product in a process
+    beside others.
+    """
+    return np.asarray(np.einsum("ij,kj->ik", states, functionals, optimize=False))
+
+
+def _nodes(course: Course) -> _Samples:
+    return _Samples(*course.nodes)
+
+
+def _even(course: Course, periods: int) -> _Samples:
+    count = periods * COARSE
+    times = course.duration * (np.arange(count) + 0.5) / count
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    return _Samples(times, np.full(count, course.duration / count), rows, course.states(times))
+
+
+def _with_events(course: Course, samples: _Samples) -> _Samples:
     log, end, layout = course.log, course.end, course.modes.layout
     last = np.concatenate([end.state, layout.forcing_at(end.phase, end.periods * layout.period)])
     count = len(log.start)
-    order = np.argsort(np.concatenate([log.start, times, [course.duration]]), kind="stable")
-    times = np.concatenate([log.start, times, [course.duration]])[order]
-    weights = np.concatenate([np.zeros(count), weights, [0.0]])[order]
-    rows = np.concatenate([np.arange(count), rows, [count - 1]])[order]
-    states = np.concatenate([log.state, states, last[None]])[order]
-    numbers, rates = log.mode[rows], np.empty_like(states)
-    for number in np.unique(numbers):
-        here = numbers == number
-        rates[here] = states[here] @ course.modes[int(number)].flow.T
-    return _Samples(times, weights, rows, states, rates)
+    times = np.concatenate([log.start, samples.times, [course.duration]])
+    order = np.argsort(times, kind="stable")
+    return _Samples(
+        times[order],
+        np.concatenate([np.zeros(count), samples.weights, [0.0]])[order],
+        np.concatenate([np.arange(count), samples.rows, [count - 1]])[order],
+        np.concatenate([log.state, samples.states, last[None]])[order],
+    )
+
+
+def _rates(course: Course, samples: _Samples, outputs: Reals) -> tuple[Reals, Reals]:
+    """Return accelerations of the bodies, (samples, bodies), and rates of outputs, (samples, outputs)."""
+    bodies = len(course.modes.layout.bodies)
+    numbers = course.log.mode[samples.rows]
+    rates = np.empty((len(numbers), bodies + len(outputs)))
+    for number in set(numbers.tolist()):
+        flow, here = course.modes[number].flow, numbers == number
+        rates[here] = product(samples.states[here], np.vstack([flow[bodies : 2 * bodies], outputs @ flow]))
+    return rates[:, :bodies], rates[:, bodies:]
 
 
 def _output_row(mechanism: Mechanism, course: Course, name: str) -> Reals:
@@ -107,10 +142,9 @@ def _output_row(mechanism: Mechanism, course: Course, name: str) -> Reals:
     return row
 
 
-def _swing(samples: _Samples, row: Reals) -> float:
-    """Return the difference of the highest and the lowest value of a functional."""
-    values, rates = samples.states @ row, samples.rates @ row
-    return _highest(samples.times, values, rates) + _highest(samples.times, -values, -rates)
+def _swing(times: Reals, values: Reals, rates: Reals) -> float:
+    """Return the difference of the highest and the lowest value."""
+    return _highest(times, values, rates) + _highest(times, -values, -rates)
 
 
 def _highest(times: Reals, values: Reals, rates: Reals) -> float:
@@ -133,18 +167,11 @@ def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> floa
     return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))
 
 
-def _rms_accelerations(course: Course, samples: _Samples) -> dict[str, float]:
-    bodies = course.modes.layout.bodies
-    accelerations = samples.rates[:, len(bodies) : 2 * len(bodies)]
-    squares = samples.weights @ accelerations**2 / course.duration
-    return dict(zip(bodies, np.sqrt(squares).tolist(), strict=True))
-
-
 def _wear_powers(mechanism: Mechanism, course: Course, samples: _Samples) -> dict[str, float]:
     machine, layout = course.modes.machine, course.modes.layout
     statuses = course.modes.tables.statuses[course.log.mode[samples.rows], len(machine.stiffness) :]
-    speeds = np.where(statuses == STICK, 0.0, abs(samples.states @ machine.friction_rate.T))
-    powers = machine.kinetic * (samples.weights @ speeds) / course.duration
+    speeds = np.where(statuses == STICK, 0.0, abs(product(samples.states, machine.friction_rate)))
+    powers = machine.kinetic * (samples.weights[:, None] * speeds).sum(axis=0) / course.duration
     found = dict(zip(layout.frictions, powers.tolist(), strict=True))
     return {name: found.get(name, 0.0) for name in mechanism.frictions}
 
