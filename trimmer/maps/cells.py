@@ -10,35 +10,19 @@ import numpy as np
 
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
-from trimmer.errors import MechanismError, TrimmerError
+from trimmer.errors import TrimmerError
+from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.kinds import MotionKind
 from trimmer.maps.measures import Measures, measured
 from trimmer.maps.settle import Settled, same_orbit, settle
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Instant
+    from trimmer.contact.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
 
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How long each cell is looked at, and from where.
-
-    Attributes:
-        most_periods: Drive periods to wait at most.
-        most_period_count: Largest number of drive periods after which a motion may repeat.
-        starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
-        seed: Seed of the random starts; each cell has its own numbers.
-    """
-
-    most_periods: int = 300
-    most_period_count: int = 24
-    starts: int = 1
-    seed: int = 0
 
 
 @dataclass(frozen=True)
@@ -111,25 +95,6 @@ class CellResult:
     motions: tuple[CellMotion, ...]
 
 
-def varied(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
-    """Return the mechanism with other numbers at some places, in whatever order they can be set.
-
-    Raises:
-        MechanismError: if the numbers cannot stand there together.
-    """
-    try:
-        return _in_order(mechanism, places, values)
-    except MechanismError:
-        # A static force may have to rise before the kinetic one does.
-        return _in_order(mechanism, places[::-1], values[::-1])
-
-
-def _in_order(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
-    for place, value in zip(places, values, strict=True):
-        mechanism = mechanism.with_value(place, value)
-    return mechanism
-
-
 @dataclass(frozen=True)
 class CellWork:
     """What is done with each cell of a map.
@@ -173,7 +138,7 @@ def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
 
 
 def start_scales(flow: ExactFlow) -> Reals:
-    """Return how far random starts go: largest stroke or gap of the mechanism, and that at the drive's speed."""
+    """Return how far random starts go: the largest amplitude or gap, and the speed of a drive with that."""
     mechanism = flow.mechanism
     lengths = [
         *(abs(pin.amplitude) for pin in mechanism.pins.values()),
@@ -217,7 +182,10 @@ def _described(flow: ExactFlow, mechanism: Mechanism, settled: Settled) -> CellM
         settled.lyapunov,
         tuple(map(tuple, states.tolist())),
         measured(
-            mechanism, course, round(course.duration / flow.period), closes=settled.kind is MotionKind.PERIODIC
+            mechanism,
+            course,
+            round(course.duration / flow.period),
+            closes=settled.kind is MotionKind.PERIODIC,
         ),
     )
 

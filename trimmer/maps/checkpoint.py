@@ -1,31 +1,27 @@
 """The file of a map: a header with all that the cells depend on, then one line for each cell that is done.
 
-Each line is JSON. The header is the first line; its keys are ``trimmer map`` (the version of the format),
-``program`` (the version of the program), ``mechanism`` (its TOML file as text), ``places``, ``values`` (a list
-for each place), ``settings``, and ``inputs``, the SHA-256 of mechanism, places, values and settings. A line of a
-cell has ``number``, its place in the map row by row, and ``motions``. Lines come in the order in which cells
-were done. A line counts as soon as its line end is there, so what a killed run leaves half-written is dropped.
+Each line is JSON. The header is the first line. Its keys are ``trimmer map`` (the version of the format),
+``program`` (the version of the program), ``mechanism`` (its TOML file as text), ``places``, ``values`` (a
+list for each place), ``settings``, and ``inputs``, the SHA-256 of mechanism, places, values and settings. A
+line of a cell has ``number``, its place in the map row by row, and ``motions``. Lines come in the order in
+which cells were done. A line counts as soon as its line end is there, so what a killed run leaves
+half-written is dropped.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.errors import TrimmerError
 from trimmer.files import MAP, FileWriteError, is_standard_output, is_stream, write_atomically
-from trimmer.maps.cells import CellMotion, CellResult, Settings
+from trimmer.maps.cells import CellMotion, CellResult
+from trimmer.maps.inputs import FORMAT, MapInputs, Settings
+from trimmer.mechanism.mechanism import Mechanism
 
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
-
-FORMAT = 1
-"""Version of the format."""
 _OTHERS = {
     "mechanism": "another mechanism",
     "places": "other places to vary",
@@ -39,48 +35,6 @@ _OTHERS = {
 
 class MapFileError(TrimmerError, ValueError):
     """The file of a map cannot be gone on with; the message says why and what to do."""
-
-
-@dataclass(frozen=True)
-class MapInputs:
-    """All that the cells of a map depend on.
-
-    Attributes:
-        mechanism: The mechanism that is varied.
-        places: One place or two.
-        values: Values of each place.
-        settings: How long each cell is looked at, and from where.
-    """
-
-    mechanism: Mechanism
-    places: tuple[str, ...]
-    values: tuple[tuple[float, ...], ...]
-    settings: Settings
-
-    @property
-    def count(self) -> int:
-        """Number of cells."""
-        return len(self.values[0]) * (len(self.values[1]) if len(self.values) > 1 else 1)
-
-    def cell_values(self, number: int) -> tuple[float, ...]:
-        """Return the values of a cell; the first place runs within a row."""
-        columns = len(self.values[0])
-        places = (number % columns, number // columns)
-        return tuple(values[at] for values, at in zip(self.values, places, strict=False))
-
-    @property
-    def header(self) -> dict[str, Any]:
-        """The header of the file."""
-        from trimmer import __version__
-
-        content = {
-            "mechanism": self.mechanism.to_toml(),
-            "places": list(self.places),
-            "values": [list(values) for values in self.values],
-            "settings": asdict(self.settings),
-        }
-        digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-        return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}
 
 
 def begin(path: Path, inputs: MapInputs, *, overwrite: bool = False) -> None:
@@ -136,8 +90,6 @@ def read_inputs(path: Path) -> MapInputs:
     Raises:
         MapFileError: if the file is none of a map.
     """
-    from trimmer.mechanism.mechanism import Mechanism
-
     header = _header(path, _lines(path))
     mechanism = Mechanism.from_toml_text(header["mechanism"], f"the mechanism in {path}")
     values = tuple(tuple(map(float, each)) for each in header["values"])
@@ -185,7 +137,8 @@ def _results(path: Path, wanted: dict[str, Any]) -> Iterator[CellResult]:
     for name, what in _OTHERS.items():
         if header.get(name) != wanted[name]:
             raise MapFileError(
-                f"{path} was begun with {what}: go on with what it was begun with, or begin it anew (--overwrite)"
+                f"{path} was begun with {what}: go on with what it was begun with, "
+                "or begin it anew (--overwrite)"
             )
     for number, line in enumerate(lines[1:], start=2):
         try:

@@ -11,7 +11,8 @@ from trimmer.contact.advance import Ending
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import Course, ExactFlow, Instant
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import Course, ExactFlow
 
 ITERATIONS = 8
 """Newton's method needs three or four from where a motion nearly closes."""

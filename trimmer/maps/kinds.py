@@ -8,7 +8,8 @@ from trimmer.choices import Choice
 class MotionKind(Choice):
     """What a motion is after the waiting time, as far as the numbers carry it.
 
-    The value says it in plain words. A motion that is none of the first three is undecided, which is no error.
+    The value says it in plain words. A motion that is none of the first three is undecided, which is no
+    error.
     """
 
     PERIODIC = "periodic"

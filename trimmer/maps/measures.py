@@ -64,8 +64,8 @@ def measured(mechanism: Mechanism, course: Course, periods: int, *, closes: bool
         mechanism: The mechanism.
         course: Its motion.
         periods: Drive periods that the motion lasts.
-        closes: Whether the motion is an orbit, of which swings are wanted to some 1e-11 and means to rounding.
-            Otherwise ``COARSE`` samples a period are enough beside what the window leaves open.
+        closes: Whether the motion is an orbit, of which swings are given to some 1e-11 and means to
+            rounding. Otherwise ``COARSE`` samples a period are enough beside what the window leaves open.
     """
     samples = _with_events(course, _nodes(course) if closes else _even(course, periods))
     outputs = np.array([_output_row(mechanism, course, name) for name in mechanism.outputs])

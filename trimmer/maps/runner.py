@@ -1,7 +1,7 @@
-"""Who does the work of the cells: this process, or several on this computer, or whatever has the same interface.
+"""Who does the work of the cells: this process, several on this computer, or what has the same interface.
 
-A cluster can take their place: it needs the one method of ``Runner``. Work and cells are pickled, and a result
-depends on its cell alone, so the order and the place in which cells are done never matter.
+A cluster can take their place: it needs the one method of ``Runner``. Work and cells are pickled, and a
+result depends on its cell alone, so the order and the place in which cells are done never matter.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from itertools import islice
-from typing import Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from trimmer.arguments import whole_number
 from trimmer.errors import TrimmerError
@@ -114,10 +114,10 @@ def cores() -> int:
 class _Worker:
     """What a process does with its cells; set once, as the process begins."""
 
-    work: Callable[[object], object]
+    work: Callable[[Any], Any]
 
 
-def _begin(work: Callable[[object], object]) -> None:
+def _begin(work: Callable[[Any], Any]) -> None:
     """Prepare a process: it leaves interrupts to the one that began it, and ends when that one does."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -131,5 +131,5 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _done(chunk: list[object]) -> list[object]:
+def _done(chunk: list[Any]) -> list[Any]:
     return [_Worker.work(cell) for cell in chunk]

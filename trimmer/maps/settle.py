@@ -19,7 +19,8 @@ from trimmer.maps.kinds import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import ExactFlow, Instant
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import ExactFlow
 
 FIRST_LOOK = 24
 """Drive periods after which a motion is first looked at; later looks are half as long again apart."""
@@ -194,7 +195,8 @@ def same_orbit(ours: Reals, theirs: Reals) -> bool:
     """Return whether two orbits are one: their states at the starts of periods agree in some order of turns.
 
     Args:
-        ours, theirs: States at the start of each drive period, (k, n).
+        ours: States at the start of each drive period, (k, n).
+        theirs: Those of the other orbit.
     """
     if ours.shape != theirs.shape:
         return False
