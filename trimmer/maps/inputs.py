@@ -13,12 +13,15 @@ import numpy as np
 from trimmer.arguments import finite_number, require_instance, shown
 from trimmer.errors import MechanismError, TrimmerError, WrongTypeError
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place, place_text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 FORMAT = 1
-"""Version of the format."""
+"""Version of the format of files."""
+MOST_CELLS = 4_000_000
+"""Cells whose results still fit into memory: a kilobyte or two each."""
 
 
 class MapError(TrimmerError, ValueError):
@@ -111,29 +114,26 @@ def checked_inputs(mechanism: Mechanism, values: Mapping[str, ArrayLike], settin
     """
     require_instance("mechanism", mechanism, Mechanism, "a Mechanism")
     require_instance("values", values, Mapping, "a mapping of dotted places to values")
+    for place in values:
+        require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
     if mechanism.frequency is None:
         raise MapError("the mechanism has no frequency, and maps are of driven motions: give it one")
     if not 1 <= len(values) <= 2:
         raise MapError(f"a map is over one place or two, not {len(values)}")
-    places = tuple(values)
-    lists = tuple(_numbers(place, each) for place, each in values.items())
-    if len(places) == 2 and _same_place(mechanism, places):
+    places = tuple(place_text(parse_place(place)) for place in values)
+    if len(set(places)) < len(places):
         raise MapError(f"both places are {places[0]}: vary two different numbers, or one")
-    for axis, place in enumerate(places):
+    for place in places:
         mechanism.value(place)
+    lists = tuple(_numbers(place, each) for place, each in zip(places, values.values(), strict=True))
+    inputs = MapInputs(mechanism, places, lists, settings)
+    if inputs.count > MOST_CELLS:
+        raise MapError(f"these are {inputs.count} cells: give values for at most {MOST_CELLS}")
+    for axis in range(len(places)):
         others = lists[1 - axis] if len(lists) > 1 else ()
         for value in lists[axis]:
             _check_value(mechanism, places, axis, value, others)
-    return MapInputs(mechanism, places, lists, settings)
-
-
-def _same_place(mechanism: Mechanism, places: tuple[str, ...]) -> bool:
-    first, second = places
-    if first == second:
-        return True
-    value = mechanism.value(second)
-    changed = mechanism.with_value(second, value)
-    return changed.value(first) != mechanism.value(first)
+    return inputs
 
 
 def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:

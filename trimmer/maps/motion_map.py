@@ -129,4 +129,4 @@ def _how_to_go_on(finished: int, count: int, target: Path | None) -> str:
     begun = f"interrupted after {finished} of {count} cells"
     if target is None:
         return f"{begun}, which are lost; name a file (--output) to be able to go on"
-    return f"{begun}, which {target} holds; the same call with --resume goes on"
+    return f"{begun}, which {target} holds; the same call with resume (--resume) goes on"

@@ -18,6 +18,8 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Protocol, TypeVar
 
+from tqdm import TMonitor
+
 from trimmer.arguments import whole_number
 from trimmer.errors import TrimmerError
 
@@ -101,8 +103,17 @@ class ProcessRunner:
 
 
 def _context() -> multiprocessing.context.BaseContext:
-    """Return how processes begin: as copies of this one, which takes no time, if it has no other threads."""
-    copies = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
+    """Return how processes begin: as copies of this one, which takes no time, unless it has other threads.
+
+    A lock that another thread holds would never be released in a copy. The thread of progress bars holds none
+    that the work needs.
+    """
+    others = [
+        thread
+        for thread in threading.enumerate()
+        if thread is not threading.main_thread() and not isinstance(thread, TMonitor)
+    ]
+    copies = "fork" in multiprocessing.get_all_start_methods() and not others
     return multiprocessing.get_context("fork" if copies else "spawn")
 
 
