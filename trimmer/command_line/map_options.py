@@ -80,4 +80,4 @@ def _number(mechanism: Mechanism, place: str, text: str) -> float:
     try:
         return quantity(text, mechanism.places[place])
     except UnitError as error:
-        raise OptionError(f"--vary {place}: {text!r} {error}") from None
+        raise OptionError(f"--vary {place}: {text!r}: {error}") from None

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,10 +12,11 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
+from trimmer.maps.closing import closed_near
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.kinds import MotionKind
 from trimmer.maps.measures import Measures, measured
-from trimmer.maps.settle import Settled, same_orbit, settle
+from trimmer.maps.settle import Settled, same_orbit, settle, sizes_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
+NEIGHBOUR = 0.5
+"""Change of a state, relative to the sizes, from the orbit of a cell to that of the next one."""
 
 
 @dataclass(frozen=True)
@@ -32,13 +36,13 @@ class Cell:
     Attributes:
         number: Its place in the map, row by row.
         values: Its values, in the order of the places.
-        states: States at the start of a drive period to begin with; if there are none, the starts of the
-            settings are taken.
+        orbits: Orbits of other cells to begin with: states at the start of each drive period, (k, n) as
+            tuples. If there are none, the starts of the settings are taken.
     """
 
     number: int
     values: tuple[float, ...]
-    states: tuple[tuple[float, ...], ...] = ()
+    orbits: tuple[tuple[tuple[float, ...], ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -112,16 +116,29 @@ class CellWork:
     def __call__(self, cell: Cell) -> CellResult:
         """Return the motions of a cell; what fails is told by the motion, and stops no other cell."""
         try:
-            mechanism = varied(self.mechanism, self.places, cell.values)
-            flow = ExactFlow(mechanism)
+            flow = ExactFlow(varied(self.mechanism, self.places, cell.values))
             starts = _starts(flow, cell, self.settings)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
             return CellResult(cell.number, (_failed(error),))
         motions: list[CellMotion] = []
+        for states in cell.orbits:
+            _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings)))
         for start in starts:
-            motion = _motion(flow, mechanism, start, self.settings)
-            _add(motions, motion)
+            _add(motions, _motion(flow, partial(_settled, flow, start, self.settings)))
         return CellResult(cell.number, tuple(motions))
+
+
+def _settled(flow: ExactFlow, start: Instant, settings: Settings) -> Settled:
+    return settle(flow, start, settings.most_periods, settings.most_period_count)
+
+
+def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
+    """Return the stable orbit near that of another cell, or what a start on that leads to."""
+    start = flow.at(states[0])
+    orbit = closed_near(flow, start, len(states), sizes_of(states), NEIGHBOUR)
+    if orbit is not None and orbit.largest < 1.0:
+        return Settled(MotionKind.PERIODIC, 0, orbit.begin, orbit, orbit.period_count)
+    return _settled(flow, start, settings)
 
 
 def _failed(error: Exception) -> CellMotion:
@@ -129,8 +146,8 @@ def _failed(error: Exception) -> CellMotion:
 
 
 def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
-    if cell.states:
-        return [flow.at(np.array(state)) for state in cell.states]
+    if cell.orbits:
+        return []
     random = np.random.default_rng(np.random.SeedSequence((settings.seed, cell.number)))
     scales = start_scales(flow)
     others = [scales * random.uniform(-1.0, 1.0, flow.size) for _ in range(settings.starts - 1)]
@@ -152,15 +169,14 @@ def start_scales(flow: ExactFlow) -> Reals:
     return scales
 
 
-def _motion(flow: ExactFlow, mechanism: Mechanism, start: Instant, settings: Settings) -> CellMotion:
+def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
     try:
-        settled = settle(flow, start, settings.most_periods, settings.most_period_count)
-        return _described(flow, mechanism, settled)
+        return _described(flow, found())
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
         return _failed(error)
 
 
-def _described(flow: ExactFlow, mechanism: Mechanism, settled: Settled) -> CellMotion:
+def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     if settled.kind is MotionKind.FAILED:
         return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
     orbit = settled.orbit
@@ -182,7 +198,7 @@ def _described(flow: ExactFlow, mechanism: Mechanism, settled: Settled) -> CellM
         settled.lyapunov,
         tuple(map(tuple, states.tolist())),
         measured(
-            mechanism,
+            flow.mechanism,
             course,
             round(course.duration / flow.period),
             closes=settled.kind is MotionKind.PERIODIC,

@@ -48,7 +48,9 @@ class Orbit:
         return float(abs(self.multipliers).max())
 
 
-def closed_near(flow: ExactFlow, instant: Instant, periods: int, sizes: Reals) -> Orbit | None:
+def closed_near(
+    flow: ExactFlow, instant: Instant, periods: int, sizes: Reals, farthest: float = FARTHEST
+) -> Orbit | None:
     """Return the orbit near an instant that closes after some drive periods; None if there is none.
 
     Args:
@@ -56,6 +58,7 @@ def closed_near(flow: ExactFlow, instant: Instant, periods: int, sizes: Reals) -
         instant: At the start of a drive period.
         periods: Number of drive periods.
         sizes: Sizes of the states, (n,).
+        farthest: Largest change of the state, relative to the sizes.
     """
     first, best = instant.state, np.inf
     for _ in range(ITERATIONS):
@@ -73,7 +76,7 @@ def closed_near(flow: ExactFlow, instant: Instant, periods: int, sizes: Reals) -
         except np.linalg.LinAlgError:
             return None
         state = instant.state + step
-        if not (abs(state - first) <= FARTHEST * sizes).all():
+        if not (abs(state - first) <= farthest * sizes).all():
             return None
         instant = flow.at(state, like=course.end)
     return None

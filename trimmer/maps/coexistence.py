@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from tqdm import tqdm
@@ -19,9 +18,7 @@ from trimmer.maps.kinds import MotionKind
 from trimmer.maps.motion_map import FEW, SILENCE
 from trimmer.maps.result import MotionMap
 from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.maps.settle import sizes_of
 
 CONTINUED = 0.1
 """Difference of two orbits, relative to their sizes, up to which one is taken for the other carried on."""
@@ -86,7 +83,7 @@ def coexisting_motions(
     tried = rounds = 0
     while fresh and rounds < most_rounds:
         cells = list(_candidates(result, motions, fresh))
-        tried += sum(len(cell.states) for cell in cells)
+        tried += sum(len(cell.orbits) for cell in cells)
         fresh = {}
         if not cells:
             break
@@ -126,8 +123,8 @@ def _candidates(
                 if not any(_is_carried_on(orbit, other) for other in (*motions[beside], *known)):
                     known.append(orbit)
     for number in sorted(starts):
-        states = tuple(orbit.states[0] for orbit in starts[number])
-        if states:
+        if starts[number]:
+            states = tuple(orbit.states for orbit in starts[number])
             yield Cell(number, result.inputs.cell_values(number), states)
 
 
@@ -144,17 +141,11 @@ def _is_carried_on(orbit: CellMotion, other: CellMotion) -> bool:
     if other.kind is not MotionKind.PERIODIC or other.period_count != orbit.period_count:
         return False
     ours, theirs = np.array(orbit.states), np.array(other.states)
-    sizes = np.maximum(_sizes(ours), _sizes(theirs))
+    sizes = np.maximum(sizes_of(ours), sizes_of(theirs))
     return any(
         bool((abs(np.roll(ours, turns, axis=0) - theirs) <= CONTINUED * sizes).all())
         for turns in range(len(ours))
     )
-
-
-def _sizes(states: Reals) -> Reals:
-    """Return how large each state is; one that hardly moves is measured by the others of the orbit."""
-    sizes = abs(states).max(axis=0)
-    return np.asarray(np.maximum(sizes, 1e-3 * sizes.max()))
 
 
 def _new(known: tuple[CellMotion, ...], found: tuple[CellMotion, ...]) -> tuple[CellMotion, ...]:

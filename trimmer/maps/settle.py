@@ -44,6 +44,8 @@ GROWN = 1e3
 """Growth of the distance that no torus has in so short a time."""
 KEPT = 10.0
 """Growth or shrinkage of the distance that a torus may have."""
+LEAST = 1e-6
+"""Size of a state that hardly moves, relative to the largest, in SI units."""
 STEADY = 0.05
 """Share by which the swing of a torus may differ between two halves of the comparison."""
 
@@ -90,7 +92,7 @@ def settle(flow: ExactFlow, begin: Instant, most_periods: int, most_period_count
         count, difference = _recurrence(states, most_period_count)
         if difference < PROGRESS * tried:
             tried = difference
-            orbit = _attracting(flow, instant, count, difference, _sizes(states))
+            orbit = _attracting(flow, instant, count, difference, sizes_of(states))
             if orbit is not None:
                 return _on(orbit, len(states) - 1)
     return _at_last(flow, instant, states, compared, most_period_count)
@@ -106,16 +108,20 @@ def _looks(periods: int) -> list[int]:
     return [*lengths, periods] if periods > 0 else lengths
 
 
-def _sizes(states: Reals) -> Reals:
-    """Return how large each state becomes; what never moves counts as large as the largest of its unit."""
+def sizes_of(states: Reals) -> Reals:
+    """Return how large each state becomes, (n,); what hardly moves is measured by the others.
+
+    Args:
+        states: At the starts of drive periods, (periods, n); the last ones count.
+    """
     sizes = abs(states[-2 * FIRST_LOOK :]).max(axis=0)
-    return np.where(sizes > 0, sizes, max(float(sizes.max()), np.finfo(float).tiny))
+    return np.asarray(np.maximum(sizes, max(LEAST * float(sizes.max()), np.finfo(float).tiny)))
 
 
 def _recurrence(states: Reals, most: int) -> tuple[int, float]:
     """Return after how many periods the last state nearly repeats, and how nearly, relative to sizes."""
     back = states[-2 : -2 - most : -1]
-    differences = (abs(back - states[-1]) / _sizes(states)).max(axis=1)
+    differences = (abs(back - states[-1]) / sizes_of(states)).max(axis=1)
     good = max(CLOSER * float(differences.min()), REPEATED)
     count = int(np.flatnonzero(differences <= good)[0])
     return count + 1, float(differences[count])
@@ -154,7 +160,7 @@ def _at_last(flow: ExactFlow, instant: Instant, states: Reals, compared: int, mo
     if strobe.ending is not Ending.REACHED_END:
         return Settled(MotionKind.FAILED, done, strobe.end, ending=strobe.ending)
     count, difference = _recurrence(whole, most)
-    sizes = _sizes(whole)
+    sizes = sizes_of(whole)
     if difference < RETURNING:
         orbit = _attracting(flow, strobe.end, count, difference, sizes)
         if orbit is not None:
@@ -200,7 +206,7 @@ def same_orbit(ours: Reals, theirs: Reals) -> bool:
     """
     if ours.shape != theirs.shape:
         return False
-    sizes = np.maximum(_sizes(ours), _sizes(theirs))
+    sizes = np.maximum(sizes_of(ours), sizes_of(theirs))
     return any(
         bool((abs(np.roll(ours, turns, axis=0) - theirs) <= 1e2 * ALIKE * sizes).all())
         for turns in range(len(ours))
