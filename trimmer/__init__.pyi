@@ -89,7 +89,6 @@ from .motion.simulation import simulate as simulate
 from .motion.switched_component import EventKind as EventKind
 from .motion.trimmer_loop import BodyFriction as BodyFriction
 from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
-from .orbits.forced_orbit import forced_orbit as forced_orbit
 from .orbits.multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
 from .orbits.orbit_measures import ImpactEvent as ImpactEvent
@@ -104,6 +103,8 @@ from .orbits.search import SimulationSearch as SimulationSearch
 from .parameters import ParameterError as ParameterError
 from .parameters import TrimmerParameters as TrimmerParameters
 from .parameters import parameter_table as parameter_table
+from .response.forced_orbit import forced_orbit as forced_orbit
+from .response.orbit import MechanismOrbit as MechanismOrbit
 from .signals.csv_layout import CsvLayout as CsvLayout
 from .signals.csv_layout import DecimalSign as DecimalSign
 from .signals.csv_layout import Delimiter as Delimiter

@@ -1,11 +1,13 @@
-"""Exact motion of a mechanism with play, stops and dry friction: the flow between events is known in closed form.
+"""Exact motion of a mechanism with play, stops and dry friction.
 
 All contacts have springs, so the state is continuous: displacements, velocities, and the relaxing springs
 behind slots. Each part has a status, such as free or sliding forward; all statuses together are a mode, in
-which the motion is linear. ``statuses`` names them, ``machine`` turns a mechanism into arrays, ``assembly``
-writes the flow of a mode and the event functions that end it, ``stick`` what sticking frictions hold, and
-``series`` their polynomials over a step. ``modes`` keeps those that were met. ``integration`` goes from event
-to event, ``step_event`` finds the first one, ``transitions`` says what follows it, and ``instant`` decides
-dry friction where several are at rest together. ``variation`` differentiates the motion, ``nodes`` samples
-it. ``flow`` is the interface.
+which the motion is linear and its flow known in closed form. ``flow`` is the interface.
+
+``statuses`` names the statuses and events, ``layout`` the entries of the state; ``machine`` turns a mechanism
+into arrays. ``assembly`` writes the equations of a mode and the event functions that end it, ``transitions``
+says what follows them, and ``joint`` decides where several frictions are at rest together. ``tables`` keeps
+the modes that were met, and ``series`` writes their polynomials. ``integration`` goes from event to event in
+compiled code, ``step_event`` finds the next one, ``work`` holds its arrays, and ``advance`` calls it.
+``variation`` differentiates the motion, and ``nodes`` samples it.
 """

@@ -17,6 +17,8 @@ from trimmer.contact.integration import (
     REACHED_END,
     STEP_LIMIT,
     TO_DECIDE,
+    Place,
+    Task,
     integrate,
 )
 from trimmer.contact.joint import decide
@@ -149,29 +151,20 @@ class _Progress:
         return layout.forcing_at(self.begin, instant.periods * layout.period)
 
     def run(self, most_steps: int) -> Stretch:
-        done, row, time, steps_left = 0, 0, 0.0, most_steps
-        forcing = self._forcing()
+        layout = self.modes.layout
+        keeps = self.keeps or layout.ramp
+        task = Task(self.length, keeps, self._forcing(), self.states, self.counts)
+        place = Place(0, 0, self.mode, 0.0, most_steps)
         while True:
             tables = self.modes.tables
             if len(self.work.screened) != tables.screen.shape[2]:
                 self.work = self.work._replace(screened=np.empty(tables.screen.shape[2]))
-            place = done, row, self.mode, time, steps_left
-            reason, done, row, time, self.mode, fired, jumped = integrate(
-                tables,
-                self.work,
-                self.log,
-                place,
-                self.length,
-                self.keeps or self.modes.layout.ramp,
-                forcing,
-                self.states,
-                self.counts,
-            )
+            reason, place, fired, jumped = integrate(tables, self.work, self.log, place, task)
+            done, row, self.mode, time, _ = place
             if reason == LOG_FULL:
                 self.log = self.log.doubled()
-                if fired < 0:
-                    continue
-            elif reason != TO_DECIDE:
+                continue
+            if reason != TO_DECIDE:
                 return self._stretch(_ENDINGS[reason], done, row, time)
             if not self._is_finite(done, time):
                 return self._stretch(Ending.CHATTERING, done, row, time)
@@ -179,6 +172,7 @@ class _Progress:
                 row = self._decide(done, row, time, fired, jumped)
             except ArithmeticError:
                 return self._stretch(Ending.UNDECIDED, done, row, time)
+            place = place._replace(row=row, mode=self.mode)
 
     def _is_finite(self, done: int, time: float) -> bool:
         self.cascade = self.cascade + 1 if self.cascade_at == (done, time) else 0
@@ -218,7 +212,7 @@ class _Progress:
     def _joint(
         self, before: tuple[int, ...], signs: tuple[int, ...], action: int, jumped: bool, at_rest: Places
     ) -> tuple[tuple[int, ...], int]:
-        """Return the statuses after frictions at rest have decided together, and zeros of those that slide."""
+        """Return the statuses after frictions at rest decided together, and zeros of those that slide."""
         machine, state = self.modes.machine, self.work.state
         if action == ARRIVED:
             return decide(machine, before, state, at_rest), 1

@@ -13,6 +13,7 @@ SOURCES = (
     "nodes",
     "series",
     "statuses",
+    "step_event",
     "tables",
     "variation",
     "work",

@@ -16,7 +16,7 @@ from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
-from trimmer.contact.nodes import nodes, sample
+from trimmer.contact.nodes import Nodes, nodes, sample
 from trimmer.contact.statuses import (
     ALWAYS,
     ARRIVED,
@@ -68,8 +68,8 @@ class Course:
     log: Log
 
     @cached_property
-    def nodes(self) -> tuple[Reals, Reals, Integers, Reals]:
-        """Times, weights, rows of the log and states at the nodes of quadrature; see ``nodes.nodes``."""
+    def nodes(self) -> Nodes:
+        """The motion at the nodes of quadrature."""
         return nodes(self.modes.tables, self.log, self.duration)
 
     def states(self, times: Reals) -> Reals:

@@ -1,6 +1,6 @@
 """Integration from event to event, compiled: exact steps, the first event, resets.
 
-The first zero of event functions is found as in ``trimmer.motion.first_event``. A spring that relaxes behind
+A spring that relaxes behind
 a slot is faster than all else, but it exerts no force. So the steps leave it out while it cannot bring
 contact forward, and its stretch is known in closed form.
 """
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.compilation import sources
@@ -20,20 +21,17 @@ from trimmer.contact.statuses import (
     REVERSED,
     STICK_BEGUN,
 )
+from trimmer.contact.step_event import NO_EVENT, first_event
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Log, Work
 from trimmer.motion.compilation import inlined, kept
-from trimmer.motion.first_event import NOWHERE, ROUNDING, first_root
 from trimmer.motion.linear_combination import (
-    any_below,
     combine,
-    combine_moduli,
-    combine_polynomials,
     copy,
     evaluate_terms,
     within,
 )
-from trimmer.motion.taylor import DEGREE, LEVELS, MOST_ZEROS
+from trimmer.motion.taylor import LEVELS
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT = range(6)
 """Why the integration stopped."""
@@ -43,194 +41,63 @@ LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed."""
 NEGLIGIBLE_STRETCH = 2.0**-56
 """Share of the gap and of the stretch at release below which the spring behind a slot counts as relaxed."""
-NO_EVENT = -1
+OUT_OF_BOUNDS, OUT_OF_STEPS = -2, -3
+"""In place of the number of an event function: why a segment ends without event."""
 
 
-def _entry(sources: bytes) -> Callable[..., tuple[int, int, int, float, int, int, bool]]:
-    def entry(
-        tables: Tables,
-        work: Work,
-        log: Log,
-        place: tuple[int, int, int, float, int],
-        end: float,
-        keeps: bool,
-        forcing: Reals,
-        states: Reals,
-        counts: Integers,
-    ) -> tuple[int, int, int, float, int, int, bool]:
-        sources  # noqa: B018
-        done, row, mode, time, steps_left = place
-        state, count = work.state, DEGREE + 1
-        contacts, parts, size = work.margins.size, work.known_zeros.size, work.state.size
-        free, cascade, recent = size - forcing.size, 0, -2
-        while True:
-            # A period, or what is left of it, begins.
-            if row + 1 >= log.start.size:
-                return LOG_FULL, done, row, time, mode, -1, False
-            if time == 0.0:
-                for i in range(forcing.size):
-                    state[free + i] = forcing[i]
-                combine(state, tables.hold[mode], size, work.following)
-                copy(work.following, size, state)
-            log.start[row], log.mode[row] = time, mode
-            log.part[row], log.kind[row], log.function[row] = -1, NOTHING, -1
-            copy(state, size, log.state[row])
-            row += 1
-            while True:
-                # A segment: steps until an event function falls to zero, or until the end.
-                settled, elapsed, fired, jumped = tables.settled[mode], 0.0, NO_EVENT, False
-                while True:
-                    if steps_left <= 0 or not within(state, LARGEST):
-                        reason = STEP_LIMIT if steps_left <= 0 else DIVERGED
-                        return reason, done, row, time + elapsed, mode, -1, False
-                    steps_left -= 1
-                    now = settled
-                    if settled != mode:
-                        _set_margins(tables, mode, work)
-                    while True:
-                        first, step = size, tables.step[now]
-                        fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
-                        functions = tables.function_count[now]
-                        combine(state, tables.screen[now], size + functions * count, work.screened)
-                        for function in range(functions):
-                            # First a glance at the coefficients, which is enough as a rule.
-                            owner, margin, known = tables.owner[now, function], 0.0, 0
-                            if now != mode and 0 <= owner < contacts:
-                                margin = work.margins[owner]
-                            if elapsed == 0.0 and owner >= 0 and work.known_zeros[owner] > 0:
-                                if work.known_action[owner] == tables.action[now, function]:
-                                    known = work.known_zeros[owner]
-                            below = False
-                            for i in range(first, first + count):
-                                below |= not work.screened[i] > margin
-                            first += count
-                            if known == 0 and not below:
-                                continue
-                            if margin > 0.0:
-                                close = True
-                                break
-                            bernstein, taylor, sizes = work.bernstein, work.taylor, work.sizes
-                            for i in range(count):
-                                bernstein[i] = work.screened[first - count + i]
-                            combine_polynomials(state, tables.taylor[now, function], taylor)
-                            combine_moduli(state, tables.sizes[now, function], sizes)
-                            rounding, zeros = ROUNDING * sizes[0], 0
-                            while zeros < count:
-                                small = elapsed == 0.0 and abs(taylor[zeros]) <= ROUNDING * max(
-                                    sizes[0], sizes[zeros]
-                                )
-                                if zeros >= known and not small and taylor[zeros] != 0.0:
-                                    break
-                                taylor[zeros] = 0.0
-                                zeros += 1
-                            if zeros == count or within(bernstein, rounding):
-                                continue  # It stays at zero.
-                            zeros = min(zeros, MOST_ZEROS)
-                            if zeros > 0:
-                                # Without s^zeros, whose coefficients would drown the others.
-                                combine(
-                                    taylor[zeros:],
-                                    tables.bernstein_from_taylor[zeros],
-                                    count - zeros,
-                                    bernstein,
-                                )
-                            if bernstein[0] < 0.0:
-                                if fraction > 0.0 or owner == recent:
-                                    fired, fraction = function, 0.0
-                                    jumped = elapsed == 0.0 and zeros == 0
-                            elif any_below(bernstein, count - zeros, 0.0):
-                                root, _ = first_root(
-                                    bernstein, taylor[zeros:], count - zeros, rounding, work.pieces
-                                )
-                                if root < fraction:
-                                    fired, fraction, jumped = function, root, False
-                        if not close:
-                            break
-                        now = mode
-                    left = end - time - elapsed
-                    if fired == NO_EVENT or fraction * step > left:
-                        fired, fraction = NO_EVENT, left / step
-                    if fired == NO_EVENT and fraction > 1.0:
-                        copy(work.screened, size, state)
-                        fraction = 1.0
-                    elif fraction > 0.0:
-                        level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0)
-                        terms = tables.terms[now, level]
-                        combine(state, tables.series[now], terms * size, work.terms)
-                        evaluate_terms(work.terms, terms, fraction, state)
-                    if now != mode:
-                        _relax(tables, mode, fraction * step, work)
-                    if left <= step * fraction and fired == NO_EVENT:
-                        elapsed = end - time
-                        break
-                    elapsed += fraction * step
-                    if fired != NO_EVENT:
-                        break
-                # What follows it.
-                time += elapsed
-                cascade = 0 if elapsed > 0.0 else cascade + 1
-                if elapsed > 0.0:
-                    for part in range(parts):
-                        work.known_zeros[part] = 0
-                if fired == NO_EVENT:
-                    break
-                if cascade > LONGEST_CASCADE:
-                    return CYCLING, done, row, time, mode, fired, jumped
-                flavour = 1 if jumped else 0
-                target, owner = tables.target[mode, fired, flavour], tables.owner[mode, fired]
-                action = tables.action[mode, fired]
-                if action == ARRIVED or (action == AT_LIMIT and jumped):
-                    for part in range(contacts, parts):
-                        if part != owner and work.known_zeros[part] > 0:
-                            target = -1
-                if target < 0:
-                    return TO_DECIDE, done, row, time, mode, fired, jumped
-                if row >= log.start.size:
-                    return LOG_FULL, done, row, time, mode, fired, jumped
-                kind = tables.kind[mode, fired, flavour]
-                if jumped and action == AT_LIMIT and log.kind[row - 1] == STICK_BEGUN:
-                    if log.part[row - 1] == owner and log.start[row - 1] == time:
-                        # It did not stick after all: it turns back, or goes on.
-                        log.kind[row - 1] = NOTHING
-                        counts[done, STICK_BEGUN] -= 1
-                        before = tables.statuses[log.mode[row - 2], owner]
-                        kind = NOTHING if before == tables.statuses[target, owner] else REVERSED
-                log.start[row], log.mode[row] = time, target
-                log.part[row], log.kind[row], log.function[row] = owner, kind, fired
-                counts[done, kind] += 1
-                combine(state, tables.hold[target], size, work.following)
-                copy(work.following, size, state)
-                copy(state, size, log.state[row])
-                row += 1
-                work.known_action[owner] = tables.known_action[mode, fired, flavour]
-                work.known_zeros[owner] = tables.known_zeros[mode, fired, flavour]
-                if kind == CONTACT_BROKEN and tables.relaxation[target, owner] > 0.0:
-                    stretch = abs(state[tables.relaxing_state[owner]])
-                    work.negligible[owner] = NEGLIGIBLE_STRETCH * (tables.gap[owner] + stretch)
-                mode, recent = target, owner
-                if row + 1 >= log.start.size and not keeps and kind != STICK_BEGUN:
-                    log.mode[0], log.kind[0], log.part[0] = mode, NOTHING, -1
-                    log.start[0] = time
-                    row = 1
-            done += 1
-            copy(state, free, states[done])
-            if done == counts.shape[0]:
-                return REACHED_END, done, row, end, mode, -1, False
-            time = 0.0
-            recent = -2
-            if not keeps:
-                row = 0
+class Task(NamedTuple):
+    """What is to be integrated: periods of one length.
 
-    return kept(entry)
+    Attributes:
+        length: Length of a period, s.
+        keeps: Whether the log goes on over periods; otherwise it begins again with each, and when it is full.
+        forcing: Entries that force the states at the start of each period, (forcing,).
+        states: State after each number of periods, (periods + 1, n); the first one is not written.
+        counts: Events of each period by kind, (periods, kinds), which are added to.
+    """
+
+    length: float
+    keeps: bool
+    forcing: Reals
+    states: Reals
+    counts: Integers
+
+
+class Place(NamedTuple):
+    """How far an integration has come.
+
+    Attributes:
+        done: Number of periods done.
+        row: Number of rows in the log.
+        mode: Number of the mode.
+        time: Time in the period, s.
+        steps_left: Number of steps that may still be taken.
+    """
+
+    done: int
+    row: int
+    mode: int
+    time: float
+    steps_left: int
 
 
 @inlined
-def _relax(tables: Tables, mode: int, duration: float, work: Work) -> None:
-    """Let the springs relax that were left out, for a duration, s."""
-    for contact in range(work.margins.size):
-        rate = tables.relaxation[mode, contact]
-        if rate > 0.0:
-            work.state[tables.relaxing_state[contact]] *= math.exp(-rate * duration)
+def _step(tables: Tables, work: Work, mode: int, now: int, fraction: float) -> None:
+    """Go on for a fraction of a step, a whole one if it is greater than 1."""
+    state = work.state
+    if fraction >= 1.0:
+        copy(work.screened, state.size, state)
+    elif fraction > 0.0:
+        level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0)
+        terms = tables.terms[now, level]
+        combine(state, tables.series[now], terms * state.size, work.terms)
+        evaluate_terms(work.terms, terms, fraction, state)
+    if now != mode:
+        duration = min(fraction, 1.0) * tables.step[now]
+        for contact in range(work.margins.size):
+            rate = tables.relaxation[mode, contact]
+            if rate > 0.0:
+                state[tables.relaxing_state[contact]] *= math.exp(-rate * duration)
 
 
 @inlined
@@ -245,39 +112,190 @@ def _set_margins(tables: Tables, mode: int, work: Work) -> None:
             work.margins[contact] = abs(work.state[z])
 
 
+@inlined
+def _follow(
+    tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
+) -> tuple[int, bool, float, int]:
+    """Follow one segment for a duration, s; ``work.state`` becomes the state at its end.
+
+    Returns:
+        The event function that ends it, or why there is none; whether it was negative at once; the time
+        until then, s; the number of steps.
+    """
+    settled, elapsed, steps, fired, jumped = tables.settled[mode], 0.0, 0, NO_EVENT, False
+    while True:
+        if steps >= most_steps or not within(work.state, LARGEST):
+            fired = OUT_OF_STEPS if steps >= most_steps else OUT_OF_BOUNDS
+            break
+        steps += 1
+        now, left = settled, duration - elapsed
+        if settled != mode:
+            _set_margins(tables, mode, work)
+        while True:
+            fired, fraction, jumped, close = first_event(tables, work, mode, now, elapsed == 0.0, recent)
+            if not close:
+                break
+            now = mode
+        step = tables.step[now]
+        if fired != NO_EVENT and fraction * step > left:
+            fired = NO_EVENT
+        if fired == NO_EVENT:
+            fraction = min(left / step, 1.0)
+        _step(tables, work, mode, now, fraction)
+        if fired == NO_EVENT and left <= step:
+            elapsed = duration
+            break
+        elapsed += fraction * step
+        if fired != NO_EVENT:
+            break
+    return fired, jumped, elapsed, steps
+
+
+@inlined
+def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
+    log.start[row], log.mode[row] = time, mode
+    log.part[row], log.kind[row], log.function[row] = -1, NOTHING, -1
+    copy(state, state.size, log.state[row])
+
+
+@inlined
+def _is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool) -> bool:
+    """Return whether the tables say what follows an event, and no friction at rest has a say in it."""
+    target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
+    action, found = tables.action[mode, fired], target >= 0
+    if action == ARRIVED or (action == AT_LIMIT and jumped):
+        for part in range(work.margins.size, work.known_zeros.size):
+            if part != owner and work.known_zeros[part] > 0:
+                found = False
+    return bool(found)
+
+
+@inlined
+def _counted_kind(
+    tables: Tables, log: Log, row: int, mode: int, fired: int, jumped: bool, counts: Integers
+) -> int:
+    """Return what an event counts as; one that did not stick after all turns back, or goes on."""
+    target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
+    kind = tables.kind[mode, fired, 1 if jumped else 0]
+    begun = log.kind[row - 1] == STICK_BEGUN and log.part[row - 1] == owner
+    if begun and jumped and tables.action[mode, fired] == AT_LIMIT and log.start[row - 1] == log.start[row]:
+        log.kind[row - 1] = NOTHING
+        counts[STICK_BEGUN] -= 1
+        before = tables.statuses[log.mode[row - 2], owner]
+        kind = NOTHING if before == tables.statuses[target, owner] else REVERSED
+    return int(kind)
+
+
+@inlined
+def _change(
+    tables: Tables, work: Work, log: Log, row: int, mode: int, event: tuple[int, bool], counts: Integers
+) -> int:
+    """Change the mode as the tables say, and log it in a row whose time is there; returns the new mode."""
+    fired, jumped = event
+    flavour = 1 if jumped else 0
+    target, owner = tables.target[mode, fired, flavour], tables.owner[mode, fired]
+    state, size = work.state, work.state.size
+    kind = _counted_kind(tables, log, row, mode, fired, jumped, counts)
+    log.mode[row], log.part[row], log.kind[row], log.function[row] = target, owner, kind, fired
+    counts[kind] += 1
+    combine(state, tables.hold[target], size, work.following)
+    copy(work.following, size, state)
+    copy(state, size, log.state[row])
+    work.known_action[owner] = tables.known_action[mode, fired, flavour]
+    work.known_zeros[owner] = tables.known_zeros[mode, fired, flavour]
+    if kind == CONTACT_BROKEN and tables.relaxation[target, owner] > 0.0:
+        stretch = abs(state[tables.relaxing_state[owner]])
+        work.negligible[owner] = NEGLIGIBLE_STRETCH * (tables.gap[owner] + stretch)
+    return int(target)
+
+
+@inlined
+def _force(tables: Tables, work: Work, mode: int, forcing: Reals) -> None:
+    """Begin a period: what forces the states is known exactly, and the state is made to fit what is held."""
+    state, size = work.state, work.state.size
+    for i in range(forcing.size):
+        state[size - forcing.size + i] = forcing[i]
+    combine(state, tables.hold[mode], size, work.following)
+    copy(work.following, size, state)
+
+
+@inlined
+def _period(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
+    """Integrate to the end of a period; ``REACHED_END`` is that of the period."""
+    done, row, mode, time, steps_left = place
+    cascade, recent, fired, jumped, reason = 0, -2, NO_EVENT, False, REACHED_END
+    _begin(log, row, time, mode, work.state)
+    row += 1
+    while True:
+        fired, jumped, elapsed, steps = _follow(tables, work, mode, recent, task.length - time, steps_left)
+        time += elapsed
+        steps_left -= steps
+        cascade = 0 if elapsed > 0.0 else cascade + 1
+        if elapsed > 0.0:
+            for part in range(work.known_zeros.size):
+                work.known_zeros[part] = 0
+        if fired < 0:
+            break
+        if cascade > LONGEST_CASCADE:
+            reason = CYCLING
+            break
+        if not _is_tabulated(tables, work, mode, fired, jumped) or row >= log.start.size:
+            reason = TO_DECIDE
+            break
+        log.start[row], recent = time, tables.owner[mode, fired]
+        mode = _change(tables, work, log, row, mode, (fired, jumped), task.counts[done])
+        row += 1
+        if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != STICK_BEGUN:
+            _begin(log, 0, time, mode, work.state)
+            row = 1
+    if fired == OUT_OF_STEPS:
+        reason = STEP_LIMIT
+    elif fired == OUT_OF_BOUNDS:
+        reason = DIVERGED
+    return reason, Place(done, row, mode, time, steps_left), fired, jumped
+
+
+def _entry(sources: bytes) -> Callable[..., tuple[int, Place, int, bool]]:
+    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
+        sources  # noqa: B018
+        reason, fired, jumped = LOG_FULL, NO_EVENT, False
+        while place.row + 1 < log.start.size:
+            if place.time == 0.0:
+                _force(tables, work, place.mode, task.forcing)
+            reason, place, fired, jumped = _period(tables, work, log, place, task)
+            if reason != REACHED_END:
+                break
+            done, row, mode, time, steps_left = place
+            done += 1
+            copy(work.state, work.state.size - task.forcing.size, task.states[done])
+            if done == task.counts.shape[0]:
+                place = Place(done, row, mode, time, steps_left)
+                break
+            place = Place(done, row if task.keeps else 0, mode, 0.0, steps_left)
+            reason = LOG_FULL
+        return reason, place, fired, jumped
+
+    return kept(entry)
+
+
 _compiled_entry = _entry(sources())
 
 
-def integrate(
-    tables: Tables,
-    work: Work,
-    log: Log,
-    place: tuple[int, int, int, float, int],
-    end: float,
-    keeps: bool,
-    forcing: Reals,
-    states: Reals,
-    counts: Integers,
-) -> tuple[int, int, int, float, int, int, bool]:
+def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
     """Integrate over periods of one length, and log the segments of the motion.
 
     Args:
         tables: The modes.
         work: The state and what is known to be zero, which become those at the end.
         log: Where segments are written.
-        place: Number of periods done, of rows in the log, of the mode, the time in the period, s, and the
-            number of steps that are left.
-        end: Length of a period, s.
-        keeps: Whether the log goes on over periods; otherwise it begins again with each, and when it is full.
-        forcing: Entries that force the states at the start of each period, (forcing,).
-        states: State after each number of periods, (periods + 1, n); the first one is not written.
-        counts: Events of each period by kind, (periods, kinds), which are added to.
+        place: Where to begin.
+        task: What to integrate.
 
     Returns:
-        Why it stopped, number of periods done and of rows in the log, time in the period, s, and mode; then
-        the event function that has just fallen to zero, if something is to be done about it, and whether it
-        was negative at once.
+        Why it stopped, and where; then the event function that has just fallen to zero, if something is to
+        be done about it, and whether it was negative at once.
     """
-    return _compiled_entry(  # type: ignore[no-any-return]
-        tables, work, log, place, end, keeps, forcing, states, counts
+    reason, (done, row, mode, time, steps_left), fired, jumped = _compiled_entry(
+        tables, work, log, place, task
     )
+    return reason, Place(done, row, mode, time, steps_left), fired, jumped

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,20 +20,27 @@ NODES = 26
 """Nodes on a step: exact for products of two polynomials of the degree of the flow."""
 
 
+class Nodes(NamedTuple):
+    """A motion at the nodes of quadrature.
+
+    Attributes:
+        times: s, (count,).
+        weights: With which integrals over the motion are sums, s, (count,).
+        rows: Rows of the log, (count,).
+        states: Extended states, (count, N).
+    """
+
+    times: Reals
+    weights: Reals
+    rows: Integers
+    states: Reals
+
+
 def _entry(sources: bytes) -> Callable[..., int]:
-    def entry(
-        tables: Tables,
-        log: Log,
-        end: float,
-        points: Reals,
-        weights: Reals,
-        times: Reals,
-        shares: Reals,
-        rows: Integers,
-        states: Reals,
-    ) -> int:
+    def entry(tables: Tables, log: Log, end: float, rule: tuple[Reals, Reals], room: Nodes) -> int:
         """Write the nodes of all steps; returns their number, and writes as many as there is room for."""
         sources  # noqa: B018
+        (points, weights), (times, shares, rows, states) = rule, room
         size, count = log.state.shape[1], 0
         state, following, terms = np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size)
         for row in range(log.start.size):
@@ -111,28 +119,28 @@ def _gauss() -> tuple[Reals, Reals]:
     return (points + 1) / 2, weights / 2
 
 
-def nodes(tables: Tables, log: Log, end: float) -> tuple[Reals, Reals, Integers, Reals]:
-    """Return times, weights, rows of the log and extended states at the nodes of all steps of a motion.
+def nodes(tables: Tables, log: Log, end: float) -> Nodes:
+    """Return a motion at the nodes of all its steps.
 
-    Integrals of products of two signals are sums with these weights, exact to rounding.
+    Integrals of products of two signals are sums with their weights, exact to rounding.
 
     Args:
         tables: The modes.
         log: The segments.
         end: Time at which the motion ends, s.
-
-    Returns:
-        times, s, (count,); weights, s, (count,); rows, (count,); states, (count, N).
     """
-    points, weights = _gauss()
-    room = NODES * 64
+    count = NODES * 64
     while True:
-        times, shares, rows = np.empty(room), np.empty(room), np.empty(room, dtype=np.int64)
-        states = np.empty((room, log.state.shape[1]))
-        count = _compiled_entry(tables, log, float(end), points, weights, times, shares, rows, states)
-        if count <= room:
-            return times[:count], shares[:count], rows[:count], states[:count]
-        room = count
+        room = Nodes(
+            np.empty(count),
+            np.empty(count),
+            np.empty(count, dtype=np.int64),
+            np.empty((count, log.state.shape[1])),
+        )
+        needed = _compiled_entry(tables, log, float(end), _gauss(), room)
+        if needed <= count:
+            return Nodes._make(each[:needed] for each in room)
+        count = needed
 
 
 def sample(tables: Tables, log: Log, times: Reals) -> Reals:

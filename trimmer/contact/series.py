@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,28 @@ STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
 """Length of a step times the growth of its flow."""
 SWEEPS = 12
 """Sweeps in which a matrix is balanced; a few are usual."""
+COUNT = DEGREE + 1
+"""Coefficients of a polynomial."""
+
+
+class ModeTables(NamedTuple):
+    """Where the tables of one mode are written, which ``trimmer.contact.tables.Tables`` describes.
+
+    Attributes:
+        screen: (N, N + functions (K + 1)).
+        series: (N, (K + 1) N).
+        terms: (LEVELS,).
+        taylor: (functions, N, K + 1).
+        sizes: (functions, N, K + 1).
+        bernstein_from_taylor: It is read, (MOST_ZEROS + 1, K + 1, K + 1).
+    """
+
+    screen: Reals
+    series: Reals
+    terms: Integers
+    taylor: Reals
+    sizes: Reals
+    bernstein_from_taylor: Reals
 
 
 @inlined
@@ -48,102 +71,122 @@ def _norm(matrix: Reals, first: int, end: int) -> float:
 
 
 @inlined
-def _growth(matrix: Reals, count: int) -> float:
-    """Return the root of the norm of a power of the first block of a matrix, balanced, 1/s.
-
-    It bounds the remainder of the exponential series (Parlett and Reinsch 1969 for the balancing).
-    """
-    balanced = np.zeros((count, count))
-    for i in range(count):
-        for j in range(count):
-            balanced[i, j] = matrix[i, j]
+def _balance(matrix: Reals) -> None:
+    """Scale rows and columns of a square matrix alike until their sums match (Parlett and Reinsch 1969)."""
+    count = matrix.shape[0]
     for _ in range(SWEEPS):
         for i in range(count):
             column, row = 0.0, 0.0
             for j in range(count):
                 if j != i:
-                    column += abs(balanced[j, i])
-                    row += abs(balanced[i, j])
+                    column += abs(matrix[j, i])
+                    row += abs(matrix[i, j])
             if column > 0.0 and row > 0.0:
                 scale = math.sqrt(row / column)
                 for j in range(count):
-                    balanced[j, i] *= scale
-                    balanced[i, j] /= scale
-    size = _norm(balanced, 0, count)
-    if size == 0.0:
-        return 0.0
-    total, other = np.zeros((count, count)), np.zeros((count, count))
+                    matrix[j, i] *= scale
+                    matrix[i, j] /= scale
+
+
+@inlined
+def _growth(matrix: Reals, count: int) -> float:
+    """Return the root of the norm of a power of the first block of a matrix, balanced, 1/s.
+
+    It bounds the remainder of the exponential series.
+    """
+    balanced, total, other = np.zeros((count, count)), np.zeros((count, count)), np.zeros((count, count))
     for i in range(count):
+        total[i, i] = 1.0
         for j in range(count):
-            total[i, j] = balanced[i, j] / size
-    for k in range(DEGREE):
-        if k % 2 == 0:
+            balanced[i, j] = matrix[i, j]
+    _balance(balanced)
+    size, growth = _norm(balanced, 0, count), 0.0
+    if size > 0.0:
+        for _ in range(COUNT):
             _multiply(balanced, total, 1.0 / size, other)
-        else:
-            _multiply(balanced, other, 1.0 / size, total)
-    return float(size * _norm(total, 0, count) ** (1.0 / (DEGREE + 1)))
+            for i in range(count):
+                for j in range(count):
+                    total[i, j] = other[i, j]
+        growth = size * _norm(total, 0, count) ** (1.0 / COUNT)
+    return growth
+
+
+@inlined
+def _write_flow(terms: Reals, target: ModeTables) -> None:
+    """Write the flow over a whole step, and the terms of its series side by side."""
+    size = terms.shape[1]
+    for j in range(size):
+        for i in range(size):
+            whole = 0.0
+            for k in range(COUNT - 1, -1, -1):
+                whole += terms[k, i, j]
+                target.series[j, k * size + i] = terms[k, i, j]
+            target.screen[j, i] = whole
+
+
+@inlined
+def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
+    """Write the coefficients of s^k of a functional, and the sums of the moduli of their terms."""
+    for j in range(row.size):
+        for k in range(COUNT):
+            value, modulus = 0.0, 0.0
+            for i in range(row.size):
+                term = row[i] * terms[k, i, j]
+                value += term
+                modulus += abs(term)
+            taylor[j, k] = value
+            sizes[j, k] = modulus
+
+
+@inlined
+def _write_screen(function: int, target: ModeTables) -> None:
+    """Write the Bernstein coefficients of an event function beside those of the others."""
+    size = target.screen.shape[0]
+    for j in range(size):
+        for i in range(COUNT):
+            value = 0.0
+            for k in range(COUNT):
+                value += target.taylor[function, j, k] * target.bernstein_from_taylor[0, k, i]
+            target.screen[j, size + function * COUNT + i] = value
+
+
+@inlined
+def _sufficient(terms: Reals, level: int) -> int:
+    """Return how many terms give every entry of the flow to rounding, for fractions up to 4^-level."""
+    needed, size = 1, terms.shape[1]
+    for i in range(size):
+        for j in range(size):
+            total, weight = 0.0, 1.0
+            for k in range(COUNT):
+                total += weight * abs(terms[k, i, j])
+                weight *= 0.25**level
+            reached, weight, used = 0.0, 1.0, 0
+            while used < COUNT and total - reached > REMAINDER * total:
+                reached += weight * abs(terms[used, i, j])
+                weight *= 0.25**level
+                used += 1
+            needed = max(needed, used)
+    return needed
 
 
 def _entry(sources: bytes) -> Callable[..., float]:
-    def entry(
-        flow: Reals,
-        states: int,
-        rows: Reals,
-        screen: Reals,
-        series: Reals,
-        sufficient: Integers,
-        taylor: Reals,
-        sizes: Reals,
-        bernstein_from_taylor: Reals,
-    ) -> float:
+    def entry(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:
         sources  # noqa: B018
-        size, count = flow.shape[0], DEGREE + 1
+        size = flow.shape[0]
         rate = max(_growth(flow, states), _norm(flow, states, size), 1.0 / LONGEST_STEP)
         step = STEP / rate
-        terms = np.zeros((count, size, size))
+        terms = np.zeros((COUNT, size, size))
         for i in range(size):
             terms[0, i, i] = 1.0
-        for k in range(1, count):
+        for k in range(1, COUNT):
             _multiply(flow, terms[k - 1], step / k, terms[k])
-        for k in range(count - 1, -1, -1):
-            for i in range(size):
-                for j in range(size):
-                    if k == count - 1:
-                        screen[j, i] = 0.0
-                    screen[j, i] += terms[k, i, j]
-                    series[j, k * size + i] = terms[k, i, j]
+        _write_flow(terms, target)
         for function in range(rows.shape[0]):
-            for j in range(size):
-                for k in range(count):
-                    value, modulus = 0.0, 0.0
-                    for i in range(size):
-                        term = rows[function, i] * terms[k, i, j]
-                        value += term
-                        modulus += abs(term)
-                    taylor[function, j, k] = value
-                    sizes[function, j, k] = modulus
-                first = size + function * count
-                for i in range(count):
-                    screen[j, first + i] = 0.0
-                for k in range(count):
-                    for i in range(count):
-                        screen[j, first + i] += taylor[function, j, k] * bernstein_from_taylor[0, k, i]
+            _expand(rows[function], terms, target.taylor[function], target.sizes[function])
+            _write_screen(function, target)
         for level in range(LEVELS):
-            needed = 1
-            for i in range(size):
-                for j in range(size):
-                    total, weight = 0.0, 1.0
-                    for k in range(count):
-                        total += weight * abs(terms[k, i, j])
-                        weight *= 0.25**level
-                    reached, weight, used = 0.0, 1.0, 0
-                    while used < count and total - reached > REMAINDER * total:
-                        reached += weight * abs(terms[used, i, j])
-                        weight *= 0.25**level
-                        used += 1
-                    needed = max(needed, used)
-            sufficient[level] = needed
-        return step
+            target.terms[level] = _sufficient(terms, level)
+        return float(step)
 
     return kept(entry)
 
@@ -151,29 +194,16 @@ def _entry(sources: bytes) -> Callable[..., float]:
 _compiled_entry = _entry(sources())
 
 
-def tabulate(
-    flow: Reals,
-    states: int,
-    rows: Reals,
-    screen: Reals,
-    series: Reals,
-    sufficient: Integers,
-    taylor: Reals,
-    sizes: Reals,
-    bernstein_from_taylor: Reals,
-) -> float:
-    """Write the tables of a mode, which ``trimmer.contact.tables.Tables`` describes.
+def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:
+    """Write the tables of a mode.
 
     Args:
         flow: The matrix M, (N, N).
         states: How many of its first entries do not force the others.
         rows: Event functions as functionals, (functions, N).
-        screen, series, sufficient, taylor, sizes: The tables to be written.
-        bernstein_from_taylor: (MOST_ZEROS + 1, K + 1, K + 1).
+        target: The tables to be written.
 
     Returns:
         The length h of a step, s.
     """
-    return _compiled_entry(  # type: ignore[no-any-return]
-        flow, states, rows, screen, series, sufficient, taylor, sizes, bernstein_from_taylor
-    )
+    return _compiled_entry(flow, states, rows, target)

@@ -10,8 +10,9 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.assembly import Mode, assemble
-from trimmer.contact.machine import Layout, Machine
-from trimmer.contact.series import tabulate
+from trimmer.contact.layout import Layout
+from trimmer.contact.machine import Machine
+from trimmer.contact.series import ModeTables, tabulate
 from trimmer.contact.statuses import FREE, RELAXING
 from trimmer.contact.transitions import transition
 from trimmer.motion.taylor import DEGREE, LEVELS, bernstein_from_taylor
@@ -173,10 +174,7 @@ class Modes:
         tables, count = self.tables, len(mode.functions)
         contacts = len(self.machine.stiffness)
         rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
-        tables.step[number] = tabulate(
-            mode.flow,
-            self.layout.state_count,
-            rows,
+        target = ModeTables(
             tables.screen[number],
             tables.series[number],
             tables.terms[number],
@@ -184,10 +182,13 @@ class Modes:
             tables.sizes[number],
             tables.bernstein_from_taylor,
         )
+        tables.step[number] = tabulate(mode.flow, self.layout.state_count, rows, target)
         tables.statuses[number] = mode.statuses
         tables.hold[number] = mode.hold.T
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
         relaxing = np.array(mode.statuses[:contacts]) == RELAXING
-        tables.relaxation[number, relaxing] = self.machine.stiffness[relaxing] / self.machine.damping[relaxing]
+        tables.relaxation[number, relaxing] = (
+            self.machine.stiffness[relaxing] / self.machine.damping[relaxing]
+        )

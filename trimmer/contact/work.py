@@ -92,8 +92,8 @@ class Log(NamedTuple):
 
     def doubled(self) -> Log:
         """Return the same rows with twice the room."""
-        return Log(*(np.concatenate([each, np.zeros_like(each)]) for each in self))
+        return Log._make(np.concatenate([each, np.zeros_like(each)]) for each in self)
 
     def first(self, rows: int) -> Log:
         """Return the first rows."""
-        return Log(*(each[:rows].copy() for each in self))
+        return Log._make(each[:rows].copy() for each in self)

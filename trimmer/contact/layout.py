@@ -1,0 +1,195 @@
+"""Names and places in the extended state of a mechanism, and its ends as functionals of it.
+
+It holds displacements q and velocities v of the bodies, the springs z of relaxing contacts, sine and cosine
+of each order of the drive, the time if a pin that something leans on moves on for ever, and one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Reals
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.parts import Force, Pin
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Names and places in the extended state.
+
+    Attributes:
+        bodies: Names of the bodies.
+        contacts: Names of plays and stops that exert a force.
+        frictions: Names of the frictions that exert a force.
+        relaxing: Names of those contacts whose z is a state.
+        orders: Multiples of the drive's frequency that occur.
+        ramp: Whether the time is an entry.
+        omega: Angular frequency of the drive, rad/s; 0 without one.
+        pins: Names of the pins.
+        pin_rows: Displacements of the pins as functionals, (pins, N), without the share of a ramp that
+            nothing leans on.
+    """
+
+    bodies: tuple[str, ...]
+    contacts: tuple[str, ...]
+    frictions: tuple[str, ...]
+    relaxing: tuple[str, ...]
+    orders: tuple[int, ...]
+    ramp: bool
+    omega: float
+    pins: tuple[str, ...]
+    pin_rows: Reals
+
+    @property
+    def state_count(self) -> int:
+        """Number of states: displacements, velocities, relaxing springs."""
+        return 2 * len(self.bodies) + len(self.relaxing)
+
+    @property
+    def size(self) -> int:
+        """Number of entries of the extended state."""
+        return self.state_count + 2 * len(self.orders) + int(self.ramp) + 1
+
+    @property
+    def period(self) -> float:
+        """Period of the drive, s; 0 without one."""
+        return 2 * np.pi / self.omega if self.omega else 0.0
+
+    @property
+    def forcing(self) -> int:
+        """Number of entries that force the states and are not forced by them."""
+        return self.size - self.state_count
+
+    def sine(self, order: int) -> int:
+        """Return the place of the sine of an order; its cosine follows."""
+        return self.state_count + 2 * self.orders.index(order)
+
+    def forcing_at(self, time: float, before: float = 0.0) -> Reals:
+        """Return the entries that force the states, (forcing,).
+
+        Args:
+            time: s.
+            before: Whole drive periods that were before, s, which count for ramps alone.
+        """
+        values = np.ones(self.forcing)
+        for place, order in enumerate(self.orders):
+            angle = order * self.omega * time
+            values[2 * place : 2 * place + 2] = np.sin(angle), np.cos(angle)
+        if self.ramp:
+            values[-2] = before + time
+        return values
+
+
+def layout_of(
+    mechanism: Mechanism, contacts: Mapping[str, Play | Stop], frictions: tuple[str, ...]
+) -> Layout:
+    """Return the layout of a mechanism with some contacts and frictions that exert forces."""
+    omega = 2 * np.pi * (mechanism.frequency or 0.0)
+    moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
+    orders = sorted({part.order for part in moved if moves(part)})
+    leaning = {
+        end
+        for part in (*mechanism.links.values(), *contacts.values())
+        if part.stiffness > 0
+        for end in part.between
+    }
+    ramp = any(pin.velocity != 0 and name in leaning for name, pin in mechanism.pins.items())
+    relaxing = tuple(
+        name
+        for name, part in contacts.items()
+        if part.law is ContactLaw.RELAXING and part.damping > 0 and part.stiffness > 0
+    )
+    layout = Layout(
+        tuple(mechanism.bodies),
+        tuple(contacts),
+        frictions,
+        relaxing,
+        tuple(orders),
+        ramp,
+        omega,
+        tuple(mechanism.pins),
+        np.zeros((0, 0)),
+    )
+    rows = Rows(mechanism, layout)
+    pin_rows = np.array([rows.displacement(name) for name in mechanism.pins]).reshape(-1, layout.size)
+    return Layout(**{**layout.__dict__, "pin_rows": pin_rows})
+
+
+def moves(part: Pin | Force) -> bool:
+    """Return whether a pin moves relative to what carries it, or a force changes."""
+    return part.amplitude != 0 or getattr(part, "unbalance", 0.0) != 0
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Displacements and velocities of ends as functionals of the extended state."""
+
+    mechanism: Mechanism
+    layout: Layout
+
+    def displacement(self, end: str) -> Reals:
+        """Return the displacement of an end, (N,)."""
+        row = np.zeros(self.layout.size)
+        if end == GROUND:
+            return row
+        if end in self.mechanism.bodies:
+            row[self.layout.bodies.index(end)] = 1.0
+            return row
+        pin = self.mechanism.pins[end]
+        row += self.displacement(pin.on)
+        row[-1] += pin.offset
+        if self.layout.ramp:
+            row[-2] += pin.velocity
+        if pin.amplitude:
+            self._add_wave(row, pin.order, pin.amplitude, pin.phase)
+        return row
+
+    def velocity(self, end: str) -> Reals:
+        """Return the velocity of an end, (N,)."""
+        row = np.zeros(self.layout.size)
+        if end == GROUND:
+            return row
+        count = len(self.layout.bodies)
+        if end in self.mechanism.bodies:
+            row[count + self.layout.bodies.index(end)] = 1.0
+            return row
+        pin = self.mechanism.pins[end]
+        row += self.velocity(pin.on)
+        row[-1] += pin.velocity
+        if pin.amplitude:
+            rate = pin.order * self.layout.omega * pin.amplitude
+            self._add_wave(row, pin.order, rate, pin.phase + np.pi / 2)
+        return row
+
+    def _add_wave(self, row: Reals, order: int, amplitude: float, phase: float) -> None:
+        """Add amplitude sin(order w t + phase)."""
+        sine = self.layout.sine(order)
+        row[sine] += amplitude * np.cos(phase)
+        row[sine + 1] += amplitude * np.sin(phase)
+
+    def wave(self, order: int, amplitude: float, phase: float) -> Reals:
+        """Return amplitude sin(order w t + phase), (N,)."""
+        row = np.zeros(self.layout.size)
+        self._add_wave(row, order, amplitude, phase)
+        return row
+
+    def carrier(self, end: str) -> int:
+        """Return the number of the body that a force on an end acts on; the number of bodies for none."""
+        body = self.mechanism.pins[end].on if end in self.mechanism.pins else end
+        return len(self.layout.bodies) if body == GROUND else self.layout.bodies.index(body)
+
+    def push(self, start: str, end: str) -> Reals:
+        """Return the accelerations by a force of 1 N that pushes the end and its opposite on the start."""
+        masses = np.array([body.mass for body in self.mechanism.bodies.values()])
+        forces = np.zeros(len(masses) + 1)
+        forces[self.carrier(end)] += 1.0
+        forces[self.carrier(start)] -= 1.0
+        return np.asarray(forces[:-1] / masses)

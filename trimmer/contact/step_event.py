@@ -1,0 +1,115 @@
+"""The first event within a step, compiled; zeros are found as in ``trimmer.motion.first_event``."""
+
+from __future__ import annotations
+
+from trimmer.arrays import Reals
+from trimmer.contact.tables import Tables
+from trimmer.contact.work import Work
+from trimmer.motion.compilation import inlined
+from trimmer.motion.first_event import NOWHERE, ROUNDING, first_root
+from trimmer.motion.linear_combination import (
+    any_below,
+    combine,
+    combine_moduli,
+    combine_polynomials,
+    within,
+)
+from trimmer.motion.taylor import DEGREE, MOST_ZEROS
+
+NO_EVENT = -1
+"""In place of the number of an event function."""
+COUNT = DEGREE + 1
+"""Coefficients of a polynomial."""
+
+
+@inlined
+def _known_zeros(tables: Tables, work: Work, now: int, function: int) -> int:
+    """Return how many derivatives of an event function are known to vanish, because of an event just now."""
+    owner, known = tables.owner[now, function], 0
+    if owner >= 0 and work.known_action[owner] == tables.action[now, function]:
+        known = work.known_zeros[owner]
+    return known
+
+
+@inlined
+def _zeros(taylor: Reals, sizes: Reals, known: int, at_start: bool) -> int:
+    """Count the coefficients at the start that are known or found to be zero, and make them so."""
+    zeros = 0
+    while zeros < COUNT:
+        small = at_start and abs(taylor[zeros]) <= ROUNDING * max(sizes[0], sizes[zeros])
+        if zeros >= known and not small and taylor[zeros] != 0.0:
+            break
+        taylor[zeros] = 0.0
+        zeros += 1
+    return zeros
+
+
+@inlined
+def _root(
+    tables: Tables, work: Work, now: int, function: int, known: int, at_start: bool
+) -> tuple[float, bool]:
+    """Find the first zero of an event function within a step.
+
+    Returns:
+        The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
+    """
+    state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, work.sizes
+    combine_polynomials(state, tables.taylor[now, function], taylor)
+    combine_moduli(state, tables.sizes[now, function], sizes)
+    rounding, root, jumped = ROUNDING * sizes[0], NOWHERE, False
+    zeros = _zeros(taylor, sizes, known, at_start)
+    if zeros < COUNT and not within(bernstein, rounding):  # Otherwise it stays at zero.
+        zeros = min(zeros, MOST_ZEROS)
+        if zeros > 0:
+            # Without s^zeros, whose coefficients would drown the others in their rounding.
+            combine(taylor[zeros:], tables.bernstein_from_taylor[zeros], COUNT - zeros, bernstein)
+        if bernstein[0] < 0.0:
+            root, jumped = 0.0, at_start and zeros == 0
+        elif any_below(bernstein, COUNT - zeros, 0.0):
+            root, _ = first_root(bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces)
+    return root, jumped
+
+
+@inlined
+def first_event(
+    tables: Tables, work: Work, mode: int, now: int, at_start: bool, recent: int
+) -> tuple[int, float, bool, bool]:
+    """Find which event function falls to zero first during a step from ``work.state``.
+
+    Args:
+        tables: The modes.
+        work: The state, and what is known to be zero.
+        mode: The mode.
+        now: The same, or the one in which relaxing springs are left out and counted with margins alone.
+        at_start: Whether something may be zero because of the last event.
+        recent: The part that had it, whose functions come first where several are negative at once.
+
+    Returns:
+        The event function, the fraction of the step at which it falls to zero, whether it was negative at
+        once, and whether a relaxing spring that was left out must be heeded.
+    """
+    size, contacts = work.state.size, work.margins.size
+    fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
+    functions, first = tables.function_count[now], size
+    screened, bernstein = work.screened, work.bernstein
+    combine(work.state, tables.screen[now], size + functions * COUNT, screened)
+    for function in range(functions):
+        # First a glance at the coefficients, which is enough as a rule.
+        owner, margin = tables.owner[now, function], 0.0
+        if now != mode and 0 <= owner < contacts:
+            margin = work.margins[owner]
+        known = _known_zeros(tables, work, now, function) if at_start else 0
+        below = False
+        for i in range(first, first + COUNT):
+            below |= not screened[i] > margin
+        if (known > 0 or below) and margin > 0.0:
+            close = True
+            break
+        if known > 0 or below:
+            for i in range(COUNT):
+                bernstein[i] = screened[first + i]
+            root, at_once = _root(tables, work, now, function, known, at_start)
+            if root < fraction or (root == 0.0 and owner == recent):
+                fired, fraction, jumped = function, root, at_once
+        first += COUNT
+    return fired, fraction, jumped, close
