@@ -15,7 +15,7 @@ from trimmer.errors import TrimmerError
 from trimmer.maps.closing import closed_near
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.kinds import MotionKind
-from trimmer.maps.measures import Measures, measured
+from trimmer.maps.measures import Measures, of_orbit, of_window
 from trimmer.maps.settle import Settled, same_orbit, settle, sizes_of
 
 if TYPE_CHECKING:
@@ -179,30 +179,21 @@ def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
 def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     if settled.kind is MotionKind.FAILED:
         return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
-    orbit = settled.orbit
-    if orbit is not None:
-        course, states = orbit.course, orbit.states
-    else:
-        count = settled.period_count or WINDOW
-        course = flow.course(settled.end, count)
-        states = settled.end.state[None]
-        if course.ending is not Ending.REACHED_END:
-            return CellMotion(MotionKind.FAILED, periods=settled.periods, failure=course.ending.value)
-        if settled.period_count:
-            states = flow.strobe(settled.end, count).states[:-1]
+    orbit, count = settled.orbit, settled.period_count
+    course = flow.course(settled.end, count or WINDOW) if orbit is None else orbit.course
+    if course.ending is not Ending.REACHED_END:
+        return CellMotion(MotionKind.FAILED, periods=settled.periods, failure=course.ending.value)
+    states = settled.end.state[None] if orbit is None else orbit.states
+    if orbit is None and count:
+        states = flow.strobe(settled.end, count).states[:-1]
     return CellMotion(
         settled.kind,
-        settled.period_count,
+        count,
         settled.periods,
-        orbit.largest if orbit is not None else None,
+        None if orbit is None else orbit.largest,
         settled.lyapunov,
         tuple(map(tuple, states.tolist())),
-        measured(
-            flow.mechanism,
-            course,
-            round(course.duration / flow.period),
-            closes=settled.kind is MotionKind.PERIODIC,
-        ),
+        of_orbit(flow, course, count) if count else of_window(flow, course, WINDOW),
     )
 
 

@@ -1,4 +1,8 @@
-"""What a motion does, measured: strokes, impacts, accelerations, wear."""
+"""What the motion of a cell does, as numbers: strokes, impacts, accelerations, wear.
+
+Those of an orbit are exact. A window of a motion that does not repeat leaves more open than even samples do,
+and these take a fraction of the time.
+"""
 
 from __future__ import annotations
 
@@ -8,15 +12,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.statuses import CONTACT_MADE, KINDS, NOTHING, STICK
+from trimmer.response import measures as exact
+from trimmer.response.motion_signals import output_rows
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import Course
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.contact.flow import Course, ExactFlow
 
-
-COARSE = 128
-"""Samples per drive period of a motion that does not repeat."""
+SAMPLES = 128
+"""Samples per drive period of a window, beside its events."""
 
 
 @dataclass(frozen=True)
@@ -40,49 +44,57 @@ class Measures:
     impact_speed: float
 
 
-@dataclass(frozen=True, eq=False)
-class _Samples:
-    """A motion at the nodes of quadrature, at its events and at its end, in order.
-
-    Attributes:
-        times: s, (samples,).
-        weights: s, zero at events and at the end, (samples,).
-        rows: Rows of the log, (samples,).
-        states: Extended states, (samples, N).
-    """
-
-    times: Reals
-    weights: Reals
-    rows: Integers
-    states: Reals
-
-
-def measured(mechanism: Mechanism, course: Course, periods: int, *, closes: bool = True) -> Measures:
-    """Return the measures of a motion.
+def of_orbit(flow: ExactFlow, course: Course, period_count: int) -> Measures:
+    """Return the measures of an orbit, exact to rounding.
 
     Args:
-        mechanism: The mechanism.
-        course: Its motion.
-        periods: Drive periods that the motion lasts.
-        closes: Whether the motion is an orbit, of which swings are given to some 1e-11 and means to
-            rounding. Otherwise ``COARSE`` samples a period are enough beside what the window leaves open.
+        flow: The exact motion of the mechanism.
+        course: The motion over its period.
+        period_count: Drive periods that it lasts.
     """
-    samples = _with_events(course, _nodes(course) if closes else _even(course, periods))
-    outputs = np.array([_output_row(mechanism, course, name) for name in mechanism.outputs])
-    outputs = outputs.reshape(-1, course.modes.layout.size)
-    accelerations, rates = _rates(course, samples, outputs)
-    values = product(samples.states, outputs)
-    swings = [_swing(samples.times, values[:, i], rates[:, i]) for i in range(len(outputs))]
-    counts = np.bincount(course.log.kind, minlength=KINDS)
-    squares = (samples.weights[:, None] * accelerations**2).sum(axis=0) / course.duration
+    found = exact.Measures(course, flow, period_count, period_count)
+    frictions = {name: each.power for name, each in found.frictions.items()}
     return Measures(
-        dict(zip(mechanism.outputs, swings, strict=True)),
-        dict(zip(mechanism.bodies, np.sqrt(squares).tolist(), strict=True)),
-        _wear_powers(mechanism, course, samples),
-        float((len(course.log.kind) - counts[NOTHING]) / periods),
-        float(counts[CONTACT_MADE] / periods),
-        _impact_speed(course),
+        dict(found.peak_to_peak),
+        dict(found.rms_acceleration),
+        {name: frictions.get(name, 0.0) for name in flow.mechanism.frictions},
+        *_of_events(course, period_count),
     )
+
+
+def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
+    """Return the measures of a motion that does not repeat, from even samples.
+
+    Args:
+        flow: The exact motion of the mechanism.
+        course: A window of the motion.
+        periods: Drive periods that it lasts.
+    """
+    mechanism, log, machine = flow.mechanism, course.log, flow.modes.machine
+    count, bodies = periods * SAMPLES, len(mechanism.bodies)
+    times = course.duration * (np.arange(count) + 0.5) / count
+    rows = np.searchsorted(log.start, times, side="right") - 1
+    states = course.states(times)
+    accelerations = _accelerations(course, rows, states, bodies)
+    speeds = abs(product(states, machine.friction_rate))
+    speeds[flow.modes.tables.statuses[log.mode[rows], len(machine.stiffness) :] == STICK] = 0.0
+    powers = dict(zip(flow.modes.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
+    return Measures(
+        _swings(flow, course, times, states),
+        dict(zip(mechanism.bodies, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
+        {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
+        *_of_events(course, periods),
+    )
+
+
+def _of_events(course: Course, periods: int) -> tuple[float, float, float]:
+    """Return events and impacts per drive period, and the largest speed of an impact."""
+    log = course.log
+    counts = np.bincount(log.kind, minlength=KINDS)
+    made = np.flatnonzero(log.kind == CONTACT_MADE)
+    speeds = (course.modes.machine.contact_rate[log.part[made]] * log.state[made]).sum(axis=1)
+    events = float((len(log.kind) - counts[NOTHING]) / periods)
+    return events, float(counts[CONTACT_MADE] / periods), float(abs(speeds).max(initial=0.0))
 
 
 def product(states: Reals, functionals: Reals) -> Reals:
@@ -94,57 +106,31 @@ def product(states: Reals, functionals: Reals) -> Reals:
     return np.asarray(np.einsum("ij,kj->ik", states, functionals, optimize=False))
 
 
-def _nodes(course: Course) -> _Samples:
-    return _Samples(*course.nodes)
-
-
-def _even(course: Course, periods: int) -> _Samples:
-    count = periods * COARSE
-    times = course.duration * (np.arange(count) + 0.5) / count
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
-    return _Samples(times, np.full(count, course.duration / count), rows, course.states(times))
-
-
-def _with_events(course: Course, samples: _Samples) -> _Samples:
-    log, end, layout = course.log, course.end, course.modes.layout
-    last = np.concatenate([end.state, layout.forcing_at(end.phase, end.periods * layout.period)])
-    count = len(log.start)
-    times = np.concatenate([log.start, samples.times, [course.duration]])
-    order = np.argsort(times, kind="stable")
-    return _Samples(
-        times[order],
-        np.concatenate([np.zeros(count), samples.weights, [0.0]])[order],
-        np.concatenate([np.arange(count), samples.rows, [count - 1]])[order],
-        np.concatenate([log.state, samples.states, last[None]])[order],
-    )
-
-
-def _rates(course: Course, samples: _Samples, outputs: Reals) -> tuple[Reals, Reals]:
-    """Return accelerations of the bodies, (samples, bodies), and rates of outputs, (samples, outputs)."""
-    bodies = len(course.modes.layout.bodies)
-    numbers = course.log.mode[samples.rows]
-    rates = np.empty((len(numbers), bodies + len(outputs)))
+def _accelerations(course: Course, rows: Integers, states: Reals, bodies: int) -> Reals:
+    numbers = course.log.mode[rows]
+    accelerations = np.empty((len(rows), bodies))
     for number in set(numbers.tolist()):
-        flow, here = course.modes[number].flow, numbers == number
-        rates[here] = product(samples.states[here], np.vstack([flow[bodies : 2 * bodies], outputs @ flow]))
-    return rates[:, :bodies], rates[:, bodies:]
+        here = numbers == number
+        accelerations[here] = product(states[here], course.modes[number].flow[bodies : 2 * bodies])
+    return accelerations
 
 
-def _output_row(mechanism: Mechanism, course: Course, name: str) -> Reals:
-    """Return an output as a functional of the extended state, (N,)."""
-    layout = course.modes.layout
-    row = np.zeros(layout.size)
-    for part, weight in mechanism.outputs[name].weights.items():
-        if part in layout.bodies:
-            row[layout.bodies.index(part)] += weight
-        else:
-            row += weight * layout.pin_rows[layout.pins.index(part)]
-    return row
-
-
-def _swing(times: Reals, values: Reals, rates: Reals) -> float:
-    """Return the difference of the highest and the lowest value."""
-    return _highest(times, values, rates) + _highest(times, -values, -rates)
+def _swings(flow: ExactFlow, course: Course, times: Reals, states: Reals) -> dict[str, float]:
+    """Return peak to peak of the outputs, from cubics through values and rates."""
+    times = np.concatenate([course.log.start, times])
+    order = np.argsort(times, kind="stable")
+    states = np.concatenate([course.log.state, states])[order]
+    rows = output_rows(flow.mechanism, flow.modes.layout)
+    if not rows:
+        return {}
+    functionals = np.array(list(rows.values()))
+    # The rates of displacements are the same in every mode, but those of the drive must be among them.
+    values, rates = product(states, functionals), product(states, functionals @ flow.modes[0].flow)
+    return {
+        name: _highest(times[order], values[:, i], rates[:, i])
+        + _highest(times[order], -values[:, i], -rates[:, i])
+        for i, name in enumerate(rows)
+    }
 
 
 def _highest(times: Reals, values: Reals, rates: Reals) -> float:
@@ -165,19 +151,3 @@ def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> floa
     roots = np.roots([3 * third, 2 * second, begin])
     inside = roots[(abs(roots.imag) == 0) & (roots.real > 0) & (roots.real < 1)].real
     return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))
-
-
-def _wear_powers(mechanism: Mechanism, course: Course, samples: _Samples) -> dict[str, float]:
-    machine, layout = course.modes.machine, course.modes.layout
-    statuses = course.modes.tables.statuses[course.log.mode[samples.rows], len(machine.stiffness) :]
-    speeds = np.where(statuses == STICK, 0.0, abs(product(samples.states, machine.friction_rate)))
-    powers = machine.kinetic * (samples.weights[:, None] * speeds).sum(axis=0) / course.duration
-    found = dict(zip(layout.frictions, powers.tolist(), strict=True))
-    return {name: found.get(name, 0.0) for name in mechanism.frictions}
-
-
-def _impact_speed(course: Course) -> float:
-    """Return the largest relative speed at which a contact is made."""
-    made = np.flatnonzero(course.log.kind == CONTACT_MADE)
-    rates = course.modes.machine.contact_rate[course.log.part[made]]
-    return float(abs((rates * course.log.state[made]).sum(axis=1)).max(initial=0.0))

@@ -7,18 +7,18 @@ import pytest
 
 from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, linear_oscillator
 from trimmer.contact.flow import ExactFlow
-from trimmer.maps.measures import measured
+from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Output, Pin
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 
 
-def measures_of(mechanism: Mechanism, **settings: bool):
+def measures_of(mechanism: Mechanism, measures=of_orbit):
     flow = ExactFlow(mechanism)
     orbit = settle(flow, flow.rest(), 400, 24).orbit
     assert orbit is not None
-    return measured(mechanism, orbit.course, orbit.period_count, **settings)
+    return measures(flow, orbit.course, orbit.period_count)
 
 
 def test_measures_of_the_first_reference_case() -> None:
@@ -58,7 +58,7 @@ def test_wear_is_the_work_of_the_driving_pin() -> None:
 
 def test_even_samples_of_a_window_are_near_the_exact_measures() -> None:
     mechanism = TWIN.with_value("frictions.blade.force", 1.0)
-    exact, even = measures_of(mechanism), measures_of(mechanism, closes=False)
+    exact, even = measures_of(mechanism), measures_of(mechanism, of_window)
     assert even.peak_to_peak["stroke"] == pytest.approx(exact.peak_to_peak["stroke"], rel=1e-6)
     assert even.rms_acceleration["motor"] == pytest.approx(exact.rms_acceleration["motor"], rel=0.02)
     assert even.wear_power["blade"] == pytest.approx(exact.wear_power["blade"], rel=0.01)
@@ -72,6 +72,6 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
     made = [time for time, _, kind in orbit.course.events if kind == 1]
     states = orbit.course.states(np.array(made))
     speeds = abs(states @ flow.modes.machine.contact_rate[0])
-    found = measured(flow.mechanism, orbit.course, 1)
+    found = of_orbit(flow, orbit.course, 1)
     assert found.impacts == len(made)
     assert found.impact_speed == pytest.approx(speeds.max(), rel=1e-9)

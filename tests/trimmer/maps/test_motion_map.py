@@ -81,7 +81,9 @@ def test_random_starts_belong_to_their_cell() -> None:
 def test_one_place_gives_one_row() -> None:
     found = motion_map(linear_oscillator(), {"frequency": [1.0, 1.5]}, runner=SERIAL)
     assert found.shape == (1, 2)
-    amplitudes = 100 / abs(40 - (2 * np.pi * np.array([1.0, 1.5])) ** 2 + 0.2j * np.pi * np.sqrt(40) * np.array([1.0, 1.5]))
+    amplitudes = 100 / abs(
+        40 - (2 * np.pi * np.array([1.0, 1.5])) ** 2 + 0.2j * np.pi * np.sqrt(40) * np.array([1.0, 1.5])
+    )
     np.testing.assert_allclose(found.stroke[0], 2 * amplitudes, rtol=1e-9)
     assert "not looked for" in found.searched
 

@@ -23,9 +23,7 @@ def settled(mechanism: Mechanism, periods: int = 300):
     ("gap", "force", "count"),
     [(40e-6, 1.0, 1), (200e-6, 2.0, 3)],  # the issue's own words: one period, and three
 )
-def test_the_twin_settles_to_as_many_drive_periods_as_are_known(
-    gap: float, force: float, count: int
-) -> None:
+def test_the_twin_settles_to_as_many_drive_periods_as_are_known(gap: float, force: float, count: int) -> None:
     mechanism = TWIN.with_value("plays.bridge.gap", gap).with_value("frictions.blade.force", force)
     found = settled(mechanism)
     assert (found.kind, found.period_count) == (MotionKind.PERIODIC, count)
@@ -60,7 +58,9 @@ def test_two_frequencies_without_damping_are_a_torus() -> None:
 def test_a_motion_that_grows_is_not_said_to_have_settled() -> None:
     # At resonance without damping the motion grows for ever.
     mechanism = linear_oscillator().with_value("links.spring.damping", 0.0)
-    assert settled(mechanism.with_value("frequency", np.sqrt(40.0) / (2 * np.pi))).kind is MotionKind.UNDECIDED
+    assert (
+        settled(mechanism.with_value("frequency", np.sqrt(40.0) / (2 * np.pi))).kind is MotionKind.UNDECIDED
+    )
 
 
 def test_fewer_periods_than_it_takes_leave_it_undecided() -> None:
