@@ -61,7 +61,7 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
     Raises:
         MapFileError: if the file is not there, is none of a map, is damaged, or has other inputs.
     """
-    results = list(_results(path, inputs.header))
+    results = list(_results(path, inputs))
     with path.open("rb+") as file:
         file.truncate(_whole_length(file.read()))
     return results
@@ -131,8 +131,8 @@ def _header(path: Path, lines: list[bytes]) -> dict[str, Any]:
     return header
 
 
-def _results(path: Path, wanted: dict[str, Any]) -> Iterator[CellResult]:
-    lines = _lines(path)
+def _results(path: Path, inputs: MapInputs) -> Iterator[CellResult]:
+    lines, wanted = _lines(path), inputs.header
     header = _header(path, lines)
     for name, what in _OTHERS.items():
         if header.get(name) != wanted[name]:
@@ -144,8 +144,8 @@ def _results(path: Path, wanted: dict[str, Any]) -> Iterator[CellResult]:
         try:
             data = json.loads(line)
             motions = tuple(CellMotion.from_data(each) for each in data["motions"])
-            yield CellResult(int(data["number"]), motions)
-        except (ValueError, TypeError, KeyError) as error:
+            yield CellResult(range(inputs.count)[data["number"]], motions)
+        except (ValueError, TypeError, KeyError, IndexError) as error:
             raise MapFileError(
                 f"{path}, line {number}: is no cell of a map; take the line out to have the cell done again, "
                 "or begin anew (--overwrite)"
