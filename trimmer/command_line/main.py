@@ -16,6 +16,7 @@ from trimmer.command_line import (
     identify,
     limit_cycles,
     linear,
+    motion_maps,
     orbits,
     parameters,
     simulate,
@@ -102,6 +103,7 @@ def _commands() -> list[Command]:
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
+        motion_maps.COMMAND,
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]
