@@ -15,7 +15,7 @@ from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.continuation import continuation
 from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.mirror import is_mirror_symmetric
-from trimmer.branches.outputs import OutputMeasure, body_rows, coefficients, output_measures
+from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialPoint
@@ -90,7 +90,7 @@ class FollowedOrbit:
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasure]:
         """Peak to peak and harmonics of each output."""
-        return output_measures(self.map.mechanism, self.passage.course, self.periods)
+        return output_measures(self.map.mechanism, self.passage.course)
 
     def balanced(self, harmonics: int) -> BalancedOrbit:
         """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
@@ -101,12 +101,11 @@ class FollowedOrbit:
         Raises:
             UnsupportedMotionError: if a spring leans on a pin that moves on.
         """
-        course, orders = self.passage.course, np.arange(self.periods * harmonics + 1)
-        exact = np.array([coefficients(course, row, orders) for row in body_rows(course)])
+        course = self.passage.course
+        exact = body_coefficients(course, self.periods, self.periods * harmonics)
         balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
-        _, weights, _, states = course.nodes
-        moved = states[:, : len(exact)] - exact[:, 0].real
-        power = weights @ moved**2 / course.duration
+        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
+        power = course.nodes.weights @ moved**2 / course.duration
         # What the exact motion has beyond the last harmonic is a part of the difference.
         beyond = np.maximum(power - _power(exact), 0.0)
         apart = _power(balance.coefficients - exact) + beyond
@@ -155,7 +154,7 @@ class FollowedBranch:
     def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
         """Return peak to peak and harmonics of each output at a special point of the branch."""
         course = self.map.passage(special.value, special.state).course
-        return output_measures(self.map.mechanism, course, self.periods)
+        return output_measures(self.map.mechanism, course)
 
     @property
     def success(self) -> bool:

@@ -17,6 +17,7 @@ from trimmer.command_line import (
     identify,
     limit_cycles,
     linear,
+    motion_maps,
     orbits,
     parameters,
     simulate,
@@ -102,7 +103,8 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(parameters.COMMAND, derive.COMMAND, follow.COMMAND),
+        *(parameters.COMMAND, derive.COMMAND),
+        *(follow.COMMAND, motion_maps.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]

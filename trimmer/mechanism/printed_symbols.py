@@ -143,9 +143,12 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
 
 
 def plain_name(symbol: str) -> str:
-    """Return a symbol as a name of Python: ``k_2`` as ``k2``; words of an index are joined by underscores."""
+    """Return a symbol as a name of Python: ``k_2`` as ``k2``; words of an index are joined by underscores.
+
+    Other letters than those from a to z are left out, since Python takes some of them for others.
+    """
     words = re.sub(r"\\[a-z]+\{|[\\{}]", " ", symbol)
-    name = re.sub(r"_(?=\d+$)", "", "_".join(re.findall(r"[^\W_]+", words)))
+    name = re.sub(r"_(?=\d+$)", "", "_".join(re.findall("[A-Za-z0-9]+", words)))
     return f"{name}_" if iskeyword(name) else name
 
 
@@ -226,7 +229,7 @@ def _names_of_greek_letters(text: str) -> str:
 def _with_index(letters: str, index: str | None) -> str:
     if index is None:
         return letters
-    if index.isdecimal() or (len(index) == 1 and index.isalpha()) or index in GREEK:
+    if index in GREEK or (index.isascii() and (index.isdecimal() or (len(index) == 1 and index.isalpha()))):
         return f"{letters}_{index}" if "{" not in letters + index else f"{letters}_{{{index}}}"
     command = f"\\{letters}" if letters in GREEK else letters
     return f"{command}_{{\\text{{{_escaped(index)}}}}}"

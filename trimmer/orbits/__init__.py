@@ -1,6 +1,6 @@
 """Exact periodic motions of switched loops: period, waveform, Floquet multipliers.
 
-``periodic_orbits`` and ``forced_orbit`` are the entries, ``periodic_orbit`` is the result, which ``describe``
+``periodic_orbits`` and ``loop_orbit`` are the entries, ``periodic_orbit`` is the result, which ``describe``
 and ``measures`` fill. ``shooting`` is Newton's method on the ``return_map``; it starts from a ``guess`` on
 the first harmonic or from a ``balanced_start`` on several, for which ``multi_harmonic_balance`` uses
 ``steady_response`` and ``trigonometric``.

@@ -24,7 +24,7 @@ SETTLING = (8, 64, 512)
 """Periods after which Newton's method is tried, one after the other, if no number is given."""
 
 
-def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
+def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
     """Find the motion that repeats with the drive, starting from rest.
 
     The loop is followed until its transients have decayed somewhat; from there Newton's method finds the

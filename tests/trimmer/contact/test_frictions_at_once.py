@@ -61,6 +61,8 @@ def test_two_frictions_side_by_side_stick_together(name, speed):
     frictions = PAIRS[name]
     motion = exact_motion(sliding_body(frictions, speed=speed), 3.0)
     single = exact_motion(sliding_body(together(frictions), speed=speed), 3.0)
+    times = np.linspace(0, 3, 31)
+    assert motion.states(times) == pytest.approx(single.states(times), abs=1e-12)
     wanted = [(time, part, kind) for time, _, kind in counted(single) for part in frictions]
     assert sorted(counted(motion), key=str) == sorted(wanted, key=str)
 

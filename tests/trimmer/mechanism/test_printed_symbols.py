@@ -96,6 +96,7 @@ def test_a_carried_symbol_is_printed_as_it_is_meant(carried, printed):
         (r"m_{\text{motor mount}}", "m_motor_mount"),
         (r"\mu_{\text{a\_b}}", "mu_a_b"),
         ("lambda", "lambda_"),
+        (r"m_{\text{¼ größe}}", "m_gr_e"),
     ],
 )
 def test_names_of_python(name, plain):

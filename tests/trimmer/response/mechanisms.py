@@ -1,0 +1,23 @@
+"""Mechanisms of the examples, with numbers set."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from trimmer import Mechanism
+
+FOLDER = Path(__file__).parents[3] / "examples"
+
+
+def example(name: str, **values: float) -> Mechanism:
+    """Return an example with numbers set; a place is written with two underscores for each dot."""
+    mechanism = Mechanism.from_toml(FOLDER / f"{name}.toml")
+    for place, value in values.items():
+        mechanism = mechanism.with_value(place.replace("__", "."), value)
+    return mechanism
+
+
+def twin(force: float = 0.5, gap: float = 40e-6, frequency: float = 110.0) -> Mechanism:
+    """Return the trimmer of the thesis with play, by friction, N, gap, m, and frequency, Hz."""
+    values = {"frictions__blade__force": force, "plays__bridge__gap": gap}
+    return example("thesis-play", frequency=frequency, **values)

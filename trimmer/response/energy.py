@@ -1,0 +1,250 @@
+"""Energy balance of a mechanism's motion: what pins and forces put in, what each part stores and loses.
+
+Every force between two ends is a tension that pulls them together; its power goes into a spring, or is lost.
+The integrals are sums over the nodes of the motion, exact to rounding; nothing is made to close.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.contact.assembly import PUSHING, flow_without_stick, offset
+from trimmer.contact.layout import Rows
+from trimmer.contact.statuses import FORWARD, RELAXING, STICK
+from trimmer.mechanism.parts import GROUND
+from trimmer.response.motion_signals import along, contact_force, row_of_each
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.flow import Course
+    from trimmer.contact.tables import Modes
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.parts import Play, Stop
+    from trimmer.response.motion_signals import Signal
+
+
+@dataclass(frozen=True)
+class MechanismEnergy:
+    """Energies and works of a motion from its start to its end, J.
+
+    Attributes:
+        kinetic: Kinetic energy at start and end.
+        stored: Energy of all springs at start and end, those behind slots among them.
+        pins: Work of what moves each pin relative to its carrier.
+        forces: Work of each force.
+        dampers: Lost in each link.
+        contacts: Lost in each play and stop.
+        frictions: Lost in each friction, with its viscous part.
+        residual: What does not close, as a share of the largest term.
+    """
+
+    kinetic: tuple[float, float]
+    stored: tuple[float, float]
+    pins: Mapping[str, float]
+    forces: Mapping[str, float]
+    dampers: Mapping[str, float]
+    contacts: Mapping[str, float]
+    frictions: Mapping[str, float]
+    residual: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        terms = [
+            *(self.kinetic[1], -self.kinetic[0], self.stored[1], -self.stored[0]),
+            *(-work for works in (self.pins, self.forces) for work in works.values()),
+            *(loss for losses in (self.dampers, self.contacts, self.frictions) for loss in losses.values()),
+        ]
+        largest = max(map(abs, terms))
+        object.__setattr__(self, "residual", abs(sum(terms)) / largest if largest else 0.0)
+
+    @property
+    def work(self) -> float:
+        """Work of pins and forces together."""
+        return sum(self.pins.values()) + sum(self.forces.values())
+
+    @property
+    def loss(self) -> float:
+        """All losses together."""
+        losses = (self.dampers, self.contacts, self.frictions)
+        return sum(sum(each.values()) for each in losses)
+
+
+def energy_of(mechanism: Mechanism, course: Course) -> MechanismEnergy:
+    """Return the energy balance of a motion."""
+    return _Balance(mechanism, course).made()
+
+
+@dataclass(frozen=True, eq=False)
+class _Balance:
+    mechanism: Mechanism
+    course: Course
+
+    def made(self) -> MechanismEnergy:
+        first, last = self.ends
+        return MechanismEnergy(
+            (self.kinetic(first), self.kinetic(last)),
+            (self.stored(first, 0), self.stored(last, -1)),
+            {name: self.of_pin(name) for name in self.mechanism.pins},
+            {name: self.of_force(name) for name in self.mechanism.forces},
+            {name: self.integral(link.damping * self.rate(*link.between) ** 2)
+             for name, link in self.mechanism.links.items()},
+            {name: self.of_contact(number) for number, name in enumerate(self.course.modes.layout.contacts)},
+            {name: self.of_friction(name) for name in self.mechanism.frictions},
+        )  # fmt: skip
+
+    @cached_property
+    def ends(self) -> tuple[Reals, Reals]:
+        """Extended states at start and end."""
+        return self.course.log.state[0], self.course.states(np.array([self.course.duration]))[0]
+
+    @cached_property
+    def rows(self) -> dict[str, tuple[Reals, Reals]]:
+        """Displacement and velocity of each end as functionals."""
+        rows = Rows(self.mechanism, self.course.modes.layout)
+        ends = (GROUND, *self.mechanism.bodies, *self.mechanism.pins)
+        return {end: (rows.displacement(end), rows.velocity(end)) for end in ends}
+
+    def integral(self, values: Reals) -> float:
+        return float(self.course.nodes.weights @ values)
+
+    def at_nodes(self, row: Reals) -> Reals:
+        return np.asarray(self.course.nodes.states @ row)
+
+    def of(self, signal: Signal) -> Reals:
+        return along(self.course, signal, self.course.nodes.rows, self.course.nodes.states)
+
+    def rate(self, start: str, end: str) -> Reals:
+        return self.at_nodes(self.rows[end][1] - self.rows[start][1])
+
+    def kinetic(self, state: Reals) -> float:
+        masses = np.array([body.mass for body in self.mechanism.bodies.values()])
+        return float(0.5 * masses @ state[len(masses) : 2 * len(masses)] ** 2)
+
+    def stored(self, state: Reals, row: int) -> float:
+        mode = int(self.course.log.mode[row])
+        energy: Any = 0.0
+        for link in self.mechanism.links.values():
+            start, end = link.between
+            energy += 0.5 * link.stiffness * ((self.rows[end][0] - self.rows[start][0]) @ state) ** 2
+        for contact, stiffness in enumerate(self.course.modes.machine.stiffness):
+            energy += 0.5 * stiffness * (self.stretch(contact)(mode) @ state) ** 2
+        return float(energy)
+
+    def stretch(self, contact: int) -> Signal:
+        """Return the stretch of a spring behind a slot as a signal, m."""
+        modes = self.course.modes
+
+        def row(mode: int) -> Reals:
+            status, found = modes[mode].statuses[contact], np.zeros(modes.layout.size)
+            if status in PUSHING:
+                found = modes.machine.contact_distance[contact].copy()
+                found[-1] -= offset(modes.machine, contact, status)
+            elif status == RELAXING:
+                found[modes.machine.relaxing_state[contact]] = 1.0
+            return found
+
+        return row
+
+    def of_contact(self, contact: int) -> float:
+        """Return what a contact loses: to its damper, and what its spring holds when the law forgets it."""
+        modes, log = self.course.modes, self.course.log
+        machine = modes.machine
+        rate = machine.contact_rate[contact]
+        idle = np.zeros(modes.layout.size)
+        pushes = self.of(lambda mode: rate if modes[mode].statuses[contact] in PUSHING else idle)
+        lost = machine.damping[contact] * self.integral(pushes**2)
+        stretches = row_of_each(self.course, self.stretch(contact))
+        states = np.vstack([log.state, self.ends[1]])
+        relaxing = modes.tables.statuses[log.mode, contact] == RELAXING
+        squares = np.einsum("ij,ij->i", stretches, states[:-1]) ** 2
+        at_end = np.einsum("ij,ij->i", stretches, states[1:]) ** 2
+        at_end[relaxing] = self.relaxed(contact, squares)[relaxing]
+        relaxed = (squares - at_end)[relaxing].sum()
+        forgotten = (at_end[:-1] - squares[1:]).sum()
+        return float(lost + 0.5 * machine.stiffness[contact] * (relaxed + forgotten))
+
+    def relaxed(self, contact: int, squares: Reals) -> Reals:
+        """Return the squares of a stretch after it has relaxed for the time of each segment."""
+        machine = self.course.modes.machine
+        if machine.damping[contact] == 0:
+            return squares
+        times = np.diff(np.append(self.course.log.start, self.course.duration))
+        return np.asarray(
+            squares * np.exp(-2 * machine.stiffness[contact] / machine.damping[contact] * times)
+        )
+
+    def of_friction(self, name: str) -> float:
+        friction = self.mechanism.frictions[name]
+        speeds = self.rate(*friction.between)
+        lost = friction.viscous * self.integral(speeds**2)
+        if name in self.course.modes.layout.frictions:
+            lost += self.integral(self.of(self.dry(name)) * speeds)
+        return lost
+
+    def dry(self, name: str) -> Signal:
+        """Return the dry force of a friction as a tension, N."""
+        modes = self.course.modes
+        return dry_force(modes, modes.layout.frictions.index(name))
+
+    def of_pin(self, name: str) -> float:
+        """Return the work of what moves a pin, against the tensions of all that it is an end of."""
+        own = self.at_nodes(self.rows[name][1] - self.rows[self.mechanism.pins[name].on][1])
+        pull = np.zeros(len(own))
+        for between, tension in self.tensions:
+            pull += tension * ((between[1] == name) - (between[0] == name))
+        return self.integral(pull * own)
+
+    @cached_property
+    def tensions(self) -> list[tuple[tuple[str, str], Reals]]:
+        """Ends and tension at the nodes, N, of each part."""
+        mechanism, layout = self.mechanism, self.course.modes.layout
+        found = []
+        for link in mechanism.links.values():
+            start, end = link.between
+            stretch = self.at_nodes(self.rows[end][0] - self.rows[start][0])
+            found.append((link.between, link.stiffness * stretch + link.damping * self.rate(start, end)))
+        contacts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
+        for number, name in enumerate(layout.contacts):
+            found.append((contacts[name].between, self.of(contact_force(self.course.modes, number))))
+        for name, friction in mechanism.frictions.items():
+            tension = friction.viscous * self.rate(*friction.between)
+            if name in layout.frictions:
+                tension = tension + self.of(self.dry(name))
+            found.append((friction.between, tension))
+        return found
+
+    def of_force(self, name: str) -> float:
+        force, layout = self.mechanism.forces[name], self.course.modes.layout
+        row = np.zeros(layout.size)
+        amplitude = force.amplitude + force.unbalance * (force.order * layout.omega) ** 2
+        if amplitude:
+            row = Rows(self.mechanism, layout).wave(force.order, amplitude, force.phase)
+        row[-1] += force.constant
+        return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))
+
+
+def dry_force(modes: Modes, number: int) -> Signal:
+    """Return the dry force of a friction by its number, N, against an end that moves forward.
+
+    In stick it is what holds; where several stick and may share it in any way, it is the smallest split.
+    """
+    machine, bodies = modes.machine, len(modes.layout.bodies)
+    contacts = len(machine.stiffness)
+
+    def row(mode: int) -> Reals:
+        statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
+        status = statuses[contacts + number]
+        if status != STICK:
+            found[-1] = machine.kinetic[number] * (1.0 if status == FORWARD else -1.0)
+            return found
+        sticking = [i for i, each in enumerate(statuses[contacts:]) if each == STICK]
+        held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]
+        forces = np.linalg.lstsq(machine.friction_push[sticking].T, held, rcond=None)[0]
+        return np.asarray(-forces[sticking.index(number)])
+
+    return row

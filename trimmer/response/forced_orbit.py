@@ -1,0 +1,117 @@
+"""``forced_orbit`` for what is driven: a loop or a mechanism."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, overload
+
+from trimmer.arguments import whole_number
+from trimmer.errors import UnsupportedMotionError
+from trimmer.mechanism.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.motion.loops import Loop
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.starts import Start
+
+SETTLING = (8, 64, 512)
+"""Drive periods from rest after which Newton's method is tried, one after the other."""
+
+
+@overload
+def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit: ...
+@overload
+def forced_orbit(
+    loop: Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> MechanismOrbit: ...
+def forced_orbit(
+    loop: Loop | Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> PeriodicOrbit | MechanismOrbit:
+    """Find a motion that repeats with the drive.
+
+    Of a loop it is the motion with the period of the drive, found from rest. Of a mechanism it is an exact
+    motion, stable or not, that returns after a number of drive periods; without a drive, one that returns
+    after a period of its own. Newton's method begins at the guess; without one, at the motion from rest after
+    8, 64 and 512 drive periods, or after ``settling``.
+
+    Args:
+        loop: A loop with a drive, or a mechanism.
+        settling: Periods of the drive to follow before Newton's method.
+        periods: Of a mechanism: number of drive periods after which the motion returns.
+        guess: Of a mechanism: where the motion begins, near the one that is sought, at the start of a drive
+            period: displacement, m, and velocity, m/s, by body; or all states, shape (n,).
+
+    Returns:
+        The orbit. That of a mechanism says itself whether it was found (``success``, ``message``), and
+        whether it returns already after fewer periods (``period_count``).
+
+    Raises:
+        ValueError: if a loop has no drive, or a number is out of range.
+        OrbitNotFoundError: if Newton's method finds none for a loop.
+        MechanismError: if the guess does not fit the mechanism.
+        UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
+    """
+    if isinstance(loop, Mechanism):
+        return mechanism_orbit(loop, periods, guess, settling)
+    from trimmer.orbits.forced_orbit import loop_orbit
+
+    return loop_orbit(loop, settling)
+
+
+def mechanism_orbit(
+    mechanism: Mechanism, periods: int = 1, guess: Start = None, settling: int | None = None
+) -> MechanismOrbit:
+    """Find an exact periodic motion of a mechanism; see ``forced_orbit``."""
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.response.self_excited import self_excited_orbit
+    from trimmer.response.starts import instant_of
+
+    whole_number("periods", periods, 1)
+    if settling is not None:
+        whole_number("settling", settling, 0)
+    flow = ExactFlow(mechanism)
+    require_repeating(flow)
+    if not flow.period:
+        if periods > 1:
+            raise ValueError(
+                f"periods is {periods}, but the mechanism has no drive whose periods could count"
+            )
+        return self_excited_orbit(flow, instant_of(flow, guess))
+    return _driven(flow, periods, guess, settling)
+
+
+def _driven(flow: ExactFlow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:
+    from trimmer.contact.advance import Ending
+    from trimmer.errors import OrbitNotFoundError
+    from trimmer.response.orbit import orbit_of
+    from trimmer.response.shooting import Return, solve
+    from trimmer.response.starts import instant_of
+
+    instant, followed, orbit = instant_of(flow, guess), 0, None
+    waits = (settling,) if settling is not None else SETTLING if guess is None else (0,)
+    for wait in waits:
+        if wait > followed:
+            strobe = flow.strobe(instant, wait - followed)
+            if strobe.ending is not Ending.REACHED_END:
+                raise OrbitNotFoundError(f"the motion cannot be followed: {strobe.ending.value}")
+            instant, followed = strobe.end, wait
+        shot = solve(Return(flow, periods), flow.at(instant.state, instant.phase, like=instant))
+        orbit = None if shot is None else orbit_of(flow, shot, periods)
+        if orbit is not None and orbit.success:
+            return orbit
+    if orbit is None:
+        raise OrbitNotFoundError(f"the motion cannot be followed over {periods} drive periods")
+    return orbit
+
+
+def require_repeating(flow: ExactFlow) -> None:
+    """Check that a mechanism can repeat.
+
+    Raises:
+        UnsupportedMotionError: if a pin goes on for ever and a spring follows it.
+    """
+    if flow.modes.layout.ramp:
+        raise UnsupportedMotionError(
+            "nothing repeats, because a spring leans on a pin that goes on for ever; simulate() follows it"
+        )

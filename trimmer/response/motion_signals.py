@@ -1,0 +1,89 @@
+"""What is measured of a motion, as functionals of its extended state in each mode.
+
+A signal is given by a function from the number of a mode to a row (N,); its rate is that row times the flow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from trimmer.contact.assembly import PUSHING, force_of
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Flags, Integers, Reals
+    from trimmer.contact.flow import Course
+    from trimmer.contact.layout import Layout
+    from trimmer.contact.tables import Modes
+    from trimmer.mechanism.mechanism import Mechanism
+
+Signal: TypeAlias = Callable[[int], "Reals"]
+
+
+def output_rows(mechanism: Mechanism, layout: Layout) -> dict[str, Reals]:
+    """Return each output as a functional of the extended state, (N,).
+
+    Of a pin that goes on for ever and that nothing leans on, what it goes on by is left out.
+    """
+    return {
+        name: np.asarray(sum((weight * _row(layout, of) for of, weight in output.weights.items())))
+        for name, output in mechanism.outputs.items()
+    }
+
+
+def _row(layout: Layout, name: str) -> Reals:
+    if name in layout.pins:
+        row: Reals = layout.pin_rows[layout.pins.index(name)]
+        return row
+    row = np.zeros(layout.size)
+    row[layout.bodies.index(name)] = 1.0
+    return row
+
+
+def steady(row: Reals) -> Signal:
+    """Return a signal that has the same row in every mode."""
+    return lambda mode: row
+
+
+def acceleration(modes: Modes, body: int) -> Signal:
+    """Return the acceleration of a body by its number, m/s²."""
+    return lambda mode: np.asarray(modes[mode].flow[len(modes.layout.bodies) + body])
+
+
+def contact_force(modes: Modes, contact: int) -> Signal:
+    """Return the force of a contact by its number, N, positive where it pulls the ends together."""
+
+    def row(mode: int) -> Reals:
+        status = modes[mode].statuses[contact]
+        return force_of(modes.machine, contact, status) if status in PUSHING else np.zeros(modes.layout.size)
+
+    return row
+
+
+def rate(modes: Modes, signal: Signal) -> Signal:
+    """Return the rate of a signal."""
+    return lambda mode: np.asarray(signal(mode) @ modes[mode].flow)
+
+
+def along(course: Course, signal: Signal, rows: Integers, states: Reals) -> Reals:
+    """Return a signal at states, (count, N), that lie in rows, (count,), of the log of a motion."""
+    return np.asarray(np.einsum("ij,ij->i", states, row_of_each(course, signal)[rows]))
+
+
+def row_of_each(course: Course, signal: Signal) -> Reals:
+    """Return the functional of a signal in each row of the log, (rows, N)."""
+    modes, places = np.unique(course.log.mode, return_inverse=True)
+    table = np.array([signal(int(mode)) for mode in modes])
+    return np.asarray(table[places])
+
+
+def while_status(course: Course, part: int, statuses: tuple[int, ...]) -> Flags:
+    """Say of each row of the log whether a part has one of some statuses, (rows,)."""
+    return np.isin(course.modes.tables.statuses[course.log.mode, part], statuses)
+
+
+def durations(course: Course) -> Reals:
+    """Return how long each row of the log lasts, s, (rows,)."""
+    return np.diff(np.append(course.log.start, course.duration))

@@ -1,0 +1,172 @@
+"""An exact periodic motion of a mechanism, stable or not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.response.shooting import CLOSED, Shot
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.measures import Measures
+
+SAME = 1e-8
+"""Distance of states as a share of their sizes below which a motion has returned before its time."""
+RETURNS = 64
+"""Returns over which the growth of small distances is followed."""
+
+
+@dataclass(frozen=True, eq=False)
+class MechanismOrbit:
+    """A motion that repeats.
+
+    Attributes:
+        flow: The motion of the mechanism.
+        periods: Number of drive periods after which it was to return; 0 without a drive.
+        period_count: The smallest number of drive periods after which it returns, a divisor of ``periods``;
+            1 without a drive.
+        course: The motion over ``periods``.
+        sizes: Scale of each state, m, m/s and m, (n,).
+        multipliers: Floquet multipliers over ``periods``, largest modulus first, (n,). Zeros where stick or
+            contact takes a dimension away. Without a drive one of them is 1.
+        residual: Largest distance between end and start as a share of the sizes.
+        success: Whether it returns.
+        message: What was found, in a sentence.
+    """
+
+    flow: ExactFlow
+    periods: int
+    period_count: int
+    course: Course
+    sizes: Reals
+    multipliers: Complexes
+    residual: float
+    success: bool
+    message: str
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.flow.mechanism
+
+    @property
+    def instant(self) -> Instant:
+        """The instant at which it begins, the start of a drive period."""
+        return self.course.begin
+
+    @property
+    def period(self) -> float:
+        """Time after which it returns, s: that of ``periods``, or without a drive its own period."""
+        return self.course.duration
+
+    @property
+    def nontrivial_multipliers(self) -> Complexes:
+        """The multipliers without the one that is 1 because the motion may be shifted in time."""
+        if self.periods:
+            return self.multipliers
+        return np.delete(self.multipliers, np.argmin(abs(self.multipliers - 1)))
+
+    @property
+    def stable(self) -> bool:
+        """Whether it was found, and small disturbances die out."""
+        return self.success and bool((abs(self.nontrivial_multipliers) < 1).all())
+
+    @property
+    def events_per_period(self) -> float:
+        """Number of events per drive period, the mean over the motion; without a drive per its own period."""
+        return len(self.course.events) / max(self.periods, 1)
+
+    @cached_property
+    def monodromy(self) -> Reals:
+        """What becomes of small distances over ``periods``, as shares of the sizes, (n, n)."""
+        matrix: Reals = self.course.monodromy * self.sizes / self.sizes[:, None]
+        return matrix
+
+    @cached_property
+    def growth(self) -> float:
+        """By how much a small distance grows at most before it dies out."""
+        power, largest = np.eye(len(self.sizes)), 1.0
+        for _ in range(RETURNS):
+            power = self.monodromy @ power
+            size = float(abs(power).sum(axis=1).max())
+            largest = max(largest, size)
+            if size < 0.1:
+                break
+        return largest
+
+    @cached_property
+    def strobed(self) -> Reals:
+        """States at the start of each drive period, (periods, n)."""
+        if not self.periods:
+            return self.instant.state[None]
+        return self.course.states(np.arange(self.periods, dtype=np.float64) * self.flow.period)[
+            :, : self.flow.size
+        ]
+
+    @cached_property
+    def measures(self) -> Measures:
+        """What its outputs, bodies, contacts and frictions do."""
+        from trimmer.response.measures import Measures
+
+        return Measures(self.course, self.flow, max(self.period_count, 1), self.periods or 1)
+
+
+def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> MechanismOrbit:
+    """Return the orbit that a solved return gives; one that misses is marked as not found.
+
+    Args:
+        flow: The motion of the mechanism.
+        shot: The motion.
+        periods: Number of drive periods that it spans; 0 without a drive.
+        about: What else is to be said if it was found.
+    """
+    multipliers = np.linalg.eigvals(shot.monodromy).astype(complex)
+    multipliers = multipliers[np.argsort(-abs(multipliers), kind="stable")]
+    success = shot.miss <= CLOSED
+    count = _smallest(flow, shot, periods) if success else max(periods, 1)
+    orbit = MechanismOrbit(
+        flow, periods, count, shot.course, shot.sizes, multipliers, shot.miss, success, message=""
+    )
+    return _told(orbit, about)
+
+
+def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
+    if not orbit.success:
+        time = f"{orbit.periods} drive periods" if orbit.periods else f"{orbit.period:.6g} s"
+        return replace(
+            orbit,
+            message=f"no motion that returns after {time} was found; the closest misses by "
+            f"{orbit.residual:.1e} of its size. Begin elsewhere, or with another number of periods",
+        )
+    kind = "a stable" if orbit.stable else "an unstable"
+    if not orbit.periods:
+        told = f"{kind} motion that repeats after {orbit.period:.9g} s"
+    elif orbit.period_count < orbit.periods:
+        told = f"{kind} motion that repeats after {_periods(orbit.period_count)} already, not {orbit.periods}"
+    else:
+        told = f"{kind} motion that repeats after {_periods(orbit.periods)}"
+    return replace(orbit, message=f"{told}; {about}" if about else told)
+
+
+def _periods(count: int) -> str:
+    return "one drive period" if count == 1 else f"{count} drive periods"
+
+
+def _smallest(flow: ExactFlow, shot: Shot, periods: int) -> int:
+    """Return the smallest number of drive periods after which a motion returns."""
+    if periods <= 1:
+        return 1
+    strobed = shot.course.states(np.arange(periods, dtype=np.float64) * flow.period)[:, : flow.size]
+    apart = abs((strobed - strobed[0]) / shot.sizes).max(axis=1)
+    return next(each for each in range(1, periods + 1) if each == periods or _divides(each, periods, apart))
+
+
+def _divides(count: int, periods: int, apart: Reals) -> bool:
+    return periods % count == 0 and bool(apart[count] < SAME)

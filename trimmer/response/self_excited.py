@@ -1,0 +1,108 @@
+"""Periodic motions of a mechanism that moves by itself: the period is unknown.
+
+The motion is followed until an event comes again in nearly the same state; from there Newton's method solves
+for state and period. The motion begins in the middle of a segment, where nothing happens.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.contact.statuses import NOTHING
+from trimmer.errors import OrbitNotFoundError
+from trimmer.response.orbit import orbit_of
+from trimmer.response.shooting import CLOSED, Return, sizes_of, solve
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.response.orbit import MechanismOrbit
+
+STRETCHES = (20, 80, 320, 1280)
+"""Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""
+NEAR = 0.1
+"""Distance of two states as a share of their sizes at which Newton's method is tried."""
+MOST_TRIED = 6
+"""Recurrences that are tried in each stretch, nearest in time first."""
+
+
+def self_excited_orbit(flow: ExactFlow, instant: Instant) -> MechanismOrbit:
+    """Find a periodic motion without a drive, from what a start settles to.
+
+    Raises:
+        OrbitNotFoundError: if nothing repeats in the time that was waited; the message says what was seen.
+    """
+    unit, waited = time_scale(flow, instant), 0.0
+    for stretch in STRETCHES:
+        course = flow.timed(instant, stretch * unit)
+        if course.ending is not Ending.REACHED_END:
+            raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
+        waited += course.duration
+        if at_rest(course):
+            raise OrbitNotFoundError(f"it comes to rest within {waited:.6g} s, and nothing sets it in motion")
+        orbit = _recurring(flow, course)
+        if orbit is not None:
+            return orbit
+        instant = replace(course.end, phase=0.0)
+    raise OrbitNotFoundError(f"nothing repeats within {waited:.6g} s; another start may settle")
+
+
+def time_scale(flow: ExactFlow, instant: Instant) -> float:
+    """Return the period of the slowest mode of the motion at an instant, s."""
+    matrix = flow.modes[flow.modes.number(instant.statuses)].flow[: flow.size, : flow.size]
+    moduli = abs(np.linalg.eigvals(matrix))
+    moving = moduli[moduli > 1e-9 * moduli.max(initial=0.0)]
+    return float(2 * np.pi / moving.min()) if len(moving) else 1.0
+
+
+def at_rest(course: Course) -> bool:
+    """Return whether a motion has come to rest at its end."""
+    layout, sizes = course.modes.layout, sizes_of(course)
+    flow = course.modes[course.modes.number(course.end.statuses)].flow
+    extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
+    rates = abs((flow @ extended)[: layout.state_count]) * course.duration
+    return bool((rates <= 1e-9 * sizes).all())
+
+
+def _recurring(flow: ExactFlow, course: Course) -> MechanismOrbit | None:
+    sizes = sizes_of(course)
+    for first, last in _recurrences(course, sizes)[:MOST_TRIED]:
+        log = course.log
+        begin = log.start[first]
+        middle = begin + 0.5 * (log.start[first + 1] - begin)
+        state = course.states(np.array([middle]))[0, : flow.size]
+        statuses = course.modes[int(log.mode[first])].statuses
+        quiet = replace(
+            course.end,
+            statuses=statuses,
+            known_zeros=np.zeros_like(course.end.known_zeros),
+            known_action=np.full_like(course.end.known_action, -1),
+        )
+        shot = solve(Return(flow, 0), flow.at(state, like=quiet), float(log.start[last] - begin))
+        if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course):
+            return orbit_of(flow, shot, 0)
+    return None
+
+
+def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
+    """Return pairs of rows of the log at which the same event left nearly the same state, late ones first."""
+    log, count = course.log, len(sizes)
+    alike = (log.kind != NOTHING) & np.append(np.diff(log.start) > 0, False)
+    found = []
+    for last in np.flatnonzero(alike)[::-1]:
+        same = alike & (log.mode == log.mode[last]) & (log.part == log.part[last])
+        same &= log.kind == log.kind[last]
+        same[last:] = False
+        earlier = np.flatnonzero(same)
+        apart = abs((log.state[earlier, :count] - log.state[last, :count]) / sizes).max(axis=1, initial=0.0)
+        near = earlier[apart < NEAR]
+        if len(near):
+            found.append((int(near[-1]), int(last)))
+        if len(found) == MOST_TRIED:
+            break
+    return found

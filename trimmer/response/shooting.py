@@ -1,0 +1,218 @@
+"""Newton's method for a state that returns after some drive periods, or after an unknown period.
+
+The sequence of events may change from step to step. A trial begins with the statuses with which the motion
+before it ended; contact and stick that hold there hold for the correction too, because the derivative of the
+return keeps to what is held.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending, Instant
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.flow import Course, ExactFlow
+
+CLOSED = 1e-10
+"""Miss of the return, as a share of the sizes of the states, below which it counts as closed."""
+SETTLED = 4e-15
+"""Miss at which Newton's method stops, since only rounding is left."""
+ROUNDED = 1e-12
+"""Miss below which a step that does not reduce it is not shortened: it is rounding."""
+SMALLEST_SHARE = 1e-4
+"""Share of the largest displacement, velocity or stretch below which none is measured by itself."""
+LONGEST = 4.0
+"""Factor by which an unknown period may grow; a longer one has lost the motion."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """A motion over the time after which it is to return.
+
+    Attributes:
+        course: The motion.
+        sizes: Scale of each state, for comparing them, (n,).
+    """
+
+    course: Course
+    sizes: Reals
+
+    @cached_property
+    def monodromy(self) -> Reals:
+        """Derivative of the end by the start, (n, n)."""
+        return self.course.monodromy
+
+    @cached_property
+    def gap(self) -> Reals:
+        """End less start as shares of the sizes, (n,)."""
+        difference: Reals = (self.course.end.state - self.course.begin.state) / self.sizes
+        return difference
+
+    @property
+    def miss(self) -> float:
+        """The largest modulus of them."""
+        return float(abs(self.gap).max(initial=0.0))
+
+    @property
+    def duration(self) -> float:
+        """Its duration, s."""
+        return self.course.duration
+
+    @property
+    def rates(self) -> tuple[Reals, Reals]:
+        """Rates of the states at the start and at the end, each (n,)."""
+        course = self.course
+        layout = course.modes.layout
+        return tuple(  # type: ignore[return-value]
+            _rate(course, instant, layout.forcing_at(instant.phase)) for instant in (course.begin, course.end)
+        )
+
+
+def _rate(course: Course, instant: Instant, forcing: Reals) -> Reals:
+    flow = course.modes[course.modes.number(instant.statuses)].flow
+    rate: Reals = (flow @ np.concatenate([instant.state, forcing]))[: len(instant.state)]
+    return rate
+
+
+@dataclass(frozen=True, eq=False)
+class Return:
+    """The problem of a state that returns.
+
+    Attributes:
+        flow: The mechanism's motion.
+        periods: Number of drive periods after which it returns; 0 without a drive.
+        most_steps: Steps of one integration.
+    """
+
+    flow: ExactFlow
+    periods: int
+    most_steps: int = 200_000
+
+    def shoot(self, instant: Instant, duration: float = 0.0, sizes: Reals | None = None) -> Shot | None:
+        """Follow the motion; None if it ends before its time.
+
+        Args:
+            instant: The start.
+            duration: The unknown period, s; without effect with a drive.
+            sizes: Scale of each state; that of this motion if not given.
+        """
+        if self.periods:
+            course = self.flow.course(instant, self.periods, self.most_steps * self.periods)
+        else:
+            course = self.flow.timed(instant, duration, self.most_steps)
+        if course.ending is not Ending.REACHED_END or not np.isfinite(course.end.state).all():
+            return None
+        return Shot(course, sizes_of(course) if sizes is None else sizes)
+
+    def step(self, shot: Shot) -> tuple[Reals, float]:
+        """Return Newton's correction of the state, (n,), and of the duration, s.
+
+        Raises:
+            LinAlgError: if the derivative is singular.
+        """
+        matrix = shot.monodromy * shot.sizes / shot.sizes[:, None] - np.eye(len(shot.gap))
+        if self.periods:
+            return -np.linalg.solve(matrix, shot.gap) * shot.sizes, 0.0
+        # The state may slide along the orbit: the correction is to be at right angles to it.
+        tangent, rate = (each / shot.sizes for each in shot.rates)
+        bordered = np.block([[matrix, rate[:, None]], [tangent[None], np.zeros((1, 1))]])
+        solution = np.linalg.lstsq(bordered, -np.append(shot.gap, 0.0), rcond=1e-13)[0]
+        return solution[:-1] * shot.sizes, float(solution[-1])
+
+    def corrected(self, shot: Shot, share: float, correction: tuple[Reals, float]) -> Shot | None:
+        """Follow the motion from a start that is corrected by a share of Newton's step."""
+        by, longer = correction
+        duration = shot.duration + share * longer
+        if not self.periods and not 0 < duration <= LONGEST * shot.duration:
+            return None
+        return self.shoot(_like_end(self.flow, shot.course, share * by), duration, shot.sizes)
+
+
+def _like_end(flow: ExactFlow, course: Course, correction: Reals) -> Instant:
+    end, begin = course.end, course.begin
+    return flow.at(begin.state + correction, begin.phase, like=end)
+
+
+def sizes_of(course: Course) -> Reals:
+    """Return the largest modulus of each state over a motion, (n,).
+
+    What is much smaller than the others of its kind is measured by a share of theirs, and what does not move
+    at all by 1.
+    """
+    layout = course.modes.layout
+    count = len(layout.bodies)
+    states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
+    sizes: Reals = abs(states).max(axis=0)
+    groups = [slice(0, count), slice(count, 2 * count), slice(2 * count, None)]
+    for group in groups:
+        largest = sizes[group].max(initial=0.0)
+        sizes[group] = np.maximum(sizes[group], SMALLEST_SHARE * largest)
+    sizes[groups[2]] = np.maximum(sizes[groups[2]], SMALLEST_SHARE * sizes[:count].max(initial=0.0))
+    sizes[sizes == 0.0] = 1.0
+    return sizes
+
+
+@dataclass(frozen=True)
+class Patience:
+    """How long an orbit is looked for.
+
+    Attributes:
+        iterations: Number of Newton steps.
+        halvings: Halvings of a step that does not reduce the miss.
+        followed: How often the motion is followed once more where no Newton step reduces the miss.
+    """
+
+    iterations: int = 40
+    halvings: int = 10
+    followed: int = 4
+
+
+def solve(
+    problem: Return, instant: Instant, duration: float = 0.0, patience: Patience | None = None
+) -> Shot | None:
+    """Solve a return by Newton's method from a guess.
+
+    Args:
+        problem: What is to return.
+        instant: Guess of the start.
+        duration: Guess of an unknown period, s.
+        patience: How long it is looked for.
+
+    Returns:
+        The motion that came closest, which may be far from returning; None if none ran to its end.
+    """
+    patience = patience or Patience()
+    shot, followed = problem.shoot(instant, duration), 0
+    for _ in range(patience.iterations):
+        if shot is None or shot.miss <= SETTLED:
+            break
+        following = _improved(problem, shot, patience.halvings)
+        if following is None and shot.miss > ROUNDED and followed < patience.followed:
+            followed += 1
+            following = problem.corrected(shot, 1.0, (shot.gap * shot.sizes, 0.0))
+        if following is None:
+            break
+        shot = following
+    return shot
+
+
+def _improved(problem: Return, shot: Shot, halvings: int) -> Shot | None:
+    """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
+    try:
+        correction = problem.step(shot)
+    except np.linalg.LinAlgError:
+        return None
+    size = np.linalg.norm(shot.gap)
+    share = 1.0
+    for _ in range(halvings if shot.miss > ROUNDED else 1):
+        trial = problem.corrected(shot, share, correction)
+        if trial is not None and np.linalg.norm(trial.gap) < (1.0 - 0.1 * share) * size:
+            return trial
+        share *= 0.5
+    return None
