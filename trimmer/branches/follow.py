@@ -63,6 +63,11 @@ class FollowedOrbit:
         return self.point.value
 
     @property
+    def state(self) -> Reals:
+        """State at the start of a drive period, shape (n,)."""
+        return self.point.state
+
+    @property
     def stable(self) -> bool:
         """Whether neighbouring motions approach it."""
         return self.point.stable
