@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from tqdm import tqdm
 
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
@@ -34,6 +35,8 @@ AFTER_CORNER = 1e-3
 """Length of the step after a corner."""
 LEAST_SIZE = 1e-2
 """Least scale of a state, relative to the largest that it had on the branch."""
+SILENCE = 2.0
+"""Time before a progress bar shows, s."""
 SAME = 1e-6
 """Distance within which two orbits are the same."""
 
@@ -145,7 +148,10 @@ def _sizes(place: Place, before: Reals | None) -> Reals:
 def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
     record = _Record([_branch_point(front)])
     reason = BranchEnd.MOST_POINTS
-    for taken in _steps(front, limits):
+    steps = tqdm(
+        _steps(front, limits), desc="follow", unit=" orbits", delay=SILENCE, leave=False, disable=None
+    )
+    for taken in steps:
         if isinstance(taken, BranchEnd):
             reason = taken
             break

@@ -151,6 +151,7 @@ def test_symmetry_breaking_of_the_trimmer() -> None:
     assert all(orbit.stable == (not outside[0] < orbit.value < outside[1]) for orbit in branch.points)
 
 
+@pytest.mark.slow
 def test_corner_at_the_death_of_stick() -> None:
     # At this gap the branch turns around although no multiplier of it is near 1.
     branch = follow(twin(), "plays.bridge.gap", 1.6e-4, 1.7e-4, settings=ALONE, periods=1, state=_on(1.6e-4))
