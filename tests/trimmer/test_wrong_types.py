@@ -87,10 +87,10 @@ ANYTHING = {"text": "1.0", "an object": object(), "a class": FrictionBacklash, "
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
 
 CALLS = {
-    identify_time_constant: {"G": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
-    harmonic_leakage: {"G": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
-    harmonic_balance: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
-    limit_cycles: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    identify_time_constant: {"system": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
+    harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
+    harmonic_balance: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    limit_cycles: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
     CoulombFriction: {"force": 1.0},
     Relay: {"level": 1.0},
     ViscousFriction: {"damping": 1.0},
@@ -160,7 +160,7 @@ CALLS = {
 NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
 NONE_WILL_DO |= {"settling", "drive", "element", "sample_rate", "omega"}
 """Arguments that may be left out, somewhere."""
-ALSO_NAMED = {"G": "system", "values": "samples", "signal": "samples", "bins": "tolerance in bins"}
+ALSO_NAMED = {"values": "samples", "signal": "samples", "bins": "tolerance in bins"}
 ALSO_NAMED |= {
     "model": "model tolerance",
     "bin_width": "bin width",

@@ -9,8 +9,7 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.loop_options import (
     add_element_options,
     add_loop_options,
-    chosen_element,
-    linear_part,
+    closed_loop,
 )
 from trimmer.command_line.parser import OptionError
 
@@ -27,16 +26,16 @@ def _run(arguments: Namespace) -> int:
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
 
-    element, system = chosen_element(arguments), linear_part(arguments)
-    predictions = harmonic_balance(system, element)
+    loop = closed_loop(arguments)
+    predictions = harmonic_balance(loop)
     with warnings.catch_warnings():
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions)
+            orbits = periodic_orbits(loop, predictions)
         except ValueError as error:
             raise OptionError(str(error)) from error
-    print((as_json if arguments.json else as_text)(element, predictions, orbits))
+    print((as_json if arguments.json else as_text)(loop.element, predictions, orbits))
     return 0
 
 

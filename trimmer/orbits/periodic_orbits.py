@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-from trimmer.balance.solve import limit_cycles
+from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning
-from trimmer.motion.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same
@@ -24,16 +24,14 @@ from trimmer.orbits.settling import settled_orbits
 from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
-    import control
-
-    from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.orbits.search import RelaySearch, SimulationSearch
 
 
+@takes_a_loop
 def periodic_orbits(
-    system: control.LTI,
-    element: Element,
+    loop: ClosedLoop,
     guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None = None,
     search: OrbitSearch | None = None,
 ) -> PeriodicOrbits:
@@ -50,8 +48,8 @@ def periodic_orbits(
     or a guess leads to no orbit. The answer tells what was searched.
 
     Args:
-        system: G, strictly proper, one input and one output, continuous in time.
-        element: The nonlinear element.
+        loop: The closed loop; or ``system, element`` in its place. The system is strictly proper, with one
+            input and one output, and continuous in time.
         guesses: All limit cycles that harmonic balance predicts, as it gives them or, if none are given, as
             ``limit_cycles`` does; or else limit cycles and pairs of amplitude (in the unit of the element's
             input) and omega (rad/s).
@@ -63,16 +61,16 @@ def periodic_orbits(
         mirror image stands for that, too. Its ``search`` is what was searched.
 
     Raises:
+        WrongTypeError: if neither a closed loop nor a system and an element are given.
         ValueError: if a guess is not positive and finite, or the loop is not well posed.
         UnsupportedMotionError: if the element or the system cannot be simulated.
 
     Warns:
         OrbitNotFoundWarning: for each guess from which no orbit was found; often there is none.
     """
-    loop = ClosedLoop(system, element)
     orbits: list[PeriodicOrbit] = []
     predicted = guesses is None or isinstance(guesses, HarmonicBalance)
-    tried = _guesses(system, element, guesses)
+    tried = _guesses(loop, guesses)
     failed = 0
     for guess in tried:
         amplitude, omega = (
@@ -84,7 +82,7 @@ def periodic_orbits(
             warnings.warn(
                 f"no periodic orbit was found from the amplitude {amplitude:.6g} and omega {omega:.6g} rad/s",
                 OrbitNotFoundWarning,
-                stacklevel=2,
+                stacklevel=CALLER,
             )
         else:
             _add(orbits, [orbit])
@@ -96,12 +94,11 @@ def periodic_orbits(
 
 
 def _guesses(
-    system: control.LTI,
-    element: Element,
+    loop: ClosedLoop,
     guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None,
 ) -> Sequence[LimitCycle | tuple[float, float]]:
     if guesses is None:
-        return limit_cycles(system, element)
+        return limit_cycles(loop)
     return guesses.limit_cycles if isinstance(guesses, HarmonicBalance) else guesses
 
 
