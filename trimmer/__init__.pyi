@@ -92,6 +92,7 @@ from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
 from .orbits.search import OrbitSearched as OrbitSearched
+from .orbits.search import OrbitSearchInterrupted as OrbitSearchInterrupted
 from .orbits.search import PeriodicOrbits as PeriodicOrbits
 from .orbits.search import RelaySearch as RelaySearch
 from .orbits.search import Simulations as Simulations

@@ -65,7 +65,9 @@ def test_both_forms_take_names() -> None:
 @pytest.mark.parametrize("function", OF_LOOPS)
 def test_help_shows_the_loop_first(function) -> None:
     assert next(iter(inspect.signature(function).parameters)) == "loop"
-    assert "``system, element`` in its place" in function.__doc__ or "``harmonic_balance``" in function.__doc__
+    assert (
+        "``system, element`` in its place" in function.__doc__ or "``harmonic_balance``" in function.__doc__
+    )
 
 
 @pytest.mark.parametrize("function", OF_LOOPS)
@@ -95,11 +97,11 @@ def test_mixtures_are_refused(function) -> None:
         with pytest.raises(WrongTypeError, match="a loop holds its system and its element already"):
             function(*given, **named)
     for given, named in (((SYSTEM,), {}), ((PLAY,), {}), ((), {"system": SYSTEM})):
-        with pytest.raises(WrongTypeError, match="needs a loop, as .* is given without an element"):
+        with pytest.raises(WrongTypeError, match=r"needs a loop, as .* is given without an element"):
             function(*given, **named)
     with pytest.raises(WrongTypeError, match=f"{function.__name__} needs a loop, .*: neither is given"):
         function()
-    with pytest.raises(UnsupportedElementError, match="give a trimmer.Element"):
+    with pytest.raises(UnsupportedElementError, match=r"give a trimmer\.Element"):
         function(PLAY, SYSTEM)
     with pytest.raises(UnsupportedSystemError, match="2 inputs"):
         function(control.ss(-1, [[1, 2]], 1, 0), PLAY)

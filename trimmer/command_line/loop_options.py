@@ -129,6 +129,18 @@ def closed_loop(arguments: Namespace) -> ClosedLoop:
     return ClosedLoop(linear_part(arguments), element)
 
 
+def unusable(arguments: Namespace, error: ValueError) -> OptionError:
+    """Return what is wrong with options whose loop cannot be followed, from the error that says so."""
+    from trimmer.errors import IllPosedLoopError
+
+    if isinstance(error, IllPosedLoopError) and (arguments.element, arguments.channels) == (
+        "coulomb",
+        "both",
+    ):
+        return OptionError("--element coulomb needs two more poles than zeros: add --channels displacement")
+    return OptionError(str(error))
+
+
 def linear_part(arguments: Namespace) -> control.StateSpace:
     """Return the linear part that the options choose, from the displacement of the pin (m) to the output (m).
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
+from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
 from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
 from trimmer.errors import TrimmerError
@@ -60,7 +61,7 @@ def _run(arguments: Namespace) -> int:
     try:
         motion = simulate(loop, arguments.duration, impulse=impulse)
     except ValueError as error:
-        raise OptionError(str(error)) from error
+        raise unusable(arguments, error) from error
     targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
     try:
         _write(arguments, motion)
