@@ -80,6 +80,7 @@ from .motion.loops import OpenLoop as OpenLoop
 from .motion.motion import Event as Event
 from .motion.motion import Motion as Motion
 from .motion.motion import Outcome as Outcome
+from .motion.simulation import SimulationInterrupted as SimulationInterrupted
 from .motion.simulation import simulate as simulate
 from .motion.switched_component import EventKind as EventKind
 from .motion.trimmer_loop import BodyFriction as BodyFriction
