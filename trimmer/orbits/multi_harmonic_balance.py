@@ -78,8 +78,10 @@ def multi_harmonic_balance(
         OrbitNotFoundError: if there is no solution near the one before.
     """
     require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
-    for place, order in enumerate(require_instances("orders", orders, object, "a whole number")):
+    orders = [
         whole_number(f"orders[{place}]", order)
+        for place, order in enumerate(require_instances("orders", orders, object, "a whole number"))
+    ]
     if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
         raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
     return tuple(solutions(loop.system, loop.element, (cycle.amplitude, cycle.omega), orders))
