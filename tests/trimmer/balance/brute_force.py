@@ -103,7 +103,7 @@ def _of_relay(loop: RandomLoop, omegas: tuple[float, float]) -> list[tuple[float
 
 
 def _turns(loop: RandomLoop, omegas: tuple[float, float]) -> tuple[Reals, Reals]:
-    """Return the frequencies of the grid, rad/s, and the turns of 1 + N G round its cells, share by frequency."""
+    """Return frequencies of the grid, rad/s, and the turns of 1 + N G round its cells, share by frequency."""
     omega = np.geomspace(*omegas, OMEGAS)
     amplitude = loop.element.amplitude_scale / (SHARES[:, None] * loop.element.domain(omega))
     gain = loop.gain(amplitude, np.broadcast_to(omega, amplitude.shape))

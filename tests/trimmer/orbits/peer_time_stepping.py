@@ -2,7 +2,7 @@
 
 A step predicts the element's output at its end and moves the plant under the mean of both outputs, twice. A
 load flies on freely and is then clamped to the gap, where it takes the speed of the pin (time-stepping after
-Moreau); a relay that switches within a step acts with the mean of both signs, weighted at the linear crossing.
+Moreau); a relay that switches within a step acts with the mean of both signs, weighted at the crossing.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class PeerLoop:
         raise TypeError(element)
 
     def inputs(self, start: np.ndarray, step: float, steps: int) -> np.ndarray:
-        """Return the element's input after each step from a state of the plant, the load resting at the pin."""
+        """Return the element's input after each step from a state of the plant; the load rests at the pin."""
         order = len(self.A)
         block = np.zeros((order + 1, order + 1))
         block[:order, :order], block[:order, order] = self.A * step, self.B * step
