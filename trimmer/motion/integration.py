@@ -160,8 +160,9 @@ def _decide_together(modes: ModeTables, log: Log, last: int) -> int | None:
     if mode is None:
         return None
     held = [HELD if k in relays else one for k, one in enumerate(modes.component_modes(int(log.mode[last])))]
+    state = modes.at_rest(modes.mode(int(log.mode[last])), tuple(held)) @ log.state[last]
     for segment, number in ((kept + 1, modes.number(tuple(held))), (kept + 2, mode)):
-        log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, log.state[last]
+        log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, state
         log.event_function[segment], log.jumped[segment], log.touches[segment] = TOGETHER, False, 0
         if not modes.tables.known[number]:
             modes.tabulate(number)
