@@ -22,8 +22,8 @@ from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
-OMEGAS = 1500
-SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 100), 1 - np.geomspace(0.5, 1e-11, 200)[1:]])
+OMEGAS = 900
+SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 70), 1 - np.geomspace(0.5, 1e-11, 130)[1:]])
 """Of the largest gap over amplitude; fine where N ends, since it varies fast there."""
 AROUND = 1e-5
 """Half of the width, relative, of the contour round one limit cycle."""
@@ -88,7 +88,7 @@ def check_limit_cycles(loop: RandomLoop, cycles: tuple[LimitCycle, ...], omegas:
 
 def _of_relay(loop: RandomLoop, omegas: tuple[float, float]) -> list[tuple[float, float]]:
     """Return omega and amplitude where -1/G is positive, or for friction positive imaginary, as N is."""
-    omega = np.geomspace(*omegas, 400_000)
+    omega = np.geomspace(*omegas, 100_000)
     turned = -loop.response(omega) * (1.0 if isinstance(loop.element, Relay) else 1j)
     level = loop.element.level if isinstance(loop.element, Relay) else loop.element.force
     crossing = np.flatnonzero((np.sign(turned.imag[1:]) != np.sign(turned.imag[:-1])) & (turned.real[1:] > 0))
