@@ -55,14 +55,19 @@ def _integrate(
     done, touched = 0, 0
     while True:
         mode, begin = log.mode[segment], log.start[segment]
+        if pause.valid[0]:
+            done, late = pause.steps[0], pause.late[0]
         if not tables.known[mode]:
+            pause.segment[0], pause.reached[0] = segment, begin
+            pause.steps[0], pause.late[0], pause.valid[0] = 0, late, True
             return UNKNOWN_MODE, segment, begin
         copy(log.state[segment], work.state.size, work.state)
         recent = _know_zeros(tables, log, segment, work)
         if pause.valid[0]:
             pause.valid[0] = False
-            done, late, touched = pause.steps[0], pause.late[0], log.touches[segment]
-            copy(pause.state, work.state.size, work.state)
+            if done > 0:
+                touched = log.touches[segment]
+                copy(pause.state, work.state.size, work.state)
         fired, steps, fraction, jumped, touches = _follow(
             tables, work, mode, recent, (end - begin) - late, done, done + steps_left
         )
@@ -81,6 +86,7 @@ def _integrate(
             return EVENT_LIMIT, segment, time
         if segment + 1 >= log.start.size:
             pause.segment[0], pause.reached[0] = segment, begin
+            pause.steps[0], pause.late[0], pause.valid[0] = 0, late, True
             return FULL, segment, begin
         cascade = cascade + 1 if time == begin else 0
         late = _rounding(begin, elapsed, time)
