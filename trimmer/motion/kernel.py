@@ -52,22 +52,17 @@ def _integrate(
     work = _work(tables)
     segment, cascade, steps_left = first, 0, limits.steps
     late = 0.0  # The exact time is by so much later than the rounded time in the log.
-    done, touched = 0, 0
+    done = 0
     while True:
         mode, begin = log.mode[segment], log.start[segment]
         if pause.valid[0]:
             done, late = pause.steps[0], pause.late[0]
         if not tables.known[mode]:
-            pause.segment[0], pause.reached[0] = segment, begin
-            pause.steps[0], pause.late[0], pause.valid[0] = 0, late, True
+            _leave(pause, segment, 0, late, begin)
             return UNKNOWN_MODE, segment, begin
         copy(log.state[segment], work.state.size, work.state)
         recent = _know_zeros(tables, log, segment, work)
-        if pause.valid[0]:
-            pause.valid[0] = False
-            if done > 0:
-                touched = log.touches[segment]
-                copy(pause.state, work.state.size, work.state)
+        touched = _taken_up(pause, log, segment, work)
         fired, steps, fraction, jumped, touches = _follow(
             tables, work, mode, recent, (end - begin) - late, done, done + steps_left
         )
@@ -77,21 +72,19 @@ def _integrate(
         if fired == NO_EVENT:
             return REACHED_END, segment, end
         if fired == TOO_MANY_STEPS:
-            pause.segment[0], pause.reached[0] = segment, time
-            pause.steps[0], pause.late[0], pause.valid[0] = steps, late, True
+            _leave(pause, segment, steps, late, time)
             copy(work.state, work.state.size, pause.state)
         if fired < 0:
             return (DIVERGED if fired == TOO_LARGE else STEP_LIMIT), segment, time
         if segment + 1 >= limits.segments:
             return EVENT_LIMIT, segment, time
         if segment + 1 >= log.start.size:
-            pause.segment[0], pause.reached[0] = segment, begin
-            pause.steps[0], pause.late[0], pause.valid[0] = 0, late, True
+            _leave(pause, segment, 0, late, begin)
             return FULL, segment, begin
         cascade = cascade + 1 if time == begin else 0
         late = _rounding(begin, elapsed, time)
         steps_left -= steps - done
-        done, touched = 0, 0
+        done = 0
         segment += 1
         combine(work.state, tables.reset[mode, fired], work.state.size, log.state[segment])
         log.start[segment] = time
@@ -100,6 +93,24 @@ def _integrate(
         log.jumped[segment] = jumped
         if cascade > limits.cascade:
             return CYCLING, segment, time
+
+
+@inlined
+def _leave(pause: Pause, segment: int, steps: int, late: float, reached: float) -> None:
+    """Write where the integration is to go on."""
+    pause.segment[0], pause.steps[0], pause.valid[0] = segment, steps, True
+    pause.late[0], pause.reached[0] = late, reached
+
+
+@inlined
+def _taken_up(pause: Pause, log: Log, segment: int, work: Work) -> int:
+    """Go on from a pause, if there is one; return how many touches the segment had before it."""
+    touches = 0
+    if pause.valid[0] and pause.steps[0] > 0:
+        touches = log.touches[segment]
+        copy(pause.state, work.state.size, work.state)
+    pause.valid[0] = False
+    return touches
 
 
 @compiled
