@@ -39,11 +39,11 @@ class RandomLoop:
 
     def gain(self, amplitude: Reals, omega: Reals) -> Complexes:
         if isinstance(self.element, FrictionBacklash):
-            ratio = np.minimum(self.element.gap / amplitude, 2.0)  # Gap over amplitude; play ends at 2.
-            inner = 1.0 - ratio
-            root = np.sqrt(np.maximum(ratio * (2.0 - ratio), 0.0))
-            in_phase = 0.5 + (np.arcsin(inner) + inner * root) / np.pi
-            return in_phase - 1j * ratio * (2.0 - ratio) / np.pi
+            beyond = np.maximum(2.0 - self.element.gap / amplitude, 0.0)  # Play ends where it is 0.
+            turn = 4.0 * np.arcsin(np.sqrt(0.5 * beyond))
+            series = turn**3 / 6.0 - turn**5 / 120.0 + turn**7 / 5040.0
+            in_phase = np.where(turn < 0.1, series, turn - np.sin(turn)) / (2.0 * np.pi)
+            return in_phase - 1j * beyond * (2.0 - beyond) / np.pi
         return self.element.describing_function(amplitude, omega)
 
 
