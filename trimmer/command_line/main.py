@@ -23,13 +23,12 @@ from trimmer.command_line import (
     spectrum,
 )
 from trimmer.command_line.command import Command
-from trimmer.command_line.parser import WRONG_USE, Parser, drop, tell
+from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
-INTERRUPTED = 130
 EXIT_CODES = (
     "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
     "used; 3 a simulation that ended before its time; 130 interrupted."
@@ -76,6 +75,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         drop(sys.stdout)
         return WRONG_USE
     except KeyboardInterrupt:
+        tell("interrupted before the result was complete")
         return INTERRUPTED
 
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
+from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
@@ -50,7 +51,7 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.motion_text import as_json, as_text
     from trimmer.motion.motion import Outcome
-    from trimmer.motion.simulation import simulate
+    from trimmer.motion.simulation import SimulationInterrupted, simulate
 
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     _check_duration(arguments)
@@ -59,8 +60,10 @@ def _run(arguments: Namespace) -> int:
     )
     try:
         motion = simulate(loop, arguments.duration, impulse=impulse)
+    except SimulationInterrupted as interrupt:
+        motion = interrupt.motion
     except ValueError as error:
-        raise OptionError(str(error)) from error
+        raise unusable(arguments, error) from error
     targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
     try:
         _write(arguments, motion)
@@ -72,7 +75,7 @@ def _run(arguments: Namespace) -> int:
     if motion.outcome is Outcome.COMPLETED:
         return 0
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")
-    return ENDED_EARLY
+    return INTERRUPTED if motion.outcome is Outcome.INTERRUPTED else ENDED_EARLY
 
 
 def _check_duration(arguments: Namespace) -> None:
