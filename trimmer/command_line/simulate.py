@@ -51,7 +51,7 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.motion_text import as_json, as_text
     from trimmer.motion.motion import Outcome
-    from trimmer.motion.simulation import SimulationInterrupted, simulate
+    from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     _check_duration(arguments)
@@ -59,7 +59,7 @@ def _run(arguments: Namespace) -> int:
         arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}}, {"parameters": "the file of the parameters"}
     )
     try:
-        motion = simulate(loop, arguments.duration, impulse=impulse)
+        motion = simulate_loop(loop, arguments.duration, impulse=impulse)
     except SimulationInterrupted as interrupt:
         motion = interrupt.motion
     except ValueError as error:
