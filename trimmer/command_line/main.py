@@ -18,6 +18,7 @@ from trimmer.command_line import (
     linear,
     orbits,
     parameters,
+    respond,
     simulate,
     spectrum,
 )
@@ -101,7 +102,7 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(parameters.COMMAND, derive.COMMAND),
+        *(respond.COMMAND, parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]
