@@ -101,4 +101,6 @@ def draw_section(axes: Axes, flow: ExactFlow, states: Reals, label: str | None =
 def _name_plane(axes: Axes, name: str) -> None:
     axes.set_xlabel(f"{name}, m", parse_math=False)
     axes.set_ylabel(f"{name}, m/s", parse_math=False)
+    axes.ticklabel_format(scilimits=(-2, 3))
+    axes.locator_params(nbins=5)
     axes.grid(alpha=0.3)
