@@ -9,7 +9,7 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
 from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import INTERRUPTED, refuse_unused, require_positive, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
 from trimmer.command_line.simulate_mechanism import (
     add_mechanism,
     mechanism_motion,
