@@ -16,6 +16,7 @@ from trimmer.command_line import (
     identify,
     limit_cycles,
     linear,
+    motion_maps,
     orbits,
     parameters,
     respond,
@@ -23,13 +24,12 @@ from trimmer.command_line import (
     spectrum,
 )
 from trimmer.command_line.command import Command
-from trimmer.command_line.parser import WRONG_USE, Parser, drop, tell
+from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
-INTERRUPTED = 130
 EXIT_CODES = (
     "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
     "used; 3 a simulation that ended before its time; 130 interrupted."
@@ -76,6 +76,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         drop(sys.stdout)
         return WRONG_USE
     except KeyboardInterrupt:
+        tell("interrupted before the result was complete")
         return INTERRUPTED
 
 
@@ -102,7 +103,8 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(respond.COMMAND, parameters.COMMAND, derive.COMMAND),
+        *(respond.COMMAND, motion_maps.COMMAND),
+        *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]

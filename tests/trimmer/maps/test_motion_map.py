@@ -1,0 +1,163 @@
+from __future__ import annotations
+
+import multiprocessing
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer.errors import MechanismError, TrimmerError
+from trimmer.maps.cells import CellWork
+from trimmer.maps.inputs import MapError, Settings, checked_inputs
+from trimmer.maps.kinds import MotionKind
+from trimmer.maps.motion_map import MapInterruptedError, motion_map
+from trimmer.maps.runner import ProcessRunner, SerialRunner
+from trimmer.mechanism import Mechanism
+
+TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
+PLACES = {
+    "plays.bridge.gap": [40e-6, 200e-6, 400e-6],
+    "frictions.blade.force": [0.1, 1.0, 2.0, 4.0],
+}
+SERIAL = SerialRunner()
+
+
+@pytest.fixture(scope="module")
+def twin():
+    return motion_map(TWIN, PLACES, runner=SERIAL)
+
+
+class Backwards:
+    """A runner of another kind: it takes all cells and does the last one first."""
+
+    def results(self, work, cells):
+        return map(work, reversed(list(cells)))
+
+
+def test_arrays_have_a_row_for_each_value_of_the_second_place(twin) -> None:
+    assert twin.shape == (4, 3)
+    assert twin.stroke.shape == twin.kind.shape == twin.period_count.shape == (4, 3)
+    assert list(twin.rms_acceleration) == ["motor", "cutter", "housing", "guard"]
+    assert twin.wear_power["blade"].shape == (4, 3)
+    assert not twin.failures
+    assert np.isfinite(twin.stroke).all()
+
+
+def test_cells_are_what_their_values_settle_to(twin) -> None:
+    assert twin.period_count[1, 0] == 1
+    assert twin.period_count[2, 1] == 3  # in the issue's words: 0.2 mm and 2 N repeat after three periods
+    assert twin.stroke[1, 0] == pytest.approx(2.933334121400e-3, rel=5e-13)
+    assert twin.rms_acceleration["motor"][1, 0] == pytest.approx(118.754895, abs=5e-7)
+    assert twin.events[1, 0] == 14
+    assert twin.kind[0, 2] is MotionKind.CHAOTIC
+    assert twin.lyapunov[0, 2] > 0
+    assert np.isnan(twin.lyapunov[1, 0])
+    assert twin.largest_multiplier[1, 0] < 1
+
+
+@pytest.mark.parametrize("runner", [ProcessRunner(1), ProcessRunner(2), Backwards()])
+def test_who_does_the_cells_and_in_what_order_changes_no_bit(twin, runner) -> None:
+    assert motion_map(TWIN, PLACES, runner=runner).cells == twin.cells
+
+
+def test_other_cells_beside_it_change_no_bit_of_a_cell(twin) -> None:
+    alone = motion_map(TWIN, {"plays.bridge.gap": [400e-6], "frictions.blade.force": [0.1]}, runner=SERIAL)
+    assert alone.cells[0].motions == twin.cells[2].motions
+
+
+def test_random_starts_belong_to_their_cell() -> None:
+    inputs = checked_inputs(impact_oscillator(), {"frequency": [1.1, 1.2]}, Settings(starts=6, seed=3))
+    first = motion_map(impact_oscillator(), {"frequency": [1.1, 1.2]}, starts=6, seed=3, runner=SERIAL)
+    again = motion_map(impact_oscillator(), {"frequency": [1.1, 1.2]}, starts=6, seed=3, runner=Backwards())
+    other = motion_map(impact_oscillator(), {"frequency": [1.1, 1.2]}, starts=6, seed=4, runner=SERIAL)
+    assert first.inputs == inputs
+    assert first.cells == again.cells
+    assert [sum(motion.starts for motion in cell.motions) for cell in first.cells] == [6, 6]
+    assert [cell.motions for cell in first.cells] != [cell.motions for cell in other.cells]
+    assert "5 random states (seed 3)" in first.searched
+
+
+def test_one_place_gives_one_row() -> None:
+    found = motion_map(linear_oscillator(), {"frequency": [1.0, 1.5]}, runner=SERIAL)
+    assert found.shape == (1, 2)
+    amplitudes = 100 / abs(
+        40 - (2 * np.pi * np.array([1.0, 1.5])) ** 2 + 0.2j * np.pi * np.sqrt(40) * np.array([1.0, 1.5])
+    )
+    np.testing.assert_allclose(found.stroke[0], 2 * amplitudes, rtol=1e-9)
+    assert "not looked for" in found.searched
+
+
+def test_values_that_go_together_only_with_some_others_fail_in_their_cells_alone() -> None:
+    mechanism = TWIN.with_value("frictions.blade.static", 1.0)
+    places = {"frictions.blade.force": [0.5, 1.5], "frictions.blade.static": [1.0, 2.0]}
+    found = motion_map(mechanism, places, most_periods=2, runner=SERIAL)
+    assert list(found.failures) == [(0, 1)]
+    assert "never less" in found.failures[0, 1]
+    assert found.kind[0, 1] is MotionKind.FAILED
+    assert np.isnan(found.stroke[0, 1])
+    assert np.isfinite(np.delete(found.stroke.ravel(), 1)).all()
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"plays.bridge.gap": [1e-5, -1e-5]}, "plays.bridge.gap = -1e-05: must be zero or greater"),
+        ({"plays.bridg.gap": [1e-5]}, "did you mean plays.bridge.gap"),
+        ({"plays.bridge.gap": []}, "no value of plays.bridge.gap"),
+        ({"plays.bridge.gap": [1e-5, 1e-5]}, "is there twice"),
+        ({"plays.bridge.gap": [float("nan")]}, r"plays.bridge.gap\[0\] must be finite"),
+        ({"plays.bridge.gap": "40 um"}, "must be a sequence of numbers"),
+        ({"plays.bridge.gap": [1e-5], 'plays."bridge".gap': [2e-5]}, "both places are plays.bridge.gap"),
+        ({}, "one place or two, not 0"),
+        ({"plays.bridge.gap": range(9999), "frictions.blade.force": range(9999)}, "at most 4000000"),
+        ({3: [1.0]}, "place must be a dotted place"),
+        ([], "values must be a mapping"),
+    ],
+)
+def test_what_cannot_be_varied_is_told_before_the_run(values, message: str) -> None:
+    with pytest.raises((TrimmerError, ValueError), match=message):
+        motion_map(TWIN, values)
+
+
+def test_a_mechanism_without_a_drive_has_no_map() -> None:
+    from trimmer.mechanism import Body, Link
+
+    free = Mechanism({"mass": Body(1.0)}, links={"spring": Link(("ground", "mass"), stiffness=1.0)})
+    with pytest.raises(MapError, match="no frequency"):
+        motion_map(free, {"bodies.mass.mass": [1.0]})
+
+
+@pytest.mark.parametrize("name", ["most_periods", "most_period_count", "starts", "seed"])
+def test_settings_are_whole_numbers(name: str) -> None:
+    with pytest.raises(ValueError, match=f"{name} must be a whole number"):
+        motion_map(TWIN, PLACES, **{name: -1})
+
+
+def test_resume_without_a_file_is_refused() -> None:
+    with pytest.raises(MapError, match="resume is of a file"):
+        motion_map(TWIN, PLACES, resume=True)
+
+
+def test_no_stroke_without_an_output() -> None:
+    from dataclasses import replace
+
+    found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
+    with pytest.raises(MapError, match="no output"):
+        _ = found.stroke
+
+
+def test_an_interrupt_tells_how_far_it_came() -> None:
+    class Interrupted:
+        def results(self, work: CellWork, cells):
+            yield work(next(iter(cells)))
+            raise KeyboardInterrupt
+
+    with pytest.raises(MapInterruptedError, match="after 1 of 12 cells, which are lost"):
+        motion_map(TWIN, PLACES, runner=Interrupted(), most_periods=2)
+
+
+def test_an_error_of_the_program_stops_no_process_behind() -> None:
+    with pytest.raises(MechanismError):
+        motion_map(TWIN, {"frequency": [0.0]}, runner=ProcessRunner(1))
+    assert multiprocessing.active_children() == []

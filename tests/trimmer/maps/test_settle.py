@@ -1,0 +1,81 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.trimmer.maps.machines import linear_oscillator
+from trimmer.contact.flow import ExactFlow
+from trimmer.maps.kinds import MotionKind
+from trimmer.maps.settle import _looks, same_orbit, settle
+from trimmer.mechanism import Mechanism
+
+TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
+
+
+def settled(mechanism: Mechanism, periods: int = 300):
+    flow = ExactFlow(mechanism)
+    return settle(flow, flow.rest(), periods, 24)
+
+
+@pytest.mark.parametrize(
+    ("gap", "force", "count"),
+    [(40e-6, 1.0, 1), (200e-6, 2.0, 3)],  # the issue's own words: one period, and three
+)
+def test_the_twin_settles_to_as_many_drive_periods_as_are_known(gap: float, force: float, count: int) -> None:
+    mechanism = TWIN.with_value("plays.bridge.gap", gap).with_value("frictions.blade.force", force)
+    found = settled(mechanism)
+    assert (found.kind, found.period_count) == (MotionKind.PERIODIC, count)
+    assert found.orbit is not None
+    assert found.orbit.largest < 1
+    miss = found.orbit.course.end.state - found.orbit.begin.state
+    assert abs(miss).max() < 1e-10 * abs(found.orbit.states).max()
+
+
+def test_without_friction_and_with_little_play_the_twin_has_not_settled() -> None:
+    found = settled(TWIN.with_value("frictions.blade.force", 0.0))
+    assert found.kind is not MotionKind.PERIODIC
+    assert found.periods == 300
+
+
+def test_growing_distances_are_chaos_with_an_exponent() -> None:
+    # With more play the issue names chaos; the exponent of a map of the period is that of Benettin's method.
+    found = settled(TWIN.with_value("plays.bridge.gap", 400e-6).with_value("frictions.blade.force", 0.1))
+    assert found.kind is MotionKind.CHAOTIC
+    assert found.lyapunov is not None
+    assert 0.05 < found.lyapunov < 2
+
+
+def test_two_frequencies_without_damping_are_a_torus() -> None:
+    # An undamped oscillator from rest moves with its own frequency beside that of the drive for ever.
+    mechanism = linear_oscillator().with_value("links.spring.damping", 0.0)
+    found = settled(mechanism)
+    assert found.kind is MotionKind.TORUS
+    assert found.lyapunov == pytest.approx(0.0, abs=0.02)
+
+
+def test_a_motion_that_grows_is_not_said_to_have_settled() -> None:
+    # At resonance without damping the motion grows for ever.
+    mechanism = linear_oscillator().with_value("links.spring.damping", 0.0)
+    assert (
+        settled(mechanism.with_value("frequency", np.sqrt(40.0) / (2 * np.pi))).kind is MotionKind.UNDECIDED
+    )
+
+
+def test_fewer_periods_than_it_takes_leave_it_undecided() -> None:
+    found = settled(linear_oscillator().with_value("links.spring.damping", 0.01), periods=40)
+    assert found.kind is MotionKind.UNDECIDED
+    assert found.periods == 40
+
+
+@pytest.mark.parametrize("periods", [1, 24, 25, 200, 300])
+def test_looks_add_up_to_the_periods_that_are_given(periods: int) -> None:
+    assert sum(_looks(periods)) == periods
+
+
+def test_an_orbit_is_the_same_wherever_it_begins_and_another_one_is_not() -> None:
+    states = np.array([[1.0, 0.0], [0.5, 2.0], [-1.0, 1.0]])
+    assert same_orbit(states, np.roll(states, 1, axis=0))
+    assert not same_orbit(states, states[::-1])
+    assert not same_orbit(states, states[:1])

@@ -1,0 +1,83 @@
+"""Options that vary numbers of a mechanism: ``--vary PLACE=A:B:N``, read without evaluating anything."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.parser import OptionError
+from trimmer.mechanism.place_text import parse_place, place_text, split_assignment
+from trimmer.mechanism.units import UnitError, quantity
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+
+FORM = "PLACE=A:B:N"
+EXAMPLE = "plays.bridge.gap=0um:500um:50"
+MOST_VALUES = 100_000
+
+
+def varied_values(mechanism: Mechanism, texts: Sequence[str]) -> dict[str, list[float]]:
+    """Return evenly spaced values, SI units, by their places.
+
+    Args:
+        mechanism: The mechanism that has the places.
+        texts: Such as ``plays.bridge.gap=0um:500um:50``: from, to, and how many.
+
+    Raises:
+        OptionError: if a text is not of that form, there is not one or two of them, or a place comes twice.
+        MechanismError: if there is no such place.
+    """
+    if not 1 <= len(texts) <= 2:
+        given = "is missing" if not texts else f"was given {len(texts)} times"
+        raise OptionError(
+            f"--vary {given}: give it once for a line or twice for a map, as in --vary {EXAMPLE}"
+        )
+    found: dict[str, list[float]] = {}
+    for text in texts:
+        place, values = _varied(mechanism, text)
+        if place in found:
+            raise OptionError(f"--vary {place} was given twice: vary two different numbers, or one")
+        found[place] = values
+    return found
+
+
+def _varied(mechanism: Mechanism, text: str) -> tuple[str, list[float]]:
+    written, values = split_assignment(text)
+    place = place_text(parse_place(written))
+    mechanism.value(place)
+    parts = [part.strip() for part in values.split(":")]
+    if len(parts) != 3:
+        raise OptionError(f"--vary {text}: write {FORM}, from A to B in N values, as in {EXAMPLE}")
+    first, last = (_number(mechanism, place, part) for part in parts[:2])
+    if first == last:
+        raise OptionError(f"--vary {text}: goes from {parts[0]} to the same; set a single value with --set")
+    return place, _spaced(first, last, _count(text, parts[2]))
+
+
+def _count(text: str, part: str) -> int:
+    if not (part.isascii() and part.isdecimal()) or not 2 <= int(part[:9]) <= MOST_VALUES:
+        raise OptionError(
+            f"--vary {text}: {part or 'nothing'} is no number of values; give a whole number from 2 to "
+            f"{MOST_VALUES}, or set a single value with --set"
+        )
+    return int(part)
+
+
+def _spaced(first: float, last: float, count: int) -> list[float]:
+    import numpy as np
+
+    values: list[float] = np.linspace(first, last, count).tolist()
+    return values
+
+
+def _number(mechanism: Mechanism, place: str, text: str) -> float:
+    """Read a number in SI units, or one with its unit."""
+    try:
+        return quantity(text, "1")
+    except UnitError:
+        pass
+    try:
+        return quantity(text, mechanism.places[place])
+    except UnitError as error:
+        raise OptionError(f"--vary {place}: {text!r}: {error}") from None

@@ -1,0 +1,94 @@
+"""Maps as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.command_line.table import table
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.maps.result import MotionMap
+
+_MOST_FAILURES = 5
+"""Failures that the text lists; the JSON has all."""
+
+
+def as_text(result: MotionMap, searched: str) -> str:
+    """Return what is where in how many cells, the ranges of the measures, and what was searched."""
+    mechanism, cells = result.inputs.mechanism, len(result.cells)
+    lines = [f"{mechanism.title or 'Mechanism'}: what it settles to over"]
+    units = mechanism.places
+    for place, values in zip(result.places, result.values, strict=True):
+        lines.append(f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {len(values)} values")
+    counts = Counter(_name(cell.motions[0].kind.value, cell.motions[0].period_count) for cell in result.cells)
+    rows = [(name, str(count), f"{count / cells:.1%}") for name, count in counts.most_common()]
+    lines += table(("motion", "cells", "share"), rows)
+    lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
+    several = int((result.motion_count > 1).sum())
+    if several:
+        lines.append(f"several motions coexist in {several} cells")
+    for (row, column), failure in list(result.failures.items())[:_MOST_FAILURES]:
+        numbers = result.inputs.cell_values(row * result.shape[1] + column)
+        at = ", ".join(f"{place} = {value:g}" for place, value in zip(result.places, numbers, strict=True))
+        lines.append(f"failed at {at}: {failure}")
+    if len(result.failures) > _MOST_FAILURES:
+        lines.append(f"and {len(result.failures) - _MOST_FAILURES} more failed, which --json lists")
+    return "\n".join([*lines, f"searched: {searched}"])
+
+
+def _name(kind: str, count: int) -> str:
+    return f"period {count}" if count else kind
+
+
+def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
+    measures = [
+        *((f"{name}, peak to peak", each, "m") for name, each in result.peak_to_peak.items()),
+        ("impacts per drive period", result.impacts, ""),
+        ("largest impact speed", result.impact_speed, "m/s"),
+        *((f"{name}, rms acceleration", each, "m/s²") for name, each in result.rms_acceleration.items()),
+        *((f"{name}, wear power", each, "W") for name, each in result.wear_power.items()),
+    ]
+    return [_range(name, values, unit) for name, values, unit in measures if np.isfinite(values).any()]
+
+
+def _range(name: str, values: Reals, unit: str) -> tuple[str, ...]:
+    numbers = np.nanmin(values), np.nanmedian(values), np.nanmax(values)
+    return (name, *(f"{number:.4g}" for number in numbers), unit)
+
+
+def as_json(result: MotionMap, searched: str) -> str:
+    """Return a map as JSON: arrays as lists of rows, full precision, SI units; what is not there is null."""
+    content: dict[str, Any] = {
+        "title": result.inputs.mechanism.title,
+        "places": list(result.places),
+        "values": [values.tolist() for values in result.values],
+        "settings": asdict(result.inputs.settings),
+        "kind": [[kind.word for kind in row] for row in result.kind],
+        "period_count": [[count or None for count in row] for row in result.period_count.tolist()],
+        "drive_periods": result.periods.tolist(),
+        "motion_count": result.motion_count.tolist(),
+        "largest_multiplier": _rows(result.largest_multiplier),
+        "lyapunov": _rows(result.lyapunov),
+        "events_per_period": _rows(result.events),
+        "impacts_per_period": _rows(result.impacts),
+        "impact_speed": _rows(result.impact_speed),
+        "outputs": {name: {"peak_to_peak": _rows(each)} for name, each in result.peak_to_peak.items()},
+        "bodies": {name: {"rms_acceleration": _rows(each)} for name, each in result.rms_acceleration.items()},
+        "frictions": {name: {"wear_power": _rows(each)} for name, each in result.wear_power.items()},
+        "failures": [
+            {"row": row, "column": column, "message": message}
+            for (row, column), message in result.failures.items()
+        ],
+        "searched": searched,
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _rows(values: Reals) -> list[list[float | None]]:
+    return [[value if np.isfinite(value) else None for value in row] for row in values.tolist()]

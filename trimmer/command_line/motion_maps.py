@@ -1,0 +1,171 @@
+"""``trimmer map``: which motion a mechanism settles to, over one of its numbers or over two."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_read,
+    file_to_write,
+    show,
+)
+from trimmer.command_line.map_options import EXAMPLE, FORM, varied_values
+from trimmer.command_line.parser import OptionError, as_option, refuse_unused, tell
+from trimmer.files import MAP
+
+if TYPE_CHECKING:
+    from trimmer.maps.result import MotionMap
+    from trimmer.mechanism.mechanism import Mechanism
+
+INTERRUPTED = 130
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument("file", type=file_to_read, metavar="FILE", help="TOML file of the mechanism")
+    parser.add_argument(
+        "--vary",
+        action="append",
+        default=[],
+        metavar=FORM,
+        help=f"vary a number from A to B in N values, as in {EXAMPLE}; once for a line, twice for a map",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="PLACE=VALUE",
+        help="set another number first, as in frictions.blade.force=1 (repeatable)",
+    )
+    _add_search_options(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    parser.add_argument(
+        "--plot", type=file_to_write, metavar="FILE", help="draw the map into an .svg, .png or .pdf file"
+    )
+    parser.add_argument(
+        "--output",
+        type=file_to_write,
+        metavar="FILE",
+        help="keep each cell in a file as soon as it is done, to be able to go on",
+    )
+    parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
+    add_overwrite_option(parser)
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes (default: as many as cores)")
+    parser.add_argument("--quiet", action="store_true", help="show no progress bar")
+
+
+def _add_search_options(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--periods", type=int, default=300, metavar="N", help="drive periods to wait at most (default: 300)"
+    )
+    parser.add_argument(
+        "--starts",
+        type=int,
+        default=1,
+        metavar="N",
+        help="starts of each cell: rest, or the start in the file, and then random ones (default: 1)",
+    )
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    parser.add_argument(
+        "--coexisting",
+        action="store_true",
+        help="look for more motions by starting each cell from the orbits of the cells around it",
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.maps.motion_map import MapInterruptedError
+
+    _check(arguments)
+    mechanism = _mechanism(arguments)
+    values = varied_values(mechanism, arguments.vary)
+    try:
+        result, searched = _map(arguments, mechanism, values)
+    except MapInterruptedError as interrupt:
+        tell(str(interrupt))
+        return INTERRUPTED
+    _draw(arguments, result)
+    show(_told(arguments, result, searched), arguments.plot, arguments.output)
+    return 0
+
+
+def _check(arguments: Namespace) -> None:
+    """Refuse what cannot be meant, before any work is done."""
+    if arguments.resume and arguments.output is None:
+        raise OptionError("--resume goes on with the file of --output: name it")
+    if arguments.resume and arguments.overwrite:
+        raise OptionError("--resume and --overwrite contradict each other: leave one of them out")
+    if arguments.starts == 1:
+        refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
+    for name, least in (("periods", 2), ("starts", 1), ("seed", 0), ("jobs", 1)):
+        value = getattr(arguments, name)
+        if value is not None and value < least:
+            raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
+    targets = {"plot": PICTURES, "output": {"": MAP}}
+    check_targets(arguments, targets, {"file": "the file of the mechanism"})
+
+
+def _mechanism(arguments: Namespace) -> Mechanism:
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.places import assignment
+
+    mechanism = Mechanism.from_toml(arguments.file)
+    for text in arguments.set:
+        mechanism = mechanism.with_value(*assignment(text))
+    return mechanism
+
+
+def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[float]]) -> tuple[MotionMap, str]:
+    """Return the map, and what was searched, in a sentence."""
+    from trimmer.maps.coexistence import coexisting_motions
+    from trimmer.maps.motion_map import motion_map
+    from trimmer.maps.runner import ProcessRunner, SerialRunner
+
+    runner = None
+    if arguments.jobs is not None:
+        runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs)
+    result = motion_map(
+        mechanism,
+        values,
+        most_periods=arguments.periods,
+        starts=arguments.starts,
+        seed=arguments.seed,
+        runner=runner,
+        file=arguments.output,
+        resume=arguments.resume,
+        overwrite=arguments.overwrite and arguments.output is not None,
+        quiet=arguments.quiet,
+    )
+    if not arguments.coexisting:
+        return result, result.searched
+    found = coexisting_motions(result, runner=runner, quiet=arguments.quiet)
+    return found.result, found.searched
+
+
+def _draw(arguments: Namespace, result: MotionMap) -> None:
+    if arguments.plot is None:
+        return
+    from trimmer.command_line.map_picture import draw
+    from trimmer.files import write_atomically
+
+    picture = draw(result, arguments.plot.suffix.lower()[1:])
+    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+
+
+def _told(arguments: Namespace, result: MotionMap, searched: str) -> str:
+    from trimmer.command_line.map_text import as_json, as_text
+
+    if arguments.json:
+        return as_json(result, searched)
+    written = [path for path in (arguments.output, arguments.plot) if path is not None]
+    return "\n".join([as_text(result, searched), *(f"wrote {path}" for path in written)])
+
+
+COMMAND = Command(
+    "map", "which motion a mechanism settles to, over one or two of its numbers", _configure, _run
+)
+"""The subcommand ``trimmer map``."""

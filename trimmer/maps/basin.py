@@ -1,0 +1,113 @@
+"""Basins: from which initial values which motion is reached, on a slice over one initial value or two."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.maps.cells import CellMotion, same_motion
+from trimmer.maps.inputs import MapError
+from trimmer.maps.kinds import MotionKind
+from trimmer.maps.motion_map import motion_map
+from trimmer.maps.result import MotionMap
+from trimmer.mechanism.place_text import parse_place, place_text
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Integers
+    from trimmer.mechanism.mechanism import Mechanism
+
+START = "start"
+"""First name of the places of initial values."""
+COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
+"""Of the motions in turn: the colours of Okabe and Ito."""
+
+
+@dataclass(frozen=True, eq=False)
+class Basin:
+    """Which motion is reached from where.
+
+    Attributes:
+        result: The map over the initial values, with all that is measured.
+        motions: The distinct motions, in the order in which they were met. Periodic ones are told apart by
+            their exact orbits; mirror images are two. All chaotic ones count as one, and so do all of each
+            other kind that does not repeat.
+        number: Which of them is reached, (n2, n1).
+    """
+
+    result: MotionMap
+    motions: tuple[CellMotion, ...]
+    number: Integers
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Share of the cells from which each motion is reached."""
+        return tuple(float((self.number == each).mean()) for each in range(len(self.motions)))
+
+    def plot(self, axes: Axes) -> None:
+        """Draw which motion is reached from where; the legend numbers them from 1."""
+        from matplotlib.patches import Patch
+
+        from trimmer.maps.drawing import draw_areas
+
+        if len(self.result.places) != 2:
+            raise MapError("only a basin over two initial values can be drawn: vary two")
+        legend = [(self._name(each), _colour(self.motions, each)) for each in range(len(self.motions))]
+        draw_areas(axes, self.result, self.number, legend)
+        handles = [Patch(facecolor=colour, edgecolor="0.4", label=name) for name, colour in legend]
+        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize="small")
+
+    def _name(self, number: int) -> str:
+        motion = self.motions[number]
+        what = f"period {motion.period_count}" if motion.period_count else motion.kind.value
+        return f"{number + 1}: {what}"
+
+
+def _colour(motions: tuple[CellMotion, ...], number: int) -> str:
+    from trimmer.maps.drawing import OTHER_COLOURS
+
+    kind = motions[number].kind
+    before = sum(motion.kind is MotionKind.PERIODIC for motion in motions[:number])
+    return OTHER_COLOURS.get(kind) or COLOURS[before % len(COLOURS)]
+
+
+def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any) -> Basin:
+    """Tell from which initial values which motion is reached.
+
+    Args:
+        mechanism: The mechanism; its other initial values are those of its own start, or zero.
+        values: Values by body and ``displacement``, m, or ``velocity``, m/s, such as ``motor.velocity`` or
+            ``start.motor.velocity``; one or two. The first runs along a row.
+        settings: As for ``motion_map``.
+
+    Returns:
+        The basin.
+
+    Raises:
+        MapError: if a place is no initial value, and as ``motion_map`` does.
+    """
+    places = {_start_place(place): each for place, each in values.items()}
+    result = motion_map(mechanism, places, **settings)
+    motions: list[CellMotion] = []
+    numbers = []
+    for cell in result.cells:
+        motion = cell.motions[0]
+        found = next((at for at, other in enumerate(motions) if same_motion(motion, other)), len(motions))
+        if found == len(motions):
+            motions.append(motion)
+        numbers.append(found)
+    return Basin(result, tuple(motions), np.array(numbers, dtype=np.int64).reshape(result.shape))
+
+
+def _start_place(place: str) -> str:
+    names = parse_place(place)
+    if names[0] == START:
+        return place
+    if len(names) != 2 or names[1] not in ("displacement", "velocity"):
+        raise MapError(f"{place} is no initial value: give a body's, such as motor.displacement")
+    return place_text((START, *names))

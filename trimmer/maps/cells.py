@@ -1,0 +1,219 @@
+"""The work of one cell: a mechanism with its values, what it settles to from its starts, and the measures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.contact.flow import ExactFlow
+from trimmer.errors import TrimmerError
+from trimmer.maps.closing import closed_near
+from trimmer.maps.inputs import Settings, varied
+from trimmer.maps.kinds import MotionKind
+from trimmer.maps.measures import Measures, of_orbit, of_window
+from trimmer.maps.settle import Settled, same_orbit, settle, sizes_of
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.mechanism.mechanism import Mechanism
+
+WINDOW = 20
+"""Drive periods over which a motion is measured that does not repeat."""
+NEIGHBOUR = 0.5
+"""Change of a state, relative to the sizes, from the orbit of a cell to that of the next one."""
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One pair of values, and where its motions begin.
+
+    Attributes:
+        number: Its place in the map, row by row.
+        values: Its values, in the order of the places.
+        orbits: Orbits of other cells to begin with: states at the start of each drive period, (k, n) as
+            tuples. If there are none, the starts of the settings are taken.
+    """
+
+    number: int
+    values: tuple[float, ...]
+    orbits: tuple[tuple[tuple[float, ...], ...], ...] = ()
+
+
+@dataclass(frozen=True)
+class CellMotion:
+    """A motion of a cell.
+
+    Attributes:
+        kind: Kind of motion.
+        period_count: Drive periods after which it repeats; 0 if it does not.
+        periods: Drive periods that were waited.
+        largest_multiplier: Largest modulus of the Floquet multipliers; None where there is no exact orbit.
+        lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
+        states: At the start of each period of the orbit, (period_count, n) as tuples; of a motion that does
+            not repeat only the last one.
+        measures: Over the period, or over the last ``WINDOW`` drive periods; None where the motion failed.
+        starts: How many starts of the cell led to it.
+        failure: Why the motion ended before its time; empty if it did not.
+    """
+
+    kind: MotionKind
+    period_count: int = 0
+    periods: int = 0
+    largest_multiplier: float | None = None
+    lyapunov: float | None = None
+    states: tuple[tuple[float, ...], ...] = ()
+    measures: Measures | None = None
+    starts: int = 1
+    failure: str = ""
+
+    def as_data(self) -> dict[str, Any]:
+        """Return the motion as data for JSON."""
+        return {**asdict(self), "kind": self.kind.word}
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> CellMotion:
+        """Return the motion that ``as_data`` gave the data of."""
+        fields = dict(data)
+        fields["kind"] = MotionKind.chosen(fields["kind"], "kind")
+        fields["states"] = tuple(map(tuple, fields["states"]))
+        fields["measures"] = None if fields["measures"] is None else Measures(**fields["measures"])
+        return cls(**fields)
+
+
+@dataclass(frozen=True)
+class CellResult:
+    """The motions of a cell; the first one is that of the first start.
+
+    Attributes:
+        number: Place of the cell in the map, row by row.
+        motions: The distinct motions, in the order in which they were met.
+    """
+
+    number: int
+    motions: tuple[CellMotion, ...]
+
+
+@dataclass(frozen=True)
+class CellWork:
+    """What is done with each cell of a map.
+
+    Attributes:
+        mechanism: The mechanism that is varied.
+        places: Places of the values.
+        settings: How long each cell is looked at, and from where.
+    """
+
+    mechanism: Mechanism
+    places: tuple[str, ...]
+    settings: Settings
+
+    def __call__(self, cell: Cell) -> CellResult:
+        """Return the motions of a cell; what fails is told by the motion, and stops no other cell."""
+        try:
+            flow = ExactFlow(varied(self.mechanism, self.places, cell.values))
+            starts = _starts(flow, cell, self.settings)
+        except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
+            return CellResult(cell.number, (_failed(error),))
+        motions: list[CellMotion] = []
+        for states in cell.orbits:
+            _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings)))
+        for start in starts:
+            _add(motions, _motion(flow, partial(_settled, flow, start, self.settings)))
+        return CellResult(cell.number, tuple(motions))
+
+
+def _settled(flow: ExactFlow, start: Instant, settings: Settings) -> Settled:
+    return settle(flow, start, settings.most_periods, settings.most_period_count)
+
+
+def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
+    """Return the stable orbit near that of another cell, or what a start on that leads to."""
+    start = flow.at(states[0])
+    orbit = closed_near(flow, start, len(states), sizes_of(states), NEIGHBOUR)
+    if orbit is not None and orbit.largest < 1.0:
+        return Settled(MotionKind.PERIODIC, 0, orbit.begin, orbit, orbit.period_count)
+    return _settled(flow, start, settings)
+
+
+def _failed(error: Exception) -> CellMotion:
+    return CellMotion(MotionKind.FAILED, failure=str(error) or type(error).__name__)
+
+
+def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
+    if cell.orbits:
+        return []
+    random = np.random.default_rng(np.random.SeedSequence((settings.seed, cell.number)))
+    scales = start_scales(flow)
+    others = [scales * random.uniform(-1.0, 1.0, flow.size) for _ in range(settings.starts - 1)]
+    return [flow.rest(), *(flow.at(state, stretched=False) for state in others)]
+
+
+def start_scales(flow: ExactFlow) -> Reals:
+    """Return how far random starts go: the largest amplitude or gap, and the speed of a drive with that."""
+    mechanism = flow.mechanism
+    lengths = [
+        *(abs(pin.amplitude) for pin in mechanism.pins.values()),
+        *(play.gap for play in mechanism.plays.values()),
+        *(abs(stop.gap) for stop in mechanism.stops.values()),
+    ]
+    length = max(lengths, default=0.0) or 1e-3
+    scales = np.full(flow.size, length)
+    bodies = len(mechanism.bodies)
+    scales[bodies : 2 * bodies] *= flow.modes.layout.omega
+    return scales
+
+
+def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
+    try:
+        return _described(flow, found())
+    except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
+        return _failed(error)
+
+
+def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
+    if settled.kind is MotionKind.FAILED:
+        return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
+    orbit, count = settled.orbit, settled.period_count
+    course = flow.course(settled.end, count or WINDOW) if orbit is None else orbit.course
+    if course.ending is not Ending.REACHED_END:
+        return CellMotion(MotionKind.FAILED, periods=settled.periods, failure=course.ending.value)
+    states = settled.end.state[None] if orbit is None else orbit.states
+    if orbit is None and count:
+        states = flow.strobe(settled.end, count).states[:-1]
+    return CellMotion(
+        settled.kind,
+        count,
+        settled.periods,
+        None if orbit is None else orbit.largest,
+        settled.lyapunov,
+        tuple(map(tuple, states.tolist())),
+        of_orbit(flow, course, count) if count else of_window(flow, course, WINDOW),
+    )
+
+
+def _add(motions: list[CellMotion], motion: CellMotion) -> None:
+    """Count a motion that is there already, or append it."""
+    for place, other in enumerate(motions):
+        if same_motion(motion, other):
+            motions[place] = replace(other, starts=other.starts + motion.starts)
+            return
+    motions.append(motion)
+
+
+def same_motion(first: CellMotion, second: CellMotion) -> bool:
+    """Return whether two motions of one cell are one.
+
+    Periodic motions are told apart by their orbits, of which mirror images are two. Of the others only the
+    kind is compared.
+    """
+    if first.kind is not second.kind:
+        return False
+    if first.kind is MotionKind.PERIODIC:
+        return same_orbit(np.array(first.states), np.array(second.states))
+    return first.failure == second.failure

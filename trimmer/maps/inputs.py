@@ -1,0 +1,164 @@
+"""What a map is made from: a mechanism, the places that are varied, their values, and how long to look."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.arguments import finite_number, require_instance, shown
+from trimmer.errors import MechanismError, TrimmerError, WrongTypeError
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place, place_text
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+FORMAT = 1
+"""Version of the format of files."""
+MOST_CELLS = 4_000_000
+"""Cells whose results still fit into memory: a kilobyte or two each."""
+
+
+class MapError(TrimmerError, ValueError):
+    """A map cannot be made of what is given; the message says what to give."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How long each cell is looked at, and from where.
+
+    Attributes:
+        most_periods: Drive periods to wait at most.
+        most_period_count: Largest number of drive periods after which a motion may repeat.
+        starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
+        seed: Seed of the random starts; each cell has its own numbers.
+    """
+
+    most_periods: int = 300
+    most_period_count: int = 24
+    starts: int = 1
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class MapInputs:
+    """All that the cells of a map depend on.
+
+    Attributes:
+        mechanism: The mechanism that is varied.
+        places: One place or two.
+        values: Values of each place.
+        settings: How long each cell is looked at, and from where.
+    """
+
+    mechanism: Mechanism
+    places: tuple[str, ...]
+    values: tuple[tuple[float, ...], ...]
+    settings: Settings
+
+    @property
+    def count(self) -> int:
+        """Number of cells."""
+        return len(self.values[0]) * (len(self.values[1]) if len(self.values) > 1 else 1)
+
+    def cell_values(self, number: int) -> tuple[float, ...]:
+        """Return the values of a cell; the first place runs within a row."""
+        columns = len(self.values[0])
+        places = (number % columns, number // columns)
+        return tuple(values[at] for values, at in zip(self.values, places, strict=False))
+
+    @property
+    def header(self) -> dict[str, Any]:
+        """The header of the file."""
+        from trimmer import __version__
+
+        content = {
+            "mechanism": self.mechanism.to_toml(),
+            "places": list(self.places),
+            "values": [list(values) for values in self.values],
+            "settings": asdict(self.settings),
+        }
+        digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+        return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}
+
+
+def varied(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
+    """Return the mechanism with other numbers at some places, in whatever order they can be set.
+
+    Raises:
+        MechanismError: if the numbers cannot stand there together.
+    """
+    try:
+        return _in_order(mechanism, places, values)
+    except MechanismError:
+        # A static force may have to rise before the kinetic one does.
+        return _in_order(mechanism, places[::-1], values[::-1])
+
+
+def _in_order(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
+    for place, value in zip(places, values, strict=True):
+        mechanism = mechanism.with_value(place, value)
+    return mechanism
+
+
+def checked_inputs(mechanism: Mechanism, values: Mapping[str, ArrayLike], settings: Settings) -> MapInputs:
+    """Return the inputs of a map after all was checked that can be without a motion.
+
+    Raises:
+        MechanismError, MapError, WrongTypeError: as ``motion_map`` does.
+    """
+    require_instance("mechanism", mechanism, Mechanism, "a Mechanism")
+    require_instance("values", values, Mapping, "a mapping of dotted places to values")
+    for place in values:
+        require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
+    if mechanism.frequency is None:
+        raise MapError("the mechanism has no frequency, and maps are of driven motions: give it one")
+    if not 1 <= len(values) <= 2:
+        raise MapError(f"a map is over one place or two, not {len(values)}")
+    places = tuple(place_text(parse_place(place)) for place in values)
+    if len(set(places)) < len(places):
+        raise MapError(f"both places are {places[0]}: vary two different numbers, or one")
+    for place in places:
+        mechanism.value(place)
+    lists = tuple(_numbers(place, each) for place, each in zip(places, values.values(), strict=True))
+    inputs = MapInputs(mechanism, places, lists, settings)
+    if inputs.count > MOST_CELLS:
+        raise MapError(f"these are {inputs.count} cells: give values for at most {MOST_CELLS}")
+    for axis in range(len(places)):
+        others = lists[1 - axis] if len(lists) > 1 else ()
+        for value in lists[axis]:
+            _check_value(mechanism, places, axis, value, others)
+    return inputs
+
+
+def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:
+    if isinstance(values, str | bytes) or not np.iterable(values):
+        raise WrongTypeError(f"values of {place} must be a sequence of numbers, not {shown(values)}")
+    numbers = tuple(finite_number(f"{place}[{at}]", value) for at, value in enumerate(values))
+    if not numbers:
+        raise MapError(f"there is no value of {place}: give at least one")
+    if len(set(numbers)) < len(numbers):
+        raise MapError(f"a value of {place} is there twice: give each once")
+    return numbers
+
+
+def _check_value(
+    mechanism: Mechanism, places: tuple[str, ...], axis: int, value: float, others: tuple[float, ...]
+) -> None:
+    """Check that a value can stand at its place with at least one of the other place's values."""
+    first = None
+    for other in others or (None,):
+        pair = (value,) if other is None else (value, other) if axis == 0 else (other, value)
+        try:
+            varied(mechanism, places, pair)
+        except MechanismError as error:
+            first = first or error
+        else:
+            return
+    if first is not None:
+        raise first

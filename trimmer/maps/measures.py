@@ -1,0 +1,153 @@
+"""What the motion of a cell does, as numbers: strokes, impacts, accelerations, wear.
+
+Those of an orbit are exact. A window of a motion that does not repeat leaves more open than even samples do,
+and these take a fraction of the time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.statuses import CONTACT_MADE, KINDS, NOTHING, STICK
+from trimmer.response import measures as exact
+from trimmer.response.motion_signals import output_rows
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Reals
+    from trimmer.contact.flow import Course, ExactFlow
+
+SAMPLES = 128
+"""Samples per drive period of a window, beside its events."""
+
+
+@dataclass(frozen=True)
+class Measures:
+    """Measures of a motion over some drive periods.
+
+    Attributes:
+        peak_to_peak: Of each output, m.
+        rms_acceleration: Of each body, m/s².
+        wear_power: What each dry friction turns into heat on average, W; its viscous share is left out.
+        events: Per drive period, of all kinds.
+        impacts: Contacts made per drive period.
+        impact_speed: Largest speed at which the sides of a contact meet, m/s; 0 without impacts.
+    """
+
+    peak_to_peak: dict[str, float]
+    rms_acceleration: dict[str, float]
+    wear_power: dict[str, float]
+    events: float
+    impacts: float
+    impact_speed: float
+
+
+def of_orbit(flow: ExactFlow, course: Course, period_count: int) -> Measures:
+    """Return the measures of an orbit, exact to rounding.
+
+    Args:
+        flow: The exact motion of the mechanism.
+        course: The motion over its period.
+        period_count: Drive periods that it lasts.
+    """
+    found = exact.Measures(course, flow, period_count, period_count)
+    frictions = {name: each.power for name, each in found.frictions.items()}
+    return Measures(
+        dict(found.peak_to_peak),
+        dict(found.rms_acceleration),
+        {name: frictions.get(name, 0.0) for name in flow.mechanism.frictions},
+        *_of_events(course, period_count),
+    )
+
+
+def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
+    """Return the measures of a motion that does not repeat, from even samples.
+
+    Args:
+        flow: The exact motion of the mechanism.
+        course: A window of the motion.
+        periods: Drive periods that it lasts.
+    """
+    mechanism, log, machine = flow.mechanism, course.log, flow.modes.machine
+    count, bodies = periods * SAMPLES, len(mechanism.bodies)
+    times = course.duration * (np.arange(count) + 0.5) / count
+    rows = np.searchsorted(log.start, times, side="right") - 1
+    states = course.states(times)
+    accelerations = _accelerations(course, rows, states, bodies)
+    speeds = abs(product(states, machine.friction_rate))
+    speeds[flow.modes.tables.statuses[log.mode[rows], len(machine.stiffness) :] == STICK] = 0.0
+    powers = dict(zip(flow.modes.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
+    return Measures(
+        _swings(flow, course, times, states),
+        dict(zip(mechanism.bodies, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
+        {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
+        *_of_events(course, periods),
+    )
+
+
+def _of_events(course: Course, periods: int) -> tuple[float, float, float]:
+    """Return events and impacts per drive period, and the largest speed of an impact."""
+    log = course.log
+    counts = np.bincount(log.kind, minlength=KINDS)
+    made = np.flatnonzero(log.kind == CONTACT_MADE)
+    speeds = (course.modes.machine.contact_rate[log.part[made]] * log.state[made]).sum(axis=1)
+    events = float((len(log.kind) - counts[NOTHING]) / periods)
+    return events, float(counts[CONTACT_MADE] / periods), float(abs(speeds).max(initial=0.0))
+
+
+def product(states: Reals, functionals: Reals) -> Reals:
+    """Return functionals (m, N) of states (samples, N), as (samples, m).
+
+    The linear algebra of NumPy would start threads for it, which cost more than the product in a process
+    beside others.
+    """
+    return np.asarray(np.einsum("ij,kj->ik", states, functionals, optimize=False))
+
+
+def _accelerations(course: Course, rows: Integers, states: Reals, bodies: int) -> Reals:
+    numbers = course.log.mode[rows]
+    accelerations = np.empty((len(rows), bodies))
+    for number in set(numbers.tolist()):
+        here = numbers == number
+        accelerations[here] = product(states[here], course.modes[number].flow[bodies : 2 * bodies])
+    return accelerations
+
+
+def _swings(flow: ExactFlow, course: Course, times: Reals, states: Reals) -> dict[str, float]:
+    """Return peak to peak of the outputs, from cubics through values and rates."""
+    times = np.concatenate([course.log.start, times])
+    order = np.argsort(times, kind="stable")
+    states = np.concatenate([course.log.state, states])[order]
+    rows = output_rows(flow.mechanism, flow.modes.layout)
+    if not rows:
+        return {}
+    functionals = np.array(list(rows.values()))
+    # The rates of displacements are the same in every mode, but those of the drive must be among them.
+    values, rates = product(states, functionals), product(states, functionals @ flow.modes[0].flow)
+    return {
+        name: _highest(times[order], values[:, i], rates[:, i])
+        + _highest(times[order], -values[:, i], -rates[:, i])
+        for i, name in enumerate(rows)
+    }
+
+
+def _highest(times: Reals, values: Reals, rates: Reals) -> float:
+    """Return the largest value on the cubics through values and rates beside the highest sample."""
+    top = int(np.argmax(values))
+    best = float(values[top])
+    for first in (top - 1, top):
+        if 0 <= first < len(times) - 1 and rates[first] > 0 > rates[first + 1]:
+            best = max(best, _top_of_cubic(times, values, rates, first))
+    return best
+
+
+def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> float:
+    length = times[first + 1] - times[first]
+    rise = values[first + 1] - values[first]
+    begin, end = length * rates[first], length * rates[first + 1]
+    second, third = 3 * rise - 2 * begin - end, begin + end - 2 * rise
+    roots = np.roots([3 * third, 2 * second, begin])
+    inside = roots[(abs(roots.imag) == 0) & (roots.real > 0) & (roots.real < 1)].real
+    return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))

@@ -1,0 +1,172 @@
+"""A map: the motions of all cells, and arrays of what they have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.maps.inputs import MapError
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Integers, Reals
+    from trimmer.maps.cells import CellMotion, CellResult
+    from trimmer.maps.inputs import MapInputs
+
+
+@dataclass(frozen=True, eq=False)
+class MotionMap:
+    """Which motion where. Arrays have the shape (n2, n1): the first place varies along a row.
+
+    With one place n2 is 1. All arrays are of the first motion of each cell, which is that from rest, or from
+    the mechanism's own start; ``cells`` has the others. Measures of cells that failed are NaN.
+
+    Attributes:
+        inputs: Mechanism, places, values and settings.
+        cells: The result of each cell, row by row.
+    """
+
+    inputs: MapInputs
+    cells: tuple[CellResult, ...]
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """What is varied, as dotted places."""
+        return self.inputs.places
+
+    @property
+    def values(self) -> tuple[Reals, ...]:
+        """Values of each place, in SI units."""
+        return tuple(np.array(values) for values in self.inputs.values)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(n2, n1)."""
+        columns = len(self.inputs.values[0])
+        return self.inputs.count // columns, columns
+
+    def _of_each(self, measure: Callable[[CellMotion], float | None]) -> Reals:
+        return np.array([measure(cell.motions[0]) for cell in self.cells], dtype=float).reshape(self.shape)
+
+    def _measure(self, name: str, key: str | None = None) -> Reals:
+        def value(motion: CellMotion) -> float:
+            if motion.measures is None:
+                return float("nan")
+            found = getattr(motion.measures, name)
+            return float(found if key is None else found[key])
+
+        return self._of_each(value)
+
+    @cached_property
+    def kind(self) -> np.ndarray[tuple[int, int], np.dtype[np.object_]]:
+        """Kinds of motion, ``MotionKind``, (n2, n1)."""
+        kinds = np.empty(len(self.cells), dtype=object)
+        kinds[:] = [cell.motions[0].kind for cell in self.cells]
+        return kinds.reshape(self.shape)
+
+    @cached_property
+    def period_count(self) -> Integers:
+        """Drive periods after which the motion repeats, 0 where it does not, (n2, n1)."""
+        return self._of_each(lambda motion: motion.period_count).astype(np.int64)
+
+    @cached_property
+    def periods(self) -> Integers:
+        """Drive periods that were waited, (n2, n1)."""
+        return self._of_each(lambda motion: motion.periods).astype(np.int64)
+
+    @cached_property
+    def motion_count(self) -> Integers:
+        """Distinct motions that were found in each cell, (n2, n1)."""
+        return np.array([len(cell.motions) for cell in self.cells], dtype=np.int64).reshape(self.shape)
+
+    @cached_property
+    def lyapunov(self) -> Reals:
+        """Growth of small distances per drive period, as a logarithm; NaN where not measured, (n2, n1)."""
+        return self._of_each(lambda motion: motion.lyapunov)
+
+    @cached_property
+    def largest_multiplier(self) -> Reals:
+        """Largest modulus of the Floquet multipliers, NaN without an exact orbit, (n2, n1)."""
+        return self._of_each(lambda motion: motion.largest_multiplier)
+
+    @cached_property
+    def stroke(self) -> Reals:
+        """Peak to peak of the mechanism's first output, m, (n2, n1).
+
+        Raises:
+            MapError: if the mechanism has no output.
+        """
+        if not self.inputs.mechanism.outputs:
+            raise MapError("the mechanism has no output, so there is no stroke: give it one ([outputs])")
+        return next(iter(self.peak_to_peak.values()))
+
+    @cached_property
+    def peak_to_peak(self) -> Mapping[str, Reals]:
+        """Of each output, m, (n2, n1)."""
+        return {name: self._measure("peak_to_peak", name) for name in self.inputs.mechanism.outputs}
+
+    @cached_property
+    def rms_acceleration(self) -> Mapping[str, Reals]:
+        """Of each body, m/s², (n2, n1)."""
+        return {name: self._measure("rms_acceleration", name) for name in self.inputs.mechanism.bodies}
+
+    @cached_property
+    def wear_power(self) -> Mapping[str, Reals]:
+        """Mean power of each dry friction, W, (n2, n1)."""
+        return {name: self._measure("wear_power", name) for name in self.inputs.mechanism.frictions}
+
+    @cached_property
+    def events(self) -> Reals:
+        """Events per drive period, (n2, n1)."""
+        return self._measure("events")
+
+    @cached_property
+    def impacts(self) -> Reals:
+        """Contacts made per drive period, (n2, n1)."""
+        return self._measure("impacts")
+
+    @cached_property
+    def impact_speed(self) -> Reals:
+        """Largest speed at which the sides of a contact meet, m/s, (n2, n1)."""
+        return self._measure("impact_speed")
+
+    @property
+    def failures(self) -> Mapping[tuple[int, int], str]:
+        """Why motions ended before their time, by row and column."""
+        columns = self.shape[1]
+        return {
+            divmod(cell.number, columns): motion.failure
+            for cell in self.cells
+            for motion in cell.motions[:1]
+            if motion.failure
+        }
+
+    @property
+    def searched(self) -> str:
+        """What was looked at, in a sentence."""
+        return _searched(self)
+
+    def plot(self, axes: Axes, curves: Iterable[tuple[str, ArrayLike]] = ()) -> None:
+        """Draw the kinds of motion into axes, with curves over them; see ``drawing.draw_map``."""
+        from trimmer.maps.drawing import draw_map
+
+        draw_map(axes, self, curves)
+
+
+def _searched(result: MotionMap) -> str:
+    settings, count = result.inputs.settings, len(result.cells)
+    own = "the mechanism's own start" if result.inputs.mechanism.start else "rest"
+    several = int((result.motion_count > 1).sum())
+    begun = f"{count} cells, each from {own}"
+    if settings.starts > 1:
+        begun += f" and from {settings.starts - 1} random states (seed {settings.seed})"
+    begun += f", for at most {settings.most_periods} drive periods"
+    if settings.starts == 1:
+        return f"{begun}; other motions were not looked for"
+    return f"{begun}; {several} of them have several motions among those found"
