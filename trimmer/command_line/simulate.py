@@ -69,8 +69,10 @@ def _run(arguments: Namespace) -> int:
     show("\n".join([text, *(f"wrote {path}" for path in targets if not arguments.json)]), *targets)
     if motion.success:
         return 0
+    from trimmer.motion.motion import Outcome
+
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.message}")
-    return INTERRUPTED if motion.outcome.name == "INTERRUPTED" else ENDED_EARLY
+    return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
 
 
 def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
