@@ -23,7 +23,7 @@ from trimmer.arrays import Reals
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate
+from trimmer.motion.simulation import simulate_loop as simulate
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 

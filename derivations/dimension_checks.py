@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 
 import sympy
 
@@ -22,11 +22,13 @@ class DimensionCheck:
         name: What the expression is, for the error message.
         expression: The derived expression, a scalar.
         expected: Its dimension by mechanics.
+        dimensions: Those of the symbols; by default of the thesis's.
     """
 
     name: str
     expression: sympy.Expr
     expected: Dimension
+    dimensions: Mapping[sympy.Expr, Dimension] = field(default_factory=lambda: DIMENSIONS)
 
     @property
     def found(self) -> Dimension | None:
@@ -35,7 +37,7 @@ class DimensionCheck:
         Raises:
             DimensionError: if the expression is not consistent in itself.
         """
-        return dimension_of(self.expression, DIMENSIONS)
+        return dimension_of(self.expression, self.dimensions)
 
 
 def dimension_checks(derivation: LinearTrimmer) -> tuple[DimensionCheck, ...]:

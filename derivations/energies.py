@@ -21,6 +21,9 @@ def potential_energy(mechanism: Mechanism) -> sympy.Expr:
 
 
 def rayleigh_function(mechanism: Mechanism) -> sympy.Expr:
-    """Return R = Σ c ė² / 2 over the dampers, W: half of the power dissipated (thesis, equation 2.7)."""
-    rates = ((damper.damping, elongation_rate(damper)) for damper in mechanism.dampers)
+    """Return R = Σ c ė² / 2 over dampers and viscous frictions, W: half of the power dissipated.
+
+    Source: thesis, equation 2.7.
+    """
+    rates = ((damper.damping, elongation_rate(damper)) for damper in mechanism.resistances)
     return sympy.Add(*(HALF * damping * rate**2 for damping, rate in rates))

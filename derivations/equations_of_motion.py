@@ -3,24 +3,33 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy
 
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
+from derivations.generalised_forces import generalised_forces
 from derivations.mechanism import Mechanism
 from derivations.symbols import t
+
+KEPT = 8
+"""Mechanisms whose equations are kept, because several checks ask for the same ones."""
 
 
 @dataclass(frozen=True)
 class MotionMatrices:
-    """Matrices of M q̈ + C q̇ + K q = F_u u + F_v u̇.
+    """Matrices of M q̈ + C q̇ + K q = F_u u + F_v u̇ + F_p p + F_T T + F_f f + f_0.
 
     Attributes:
         mass: M, n × n for n bodies, kg.
         damping: C, n × n, N s/m.
         stiffness: K, n × n, N/m.
-        displacement_force: F_u, n × 1: force on each body per displacement of the pin, N/m.
-        velocity_force: F_v, n × 1: force on each body per velocity of the pin, N s/m.
+        displacement_force: F_u, a column for each pin: force on each body per displacement, N/m.
+        velocity_force: F_v, a column for each pin: force on each body per velocity, N s/m.
+        given_force: F_p, a column for each given force, 1 at its body.
+        contact_force: F_T, a column for each contact: share of its tension on each body.
+        friction_force: F_f, a column for each friction: share of its dry force on each body.
+        constant_force: f_0, n × 1, N: of springs that carry nothing at another distance of their ends.
     """
 
     mass: sympy.ImmutableMatrix
@@ -28,6 +37,24 @@ class MotionMatrices:
     stiffness: sympy.ImmutableMatrix
     displacement_force: sympy.ImmutableMatrix
     velocity_force: sympy.ImmutableMatrix
+    given_force: sympy.ImmutableMatrix
+    contact_force: sympy.ImmutableMatrix
+    friction_force: sympy.ImmutableMatrix
+    constant_force: sympy.ImmutableMatrix
+
+    @property
+    def input_forces(self) -> sympy.ImmutableMatrix:
+        """All columns at the right side together, the constant one only if it is not zero."""
+        columns = [
+            self.displacement_force,
+            self.velocity_force,
+            self.given_force,
+            self.contact_force,
+            self.friction_force,
+        ]
+        if not self.constant_force.is_zero_matrix:
+            columns.append(self.constant_force)
+        return sympy.ImmutableMatrix.hstack(*columns)
 
 
 def lagrangian(mechanism: Mechanism) -> sympy.Expr:
@@ -48,32 +75,62 @@ def euler_lagrange(lagrangian: sympy.Expr, dissipation: sympy.Expr, coordinate: 
     return momentum.diff(t) - lagrangian.diff(coordinate) + dissipation.diff(velocity)
 
 
+@lru_cache(maxsize=KEPT)
 def force_balances(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
-    """Return the Euler-Lagrange expression of each body, expanded, N, in the order of the bodies."""
+    """Return what must be zero for each body, expanded, N, in the order of the bodies.
+
+    It is the Euler-Lagrange expression less the generalised force of contacts, frictions and given forces.
+    """
     energy, dissipation = lagrangian(mechanism), rayleigh_function(mechanism)
     return tuple(
-        sympy.expand(euler_lagrange(energy, dissipation, body.coordinate)) for body in mechanism.bodies
+        sympy.expand(euler_lagrange(energy, dissipation, body.coordinate) - force)
+        for body, force in zip(mechanism.bodies, generalised_forces(mechanism), strict=True)
+    )
+
+
+def inputs(mechanism: Mechanism) -> tuple[tuple[sympy.Expr, ...], ...]:
+    """Return all that drives a mechanism, by kind, in the order of ``MotionMatrices``.
+
+    These are the pins' displacements, m, their velocities, m/s, the given forces, the tensions of contacts
+    and the dry forces of frictions, N.
+    """
+    displacements = tuple(pin.displacement for pin in mechanism.pins)
+    return (
+        displacements,
+        tuple(displacement.diff(t) for displacement in displacements),
+        tuple(force.value for force in mechanism.forces),
+        tuple(contact.tension for contact in mechanism.contacts),
+        tuple(friction.force for friction in mechanism.frictions),
     )
 
 
 def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
-    """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s².
+    """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s²."""
+    forces = resultant_forces(mechanism)
+    return tuple(force / body.mass for body, force in zip(mechanism.bodies, forces, strict=True))
+
+
+@lru_cache(maxsize=KEPT)
+def resultant_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
+    """Return mass times acceleration of each body, from its Euler-Lagrange equation, N.
 
     The terms are collected, and held in the order of the thesis's equations 2.9: velocities, displacements,
-    displacement of the pin, velocity of the pin.
+    then what drives, displacements of pins first.
     """
     positions = [body.coordinate for body in mechanism.bodies]
-    pin = mechanism.pin.displacement
-    variables = [*(position.diff(t) for position in positions), *positions, pin, pin.diff(t)]
+    given = [each for kind in inputs(mechanism) for each in kind]
+    variables = [*(position.diff(t) for position in positions), *positions, *given]
     return tuple(
-        _collected(-(balance - body.mass * body.coordinate.diff(t, 2)), variables) / body.mass
+        _collected(-(balance - body.mass * body.coordinate.diff(t, 2)), variables)
         for body, balance in zip(mechanism.bodies, force_balances(mechanism), strict=True)
     )
 
 
 def _collected(force: sympy.Expr, variables: list[sympy.Expr]) -> sympy.Expr:
-    terms = (_term(sympy.diff(force, variable), variable) for variable in variables)
-    return sympy.Add(*(term for term in terms if term != 0), evaluate=False)
+    terms = [_term(sympy.diff(force, variable), variable) for variable in variables]
+    constant = sympy.Add(*(term for term in sympy.Add.make_args(force) if not term.has(t)))
+    kept = [term for term in (*terms, constant) if term != 0]
+    return sympy.Add(*kept, evaluate=False) if kept else sympy.S.Zero
 
 
 def _term(coefficient: sympy.Expr, variable: sympy.Expr) -> sympy.Expr:
@@ -86,27 +143,25 @@ def motion_matrices(mechanism: Mechanism) -> MotionMatrices:
     """Return the matrices of the linear equations of motion, from derivatives of the force balances.
 
     Raises:
-        ValueError: if the equations of motion are not linear in coordinates and input.
+        ValueError: if the equations of motion are not linear in coordinates and inputs.
     """
     balances = sympy.Matrix(force_balances(mechanism))
     positions = [body.coordinate for body in mechanism.bodies]
     rates = [position.diff(t) for position in positions]
     second_rates = [position.diff(t, 2) for position in positions]
-    pin = [mechanism.pin.displacement]
-    pin_rate = [mechanism.pin.displacement.diff(t)]
-    mass, damping, stiffness, displacement, velocity = (
-        _jacobian(balances, variables) for variables in (second_rates, rates, positions, pin, pin_rate)
+    variables = [second_rates, rates, positions, *map(list, inputs(mechanism))]
+    matrices = [_jacobian(balances, each) for each in variables]
+    remainder = balances
+    for matrix, each in zip(matrices, variables, strict=True):
+        if each:
+            remainder -= matrix * sympy.Matrix(each)
+    constant = sympy.ImmutableMatrix(-remainder.expand())
+    if constant.has(t):
+        raise ValueError("the equations of motion are not linear in the coordinates and the inputs")
+    mass, damping, stiffness, displacement, velocity, given, contact, friction = matrices
+    return MotionMatrices(
+        mass, damping, stiffness, -displacement, -velocity, -given, -contact, -friction, constant
     )
-    rebuilt = (
-        mass * sympy.Matrix(second_rates)
-        + damping * sympy.Matrix(rates)
-        + stiffness * sympy.Matrix(positions)
-        + displacement * pin[0]
-        + velocity * pin_rate[0]
-    )
-    if (rebuilt - balances).expand() != sympy.zeros(*balances.shape):
-        raise ValueError("the equations of motion are not linear in the coordinates and the input")
-    return MotionMatrices(mass, damping, stiffness, -displacement, -velocity)
 
 
 def _jacobian(balances: sympy.Matrix, variables: list[sympy.Expr]) -> sympy.ImmutableMatrix:

@@ -10,6 +10,15 @@ from sympy.printing.latex import LatexPrinter
 
 from derivations.symbols import t
 
+SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "`": r"\textasciigrave{}",
+    **{character: f"\\{character}" for character in "{}$&#_%"},
+}
 DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
 
 
@@ -51,6 +60,17 @@ def latex(expression: sympy.Basic) -> str:
         "long_frac_ratio": 3,
     }
     return _MechanicsPrinter(settings).doprint(expression)
+
+
+def latex_number(value: float) -> str:
+    """Return LaTeX of a number with at most 12 digits, a power of ten as such."""
+    digits, _, exponent = f"{value:.12g}".partition("e")
+    return f"${digits} \\cdot 10^{{{int(exponent)}}}$" if exponent else f"${digits}$"
+
+
+def latex_text(words: str) -> str:
+    """Return LaTeX of plain words, in which no character has a meaning of its own."""
+    return "".join(SPECIAL.get(character, character) for character in words)
 
 
 def latex_equation(left: sympy.Basic, right: sympy.Basic) -> str:

@@ -1,14 +1,20 @@
-"""The LaTeX document that ``trimmer derive`` writes: both derivations, coefficients and nomenclature."""
+"""The LaTeX documents that ``trimmer derive`` writes: of the thesis's trimmer, and of any mechanism."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from dataclasses import dataclass
 
+from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
-from derivations.latex import latex
+from derivations.latex import latex, latex_number, latex_text
 from derivations.linear_trimmer import LinearTrimmer
+from derivations.mechanism_checks import mechanism_checks
+from derivations.mechanism_derivation import MechanismDerivation
+from derivations.mechanism_narrative import mechanism_narrative
 from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative
-from derivations.symbols import QUANTITIES
+from derivations.symbols import QUANTITIES, Quantity
 
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[margin=20mm]{geometry}
@@ -21,6 +27,22 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \begin{document}
 \maketitle
 Numbers at the right are those of the same equation in the thesis.
+"""
+MECHANISM_PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
+%% Derived from a mechanism by `trimmer derive`.
+\usepackage[margin=20mm]{geometry}
+\usepackage{amsmath}
+\usepackage{graphicx}
+\usepackage{longtable}
+\usepackage{breqn}
+\setcounter{MaxMatrixCols}{%d}
+\newcommand{\fitted}{\ifdim\width>\linewidth\linewidth\else\width\fi}
+\title{%s: derivation}
+\author{}
+\date{}
+\begin{document}
+\maketitle
+SI units throughout; the last section lists all symbols with their values.
 """
 END = "\\end{document}\n"
 
@@ -54,9 +76,52 @@ def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str
     )
 
 
-def _section(step: Step) -> str:
+@dataclass(frozen=True)
+class ValuedQuantity:
+    """A quantity of a mechanism for its table of symbols.
+
+    Attributes:
+        quantity: Symbol, meaning and unit.
+        value: Its number in that unit; None for a function of time.
+    """
+
+    quantity: Quantity
+    value: float | None
+
+
+def mechanism_document(
+    derivation: MechanismDerivation, title: str, quantities: tuple[ValuedQuantity, ...]
+) -> str:
+    """Return the derivation of a mechanism as a LaTeX document, with a table of its symbols.
+
+    Args:
+        derivation: The derivation.
+        title: What the mechanism is, in plain words.
+        quantities: All that the equations hold.
+
+    Raises:
+        DimensionError: if a derived equation is not consistent in its dimensions.
+    """
+    require_consistent(mechanism_checks(derivation, tuple(each.quantity for each in quantities)))
+    widest = max(matrix.cols for matrix in (derivation.motion.space.a, derivation.motion.space.b))
+    preamble = MECHANISM_PREAMBLE % (max(20, widest), latex_text(title))
+    steps = (_section(step, _fitted) for step in mechanism_narrative(derivation))
+    return "\n".join((preamble, *steps, _table_of_values(quantities), END))
+
+
+def _table_of_values(quantities: tuple[ValuedQuantity, ...]) -> str:
+    rows = (
+        f"${latex(each.quantity.symbol)}$ & {latex_text(each.quantity.meaning)} & "
+        f"{'' if each.value is None else latex_number(each.value)} & {each.quantity.unit.text} \\\\"
+        for each in quantities
+    )
+    head = ("\\section{Symbols}", "\\begin{longtable}{llll}", "symbol & meaning & value & unit \\\\ \\hline")
+    return "\n".join((*head, *rows, "\\end{longtable}\n"))
+
+
+def _section(step: Step, displayed: Callable[[Formula], str] | None = None) -> str:
     text = re.sub(r"`([^`]*)`", r"\\texttt{\1}", step.text)
-    return "\n".join((f"\\section{{{step.title}}}", text, *map(_displayed, step.formulas)))
+    return "\n".join((f"\\section{{{step.title}}}", text, *map(displayed or _displayed, step.formulas)))
 
 
 def _displayed(formula: Formula) -> str:
@@ -67,6 +132,13 @@ def _displayed(formula: Formula) -> str:
     number = f"[number={{{formula.thesis}}}]" if formula.thesis else ""
     environment = "dmath" if formula.thesis else "dmath*"
     return f"\\begin{{{environment}}}{number}\n{formula.latex}\n\\end{{{environment}}}"
+
+
+def _fitted(formula: Formula) -> str:
+    """Return a formula, made smaller where a matrix or cases would leave the line."""
+    if r"\begin{" not in formula.latex:
+        return _displayed(formula)
+    return f"\\[ \\resizebox{{\\fitted}}{{!}}{{$\\displaystyle {formula.latex}$}} \\]"
 
 
 def _all_coefficients(derivation: LinearTrimmer) -> str:

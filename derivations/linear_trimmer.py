@@ -46,13 +46,16 @@ class LinearTrimmer:
     power: PowerBalance
 
 
-def derive_linear_trimmer() -> LinearTrimmer:
+def derive_linear_trimmer(mechanism: Mechanism | None = None) -> LinearTrimmer:
     """Derive the linear trimmer from its list of masses, springs and dampers.
+
+    Args:
+        mechanism: That of another trimmer with one pin; by default the thesis's.
 
     Raises:
         ValueError: if the equations of motion are not linear.
     """
-    mechanism = trimmer()
+    mechanism = mechanism or trimmer()
     matrices = motion_matrices(mechanism)
     return LinearTrimmer(
         mechanism=mechanism,

@@ -1,124 +1,112 @@
-"""The trimmer as a declared list of bodies, springs and dampers with their two ends.
+"""A mechanism as a declared list of bodies, and of what holds, pushes and rubs them, with their two ends.
 
-Source: thesis, section 2.2.1 and figure 2.1b. The eccentric pin sits on the motor's shaft, so its position
-is the motor's displacement plus the eccentric one.
+All motion is along one line. ``trimmer`` is that of the thesis (section 2.2.1 and figure 2.1b): the eccentric
+pin sits on the motor's shaft, so its position is the motor's displacement plus the eccentric one.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 
 from derivations import symbols
+from derivations.parts import (
+    Contact,
+    Damper,
+    End,
+    Force,
+    Friction,
+    Ground,
+    Joint,
+    Output,
+    Pin,
+    RigidBody,
+    Spring,
+)
 from derivations.symbols import t
 
 
 @dataclass(frozen=True)
-class Ground:
-    """The fixed surroundings, whose displacement is zero."""
-
-
-@dataclass(frozen=True)
-class RigidBody:
-    """A rigid body that moves along one line.
-
-    Attributes:
-        name: What it is, in words.
-        mass: Mass, kg.
-        coordinate: Displacement in the fixed frame, m, a function of time.
-    """
-
-    name: str
-    mass: sympy.Expr
-    coordinate: sympy.Expr
-
-
-@dataclass(frozen=True)
-class Pin:
-    """A massless point whose displacement relative to a body is given.
-
-    Attributes:
-        carrier: The body.
-        displacement: Displacement relative to it, m, a function of time.
-    """
-
-    carrier: RigidBody
-    displacement: sympy.Expr
-
-
-End = Ground | RigidBody | Pin
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A linear spring.
-
-    Attributes:
-        stiffness: Stiffness, N/m.
-        start: One end.
-        end: The other end; the elongation is its displacement less that of ``start``.
-    """
-
-    stiffness: sympy.Expr
-    start: End
-    end: End
-
-
-@dataclass(frozen=True)
-class Damper:
-    """A linear damper.
-
-    Attributes:
-        damping: Coefficient, N s/m.
-        start: One end.
-        end: The other end, as for a spring.
-    """
-
-    damping: sympy.Expr
-    start: End
-    end: End
-
-
-@dataclass(frozen=True)
 class Mechanism:
-    """A chain of bodies, springs and dampers that a pin drives.
+    """Bodies on one line, and what holds, pushes and rubs them.
 
     Attributes:
         bodies: In the order of their coordinates.
         springs: All springs.
         dampers: All dampers.
-        pin: The pin.
+        pins: All pins.
+        contacts: All plays and stops.
+        frictions: All frictions.
+        forces: All given forces.
+        outputs: Displacements that are asked for.
     """
 
     bodies: tuple[RigidBody, ...]
     springs: tuple[Spring, ...]
     dampers: tuple[Damper, ...]
-    pin: Pin
+    pins: tuple[Pin, ...] = ()
+    contacts: tuple[Contact, ...] = ()
+    frictions: tuple[Friction, ...] = ()
+    forces: tuple[Force, ...] = ()
+    outputs: tuple[Output, ...] = ()
+
+    @property
+    def resistances(self) -> tuple[Damper, ...]:
+        """All that resists in proportion to a rate: the dampers, and viscous friction."""
+        rubbing = (
+            Damper(friction.viscous, friction.start, friction.end)
+            for friction in self.frictions
+            if friction.viscous != 0
+        )
+        return (*self.dampers, *rubbing)
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether springs, dampers, pins and given forces are all there is."""
+        return not self.contacts and not self.frictions
 
 
 def position(end: End) -> sympy.Expr:
     """Return the displacement of an end in the fixed frame, m."""
     match end:
         case Ground():
-            return sympy.Integer(0)
+            return sympy.S.Zero
         case RigidBody():
             return end.coordinate
         case Pin():
-            return end.carrier.coordinate + end.displacement
+            return position(end.carrier) + end.displacement
 
 
-def elongation(element: Spring | Damper) -> sympy.Expr:
-    """Return by how much a spring or damper is longer than at rest, m: end minus start, in that order."""
-    start, end = position(element.start), position(element.end)
-    terms = (end, *(-term for term in sympy.Add.make_args(start) if term != 0))
-    return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else end
+def elongation(joint: Joint) -> sympy.Expr:
+    """Return by how much a joint is longer than at rest, m: end minus start, in that order."""
+    rest = joint.rest if isinstance(joint, Spring) else sympy.S.Zero
+    ahead, behind = (sympy.Add.make_args(position(end)) for end in (joint.end, joint.start))
+    terms = [term for term in (*ahead, *(-term for term in behind), -rest) if term != 0]
+    return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else sympy.Add(*terms)
 
 
-def elongation_rate(element: Spring | Damper) -> sympy.Expr:
+def elongation_rate(joint: Joint) -> sympy.Expr:
     """Return the time derivative of the elongation, m/s, its terms in the same order."""
-    terms = [term.diff(t) for term in sympy.Add.make_args(elongation(element))]
-    return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else terms[0]
+    rates = (term.diff(t) for term in sympy.Add.make_args(elongation(joint)))
+    terms = [rate for rate in rates if rate != 0]
+    return sympy.Add(*terms, evaluate=False) if len(terms) > 1 else sympy.Add(*terms)
+
+
+def closed(mechanism: Mechanism) -> Mechanism:
+    """Return the mechanism with every contact closed: springs and dampers stand in the places of contacts."""
+    springs = (
+        Spring(each.stiffness, each.start, each.end, each.offset)
+        for each in mechanism.contacts
+        if each.stiffness != 0
+    )
+    dampers = (Damper(each.damping, each.start, each.end) for each in mechanism.contacts if each.damping != 0)
+    return replace(
+        mechanism,
+        springs=(*mechanism.springs, *springs),
+        dampers=(*mechanism.dampers, *dampers),
+        contacts=(),
+    )
 
 
 def trimmer() -> Mechanism:
@@ -144,5 +132,5 @@ def trimmer() -> Mechanism:
             Damper(symbols.c3, ground, housing),
             Damper(symbols.c4, housing, guard),
         ),
-        pin=pin,
+        pins=(pin,),
     )

@@ -1,4 +1,7 @@
-"""Proof that the energy of a mechanism changes by the power of the pin less what the dampers dissipate."""
+"""Proof of where the energy of a mechanism comes from and where it goes.
+
+It changes by the power of pins and given forces, less what dampers, frictions and contacts take.
+"""
 
 from __future__ import annotations
 
@@ -8,22 +11,25 @@ import sympy
 
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import accelerations
-from derivations.mechanism import Mechanism
+from derivations.mechanism import Mechanism, elongation, elongation_rate
+from derivations.parts import Contact, Friction, Pin
 from derivations.symbols import t
 
 
 @dataclass(frozen=True)
 class PowerBalance:
-    """Terms of dE/dt = P − D along the equations of motion, E being the energy of a mechanism.
+    """Terms of dE/dt = P − D − S along the equations of motion, E being the energy of a mechanism.
 
     Attributes:
-        input_power: P, power of the pin, W.
-        dissipated_power: D, power that the dampers take, W.
-        residual: dE/dt − P + D, W; zero when the balance holds.
+        input_power: P, power of the pins and of the given forces, W.
+        dissipated_power: D, power that dampers and viscous friction take, W.
+        contact_power: S, power that contacts and dry frictions take, W; a contact may give some of it back.
+        residual: dE/dt − P + D + S, W; zero when the balance holds.
     """
 
     input_power: sympy.Expr
     dissipated_power: sympy.Expr
+    contact_power: sympy.Expr
     residual: sympy.Expr
 
     @property
@@ -37,17 +43,34 @@ class PowerBalance:
 def power_balance(mechanism: Mechanism) -> PowerBalance:
     """Derive the power balance along every motion of a mechanism.
 
-    The pin's power is its velocity times the force that the spring and damper on it ask for,
-    u̇ (∂U/∂u + ∂R/∂u̇); the dampers take 2 R, a sum of squares with coefficients that are not negative.
+    A pin's power is its velocity times the force that all on it asks for, of springs and dampers
+    ∂U/∂u + ∂R/∂u̇; the dampers take 2 R, a sum of squares with coefficients that are not negative. A contact
+    takes T ṡ and a dry friction f v.
     """
     potential, dissipation = potential_energy(mechanism), rayleigh_function(mechanism)
-    pin = mechanism.pin.displacement
-    pin_velocity = pin.diff(t)
-    input_power = pin_velocity * (potential.diff(pin) + dissipation.diff(pin_velocity))
+    inputs = (
+        *(pin.displacement.diff(t) * _pin_force(pin, mechanism) for pin in mechanism.pins),
+        *(force.value * force.body.coordinate.diff(t) for force in mechanism.forces),
+    )
+    input_power = sympy.Add(*inputs)
     motion = dict(
         zip((body.coordinate.diff(t, 2) for body in mechanism.bodies), accelerations(mechanism), strict=True)
     )
     energy_rate = (kinetic_energy(mechanism) + potential).diff(t).subs(motion)
     dissipated_power = sympy.Add(*(2 * term for term in sympy.Add.make_args(dissipation)))
-    residual = sympy.expand(energy_rate - input_power + dissipated_power)
-    return PowerBalance(input_power, dissipated_power, residual)
+    contact_power = sympy.Add(*(force * elongation_rate(each) for each, force in _contact_forces(mechanism)))
+    residual = sympy.expand(energy_rate - input_power + dissipated_power + contact_power)
+    return PowerBalance(input_power, dissipated_power, contact_power, residual)
+
+
+def _pin_force(pin: Pin, mechanism: Mechanism) -> sympy.Expr:
+    """Return the force that drives a pin, N."""
+    u = pin.displacement
+    of_links = potential_energy(mechanism).diff(u) + rayleigh_function(mechanism).diff(u.diff(t))
+    of_contacts = (force * elongation(each).diff(u) for each, force in _contact_forces(mechanism))
+    return sympy.Add(of_links, *of_contacts)
+
+
+def _contact_forces(mechanism: Mechanism) -> tuple[tuple[Contact | Friction, sympy.Expr], ...]:
+    contacts = ((contact, contact.tension) for contact in mechanism.contacts)
+    return (*contacts, *((friction, friction.force) for friction in mechanism.frictions))

@@ -1,4 +1,7 @@
-"""State space with both inputs of the pin, displacement and velocity (thesis, equations 2.10 to 2.14)."""
+"""State space of a mechanism: the pins' displacements and velocities are inputs, and so are forces.
+
+Source: thesis, equations 2.10 to 2.14.
+"""
 
 from __future__ import annotations
 
@@ -11,11 +14,12 @@ from derivations.equations_of_motion import MotionMatrices
 
 @dataclass(frozen=True)
 class StateSpace:
-    """Matrices of ẋ = A x + B (u, u̇) with the state x = (q, q̇), for n bodies; SI units.
+    """Matrices of ẋ = A x + B w with the state x = (q, q̇), for n bodies; SI units.
 
     Attributes:
         a: A, 2n × 2n.
-        b: B, 2n × 2: a column for the displacement u of the pin and one for its velocity.
+        b: B, with a column for each input in the order of ``MotionMatrices.input_forces``; with one pin
+            alone 2n × 2, for its displacement u and its velocity.
     """
 
     a: sympy.ImmutableMatrix
@@ -28,11 +32,9 @@ def state_space(matrices: MotionMatrices) -> StateSpace:
     inverse_mass = matrices.mass.inv()
     zero, identity = sympy.zeros(size, size), sympy.eye(size)
     lower = sympy.Matrix.hstack(-inverse_mass * matrices.stiffness, -inverse_mass * matrices.damping)
-    inputs = sympy.Matrix.hstack(
-        inverse_mass * matrices.displacement_force, inverse_mass * matrices.velocity_force
-    )
+    inputs = inverse_mass * matrices.input_forces
     a = sympy.Matrix.vstack(sympy.Matrix.hstack(zero, identity), lower)
-    b = sympy.Matrix.vstack(sympy.zeros(size, 2), inputs)
+    b = sympy.Matrix.vstack(sympy.zeros(size, inputs.cols), inputs)
     return StateSpace(sympy.ImmutableMatrix(a), sympy.ImmutableMatrix(b))
 
 

@@ -85,7 +85,6 @@ from .motion.loops import OpenLoop as OpenLoop
 from .motion.motion import Event as Event
 from .motion.motion import Motion as Motion
 from .motion.motion import Outcome as Outcome
-from .motion.simulation import simulate as simulate
 from .motion.switched_component import EventKind as EventKind
 from .motion.trimmer_loop import BodyFriction as BodyFriction
 from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
@@ -103,8 +102,14 @@ from .orbits.search import SimulationSearch as SimulationSearch
 from .parameters import ParameterError as ParameterError
 from .parameters import TrimmerParameters as TrimmerParameters
 from .parameters import parameter_table as parameter_table
+from .response.energy import MechanismEnergy as MechanismEnergy
 from .response.forced_orbit import forced_orbit as forced_orbit
+from .response.motion import MechanismMotion as MechanismMotion
 from .response.orbit import MechanismOrbit as MechanismOrbit
+from .response.respond import respond as respond
+from .response.response import MotionKind as MotionKind
+from .response.response import Response as Response
+from .response.simulate import simulate as simulate
 from .signals.csv_layout import CsvLayout as CsvLayout
 from .signals.csv_layout import DecimalSign as DecimalSign
 from .signals.csv_layout import Delimiter as Delimiter

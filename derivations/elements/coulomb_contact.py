@@ -10,7 +10,8 @@ from __future__ import annotations
 import sympy
 
 from derivations.elements.friction import FORCE
-from derivations.mechanism import Mechanism, RigidBody
+from derivations.mechanism import Mechanism
+from derivations.parts import RigidBody
 from derivations.symbols import t
 
 

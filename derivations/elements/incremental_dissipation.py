@@ -73,7 +73,7 @@ def incremental_dissipation(trimmer: LinearTrimmer) -> IncrementalDissipation:
 
 def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
     """Return dE/dt of the difference of two motions, plus the power that dampers and friction take, W."""
-    bodies, pin = trimmer.mechanism.bodies, trimmer.mechanism.pin.displacement
+    bodies, pins = trimmer.mechanism.bodies, trimmer.mechanism.pins
     differences = [_values(f"d{index}") for index, _ in enumerate(bodies)]
     seconds = [_values(f"q{index}") for index, _ in enumerate(bodies)]
     firsts = [(a + d, b + e) for (a, b), (d, e) in zip(seconds, differences, strict=True)]
@@ -83,7 +83,8 @@ def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
         _at(acceleration, coordinates, firsts) - _at(acceleration, coordinates, seconds) - force / body.mass
         for acceleration, force, body in zip(trimmer.accelerations, forces, bodies, strict=True)
     ]
-    still = {pin.diff(t): 0, pin: 0}  # the two motions have the same pin
+    moves = [pin.displacement for pin in pins]  # the two motions have the same pins
+    still = dict.fromkeys((*(move.diff(t) for move in moves), *moves), 0)
     kinetic, potential, dissipation = (
         _at(expression.xreplace(still), coordinates, differences)
         for expression in (trimmer.kinetic_energy, trimmer.potential_energy, trimmer.rayleigh_function)

@@ -19,6 +19,7 @@ from trimmer.command_line import (
     motion_maps,
     orbits,
     parameters,
+    respond,
     simulate,
     spectrum,
 )
@@ -102,8 +103,8 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
+        *(respond.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
-        motion_maps.COMMAND,
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.contact.integration import (
+    AT_REST,
     CYCLING,
     DIVERGED,
     LOG_FULL,
@@ -198,16 +199,19 @@ class _Progress:
         return self._change_together(done, row, time, fired, (before, after), zeros, at_rest)
 
     def _at_rest(self, arrived: int | None) -> Places:
-        contacts = len(self.modes.machine.stiffness)
-        statuses = self.modes[self.mode].statuses
-        return np.array(
-            [
-                part - contacts
-                for part in range(contacts, len(statuses))
-                if statuses[part] == STICK or self.work.known_zeros[part] > 0 or part == arrived
-            ],
-            dtype=np.intp,
-        )
+        contacts, tables = len(self.modes.machine.stiffness), self.modes.tables
+        state, statuses = self.work.state, self.modes[self.mode].statuses
+        at_rest = {
+            part
+            for part in range(contacts, len(statuses))
+            if statuses[part] == STICK or self.work.known_zeros[part] > 0 or part == arrived
+        }
+        for number, function in enumerate(self.modes[self.mode].functions):
+            if function.action == ARRIVED:
+                sizes = tables.sizes[self.mode, number, :, :2].sum(axis=1)
+                if abs(function.row @ state) <= AT_REST * (sizes @ abs(state)):
+                    at_rest.add(function.owner)
+        return np.array(sorted(at_rest), dtype=np.intp) - contacts
 
     def _joint(
         self, before: tuple[int, ...], signs: tuple[int, ...], action: int, jumped: bool, at_rest: Places

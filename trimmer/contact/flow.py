@@ -14,6 +14,7 @@ import numpy as np
 
 from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
+from trimmer.contact.integration import AT_REST
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
 from trimmer.contact.nodes import Nodes, nodes, sample
@@ -42,9 +43,6 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Integers, Reals
     from trimmer.mechanism.mechanism import Mechanism
-
-AT_REST = 2.0**-46
-"""Share of the moduli of its terms below which a relative velocity at the start is zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +178,9 @@ class ExactFlow:
             [abs(each).max(initial=0.0) for each in machine.contact_distance @ extended[:, None]]
         )
         speeds = machine.friction_rate @ extended
-        sizes = abs(machine.friction_rate) @ abs(extended)
+        # A wave that turns back is at rest, although the cosine of its phase is rounding.
+        largest = np.concatenate([abs(extended[: self.size]), np.maximum(abs(extended[self.size :]), 1.0)])
+        sizes = abs(machine.friction_rate) @ largest
         slow = abs(speeds) <= AT_REST * sizes
         frictions = [
             STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)

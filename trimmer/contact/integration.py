@@ -41,6 +41,8 @@ LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed."""
 NEGLIGIBLE_STRETCH = 2.0**-56
 """Share of the gap and of the stretch at release below which the spring behind a slot counts as relaxed."""
+AT_REST = 2.0**-44
+"""Share of the moduli of its terms, and of its change over a step, below which a velocity is zero."""
 OUT_OF_BOUNDS, OUT_OF_STEPS = -2, -3
 """In place of the number of an event function: why a segment ends without event."""
 
@@ -167,6 +169,16 @@ def _is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: boo
         for part in range(work.margins.size, work.known_zeros.size):
             if part != owner and work.known_zeros[part] > 0:
                 found = False
+        for function in range(tables.function_count[mode]):
+            if function != fired and tables.action[mode, function] == ARRIVED:
+                # Another friction that comes to rest at the same instant has a say as well.
+                value, size = 0.0, 0.0
+                for i in range(work.state.size):
+                    value += tables.taylor[mode, function, i, 0] * work.state[i]
+                    sizes = tables.sizes[mode, function, i, 0] + tables.sizes[mode, function, i, 1]
+                    size += sizes * abs(work.state[i])
+                if abs(value) <= AT_REST * size:
+                    found = False
     return bool(found)
 
 

@@ -76,9 +76,11 @@ def transition(
     ]
     if function.action == ARRIVED:
         return None if others else Transition(_with(statuses, function.owner, STICK), STICK_BEGUN)
+    if function.owner == JOINTLY:
+        return None
     friction = function.owner - contacts
     drops = machine.static[friction] > machine.kinetic[friction]
-    if function.owner == JOINTLY or (others and (drops or jumped)):
+    if others and (drops or jumped):
         return None
     direction = FORWARD if function.signs[friction] > 0 else BACKWARD
     zeros = 1 if drops or jumped else 2

@@ -82,8 +82,7 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
     Returns:
         Distances at its end, (n, columns). Where contact or stick holds at the start, they fit it first.
     """
-    count = modes.layout.state_count
-    distances = np.ascontiguousarray(modes[int(log.mode[0])].hold[:count, :count] @ tangents)
+    distances = np.ascontiguousarray(_fitted(modes, int(log.mode[0]), tangents))
     rows = len(log.start)
     row = 0
     while row < rows:
@@ -98,6 +97,15 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
         _flow(modes, mode, float(until - log.start[last]), distances)
         row = following
     return distances
+
+
+def _fitted(modes: Modes, mode: int, distances: Reals) -> Reals:
+    """Return distances that fit what a mode holds; a spring that has relaxed may have been stretched."""
+    fitted: Reals = modes[mode].hold[: len(distances), : len(distances)] @ distances
+    for contact, z in enumerate(modes.machine.relaxing_state):
+        if z >= 0 and modes[mode].statuses[contact] == FREE:
+            fitted[z] = distances[z]
+    return fitted
 
 
 def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
@@ -126,4 +134,4 @@ def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> No
     if slope != 0:
         jump = (after.flow @ state - rates)[:count] / slope
         distances += np.outer(jump, gradient[:count] @ distances)
-    distances[:] = after.hold[:count, :count] @ distances
+    distances[:] = _fitted(modes, int(log.mode[last]), distances)

@@ -41,7 +41,7 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
             continue
         for name, part in parts.items():
             yield from _name((section,), name)
-            if isinstance(part, kind):
+            if type(part) is kind:
                 yield from _fields((section, str(name)), part)
             else:
                 yield Problem((section, str(name)), f"give a trimmer.mechanism.{kind.__name__}", part)

@@ -24,7 +24,7 @@ def key_text(name: str) -> str:
 
 def quoted(text: str) -> str:
     """Write text as a basic string of TOML."""
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return json.dumps(text, ensure_ascii=False)
 
 
 def parse_place(text: str) -> tuple[str, ...]:

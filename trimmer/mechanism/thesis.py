@@ -24,7 +24,7 @@ def linear_mechanism(parameters: TrimmerParameters, amplitude: float, frequency:
     """
     p = parameters
     return Mechanism(
-        title="Linear trimmer of the thesis",
+        title="Linear trimmer",
         frequency=frequency,
         bodies={
             "motor": Body(p.m1, "m_1"),

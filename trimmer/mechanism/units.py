@@ -126,9 +126,7 @@ def quantity(text: str, si_unit: str) -> float:
     given = unit(found["unit"] or "1")
     if given.dimension != wanted.dimension:
         raise UnitError(f"{found['unit']!r} does not measure what {si_unit} does")
-    return _product(
-        Fraction(found["number"]) * given.scale / wanted.scale, given.half_turns - wanted.half_turns
-    )
+    return _product(Fraction(found["number"]) * given.scale / wanted.scale, given.half_turns)
 
 
 def _product(number: Fraction, half_turns: int) -> float:

@@ -231,19 +231,40 @@ def _with_zero_acceleration(
     (lower, upper), between, forces = bounds, between.copy(), forces.copy()
     while between.any():
         others = drift[between] - influence[np.ix_(between, ~between)] @ forces[~between]
-        wanted = np.linalg.solve(influence[np.ix_(between, between)], others)
-        step = wanted - forces[between]
+        step, ends = _step_to_balance(influence[np.ix_(between, between)], others, forces[between])
         room = np.where(step > 0, upper[between] - forces[between], lower[between] - forces[between])
-        shares = np.divide(room, step, out=np.full(len(step), np.inf), where=abs(step) > abs(room))
+        nearer = abs(step) > (abs(room) if ends else 0.0)
+        shares = np.divide(room, step, out=np.full(len(step), np.inf), where=nearer)
         share = float(shares.min())
-        if share >= 1.0:
-            forces[between] = wanted
+        if share >= 1.0 and ends:
+            forces[between] += step
             return forces, between
         forces[between] += share * step
         stopped = np.flatnonzero(between)[shares <= share]
         forces[stopped] = np.where(step[shares <= share] > 0, upper[stopped], lower[stopped])
         between[stopped] = False
     return forces, between
+
+
+def _step_to_balance(influence: Reals, wanted: Reals, forces: Reals) -> tuple[Reals, bool]:
+    """Return the change of forces after which they balance, and whether there is one.
+
+    Where contacts depend on each other and what they touch moves differently, no forces balance. Then the
+    change is a direction in which the accelerations stay as they are until a force meets its bound.
+    """
+    try:
+        factor = np.linalg.cholesky(influence)
+    except np.linalg.LinAlgError:
+        factor = np.zeros_like(influence)
+    if len(influence) and (factor.diagonal() ** 2 > DEPENDENT).all():
+        return np.linalg.solve(influence, wanted) - forces, True
+    values, vectors = np.linalg.eigh(influence)
+    idle = vectors[:, values <= DEPENDENT * values.max()]
+    left_over: Reals = idle @ (idle.T @ wanted)
+    if (abs(left_over) > np.sqrt(ROUNDING) * abs(wanted).max()).any():
+        left_over[abs(left_over) <= ROUNDING * abs(left_over).max()] = 0.0
+        return left_over, False
+    return np.linalg.pinv(influence, rcond=DEPENDENT) @ (wanted - influence @ forces), True
 
 
 def _rank(values: Reals) -> int:

@@ -28,7 +28,7 @@ FIRST_ROWS = 1024
 """Segments of motion that the log has room for at first; it doubles when it is full."""
 
 
-def simulate(
+def simulate_loop(
     loop: Loop,
     duration: float,
     *,

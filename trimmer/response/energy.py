@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.contact.flow import Course
+    from trimmer.contact.tables import Modes
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Play, Stop
     from trimmer.response.motion_signals import Signal
@@ -186,22 +187,9 @@ class _Balance:
         return lost
 
     def dry(self, name: str) -> Signal:
-        """Return the dry force of a friction as a tension, N; in stick it is what holds."""
+        """Return the dry force of a friction as a tension, N."""
         modes = self.course.modes
-        machine, number = modes.machine, modes.layout.frictions.index(name)
-        part, bodies = len(machine.stiffness) + number, len(modes.layout.bodies)
-
-        def row(mode: int) -> Reals:
-            statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
-            if statuses[part] != STICK:
-                found[-1] = machine.kinetic[number] * (1.0 if statuses[part] == FORWARD else -1.0)
-                return found
-            sticking = [i for i, each in enumerate(statuses[len(machine.stiffness) :]) if each == STICK]
-            held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]
-            forces = np.linalg.lstsq(machine.friction_push[sticking].T, held, rcond=None)[0]
-            return np.asarray(-forces[sticking.index(number)])
-
-        return row
+        return dry_force(modes, modes.layout.frictions.index(name))
 
     def of_pin(self, name: str) -> float:
         """Return the work of what moves a pin, against the tensions of all that it is an end of."""
@@ -238,3 +226,25 @@ class _Balance:
             row = Rows(self.mechanism, layout).wave(force.order, amplitude, force.phase)
         row[-1] += force.constant
         return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))
+
+
+def dry_force(modes: Modes, number: int) -> Signal:
+    """Return the dry force of a friction by its number, N, against an end that moves forward.
+
+    In stick it is what holds; where several stick and may share it in any way, it is the smallest split.
+    """
+    machine, bodies = modes.machine, len(modes.layout.bodies)
+    contacts = len(machine.stiffness)
+
+    def row(mode: int) -> Reals:
+        statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
+        status = statuses[contacts + number]
+        if status != STICK:
+            found[-1] = machine.kinetic[number] * (1.0 if status == FORWARD else -1.0)
+            return found
+        sticking = [i for i, each in enumerate(statuses[contacts:]) if each == STICK]
+        held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]
+        forces = np.linalg.lstsq(machine.friction_push[sticking].T, held, rcond=None)[0]
+        return np.asarray(-forces[sticking.index(number)])
+
+    return row

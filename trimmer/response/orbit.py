@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-8
 """Distance of states as a share of their sizes below which a motion has returned before its time."""
+RETURNS = 64
+"""Returns over which the growth of small distances is followed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +82,24 @@ class MechanismOrbit:
     def events_per_period(self) -> float:
         """Number of events per drive period, the mean over the motion; without a drive per its own period."""
         return len(self.course.events) / max(self.periods, 1)
+
+    @cached_property
+    def monodromy(self) -> Reals:
+        """What becomes of small distances over ``periods``, as shares of the sizes, (n, n)."""
+        matrix: Reals = self.course.monodromy * self.sizes / self.sizes[:, None]
+        return matrix
+
+    @cached_property
+    def growth(self) -> float:
+        """By how much a small distance grows at most before it dies out."""
+        power, largest = np.eye(len(self.sizes)), 1.0
+        for _ in range(RETURNS):
+            power = self.monodromy @ power
+            size = float(abs(power).sum(axis=1).max())
+            largest = max(largest, size)
+            if size < 0.1:
+                break
+        return largest
 
     @cached_property
     def strobed(self) -> Reals:

@@ -19,11 +19,6 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.flow import Course, ExactFlow
 
-MOST_ITERATIONS = 40
-MOST_HALVINGS = 10
-"""Halvings of a Newton step that does not reduce the miss."""
-MOST_FOLLOWED = 4
-"""How often the motion is followed once more where no Newton step reduces the miss."""
 CLOSED = 1e-10
 """Miss of the return, as a share of the sizes of the states, below which it counts as closed."""
 SETTLED = 4e-15
@@ -163,8 +158,23 @@ def sizes_of(course: Course) -> Reals:
     return sizes
 
 
+@dataclass(frozen=True)
+class Patience:
+    """How long an orbit is looked for.
+
+    Attributes:
+        iterations: Number of Newton steps.
+        halvings: Halvings of a step that does not reduce the miss.
+        followed: How often the motion is followed once more where no Newton step reduces the miss.
+    """
+
+    iterations: int = 40
+    halvings: int = 10
+    followed: int = 4
+
+
 def solve(
-    problem: Return, instant: Instant, duration: float = 0.0, most_iterations: int = MOST_ITERATIONS
+    problem: Return, instant: Instant, duration: float = 0.0, patience: Patience | None = None
 ) -> Shot | None:
     """Solve a return by Newton's method from a guess.
 
@@ -172,17 +182,18 @@ def solve(
         problem: What is to return.
         instant: Guess of the start.
         duration: Guess of an unknown period, s.
-        most_iterations: Number of Newton steps.
+        patience: How long it is looked for.
 
     Returns:
         The motion that came closest, which may be far from returning; None if none ran to its end.
     """
+    patience = patience or Patience()
     shot, followed = problem.shoot(instant, duration), 0
-    for _ in range(most_iterations):
+    for _ in range(patience.iterations):
         if shot is None or shot.miss <= SETTLED:
             break
-        following = _improved(problem, shot)
-        if following is None and shot.miss > ROUNDED and followed < MOST_FOLLOWED:
+        following = _improved(problem, shot, patience.halvings)
+        if following is None and shot.miss > ROUNDED and followed < patience.followed:
             followed += 1
             following = problem.corrected(shot, 1.0, (shot.gap * shot.sizes, 0.0))
         if following is None:
@@ -191,7 +202,7 @@ def solve(
     return shot
 
 
-def _improved(problem: Return, shot: Shot) -> Shot | None:
+def _improved(problem: Return, shot: Shot, halvings: int) -> Shot | None:
     """Take Newton's step, shortened as long as it does not reduce the miss; None if nothing does."""
     try:
         correction = problem.step(shot)
@@ -199,7 +210,7 @@ def _improved(problem: Return, shot: Shot) -> Shot | None:
         return None
     size = np.linalg.norm(shot.gap)
     share = 1.0
-    for _ in range(MOST_HALVINGS if shot.miss > ROUNDED else 1):
+    for _ in range(halvings if shot.miss > ROUNDED else 1):
         trial = problem.corrected(shot, share, correction)
         if trial is not None and np.linalg.norm(trial.gap) < (1.0 - 0.1 * share) * size:
             return trial

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from matplotlib.patches import Circle, Rectangle
 
-from derivations.mechanism import Ground, Pin, RigidBody, trimmer
+from derivations.mechanism import trimmer
+from derivations.parts import Ground, Pin, RigidBody
 from report.chapters.chapter_1 import figures as chapter_1
 from report.chapters.chapter_2.figures import mechanisms
 

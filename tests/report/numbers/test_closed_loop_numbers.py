@@ -19,7 +19,7 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.loops import ClosedLoop, Drive
-from trimmer.motion.simulation import simulate
+from trimmer.motion.simulation import simulate_loop as simulate
 from trimmer.parameters import TrimmerParameters
 
 DRIVE = Drive(DRIVE_AMPLITUDE, 2 * math.pi * DRIVE_FREQUENCY)

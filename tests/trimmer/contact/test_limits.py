@@ -52,7 +52,7 @@ def first_harmonic(course, row):
 
 
 def linear_response():
-    """Return the complex amplitudes of the bodies of the linear trimmer, by the definition of its matrices."""
+    """Return the complex amplitudes of the bodies of the linear trimmer, from its matrices."""
     omega = 2 * np.pi * FREQUENCY
     mass = np.diag([0.035, 0.003, 0.005, 0.030])
     stiffness = np.array(
@@ -87,7 +87,10 @@ def test_the_matrices_of_the_linear_part_are_those_of_the_flow():
         matrix[4:8, :4], -inverse @ (matrices.stiffness + 30e3 * np.outer(push, push)), rtol=1e-13
     )
     np.testing.assert_allclose(
-        matrix[4:8, 4:8], -inverse @ (matrices.damping + 0.4 * np.outer(push, push)), rtol=1e-13, atol=1e-10
+        matrix[4:8, 4:8],
+        -inverse @ (matrices.damping + 0.4 * np.outer(push, push)),
+        rtol=1e-13,
+        atol=1e-10,
     )
 
 
@@ -110,7 +113,7 @@ def test_without_damping_all_laws_are_the_dead_zone():
     np.testing.assert_allclose(ends[2], ends[0], rtol=1e-13)
 
 
-def test_with_little_damping_the_relaxing_contact_approaches_the_dead_zone_in_proportion():
+def test_with_little_damping_a_relaxing_contact_approaches_the_dead_zone_in_proportion():
     def after(damping):
         flow = ExactFlow(trimmer(damping=damping, force=1.0))
         return flow.strobe(flow.rest(), 1).states[-1][:8]
@@ -121,7 +124,7 @@ def test_with_little_damping_the_relaxing_contact_approaches_the_dead_zone_in_pr
 
 
 def light_bridge(scale):
-    """Return a bridge that friction holds, in a slot whose stiffness and lightness grow as ``scale`` falls."""
+    """Return a bridge that friction holds, in a slot that is stiffer the smaller ``scale`` is."""
     mass, stiffness = 1e-5 * scale, 1e6 / scale
     return Mechanism(
         bodies={"bridge": Body(mass)},

@@ -70,6 +70,16 @@ def test_nothing_can_be_changed() -> None:
             mapping["a"] = 1.0  # type: ignore[index]
 
 
+def test_a_body_that_only_a_force_touches_is_free() -> None:
+    assert Mechanism({"a": Body(1.0)}, forces={"weight": Force("a", constant=1.0)}).bodies["a"].mass == 1.0
+
+
+def test_a_contact_without_spring_and_damper_may_relax() -> None:
+    for kind, section in ((Play, "plays"), (Stop, "stops")):
+        mechanism = Mechanism(BODIES, links={"l": LINK}, **{section: {"idle": kind(("a", "b"), gap=1.0)}})
+        assert mechanism.value(f"{section}.idle.stiffness") == 0.0
+
+
 def test_the_order_of_the_parts_counts() -> None:
     swapped = {name: BODIES[name] for name in ("b", "a")}
     links = {"l": LINK}

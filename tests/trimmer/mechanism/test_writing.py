@@ -8,7 +8,7 @@ from hypothesis import given, settings
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
 from trimmer import FileWriteError, Mechanism, TrimmerParameters, write_atomically
-from trimmer.mechanism import Body, Link
+from trimmer.mechanism import Body, Link, Pin, Stop
 
 THESIS = TrimmerParameters.thesis().to_mechanism(1.5e-3, 110.0)
 
@@ -22,10 +22,17 @@ def test_what_is_written_reads_back_equal(mechanism: Mechanism) -> None:
 
 
 def test_defaults_are_left_out() -> None:
-    mechanism = Mechanism({"a": Body(2)}, links={"spring": Link(("ground", "a"), 3)})
+    mechanism = Mechanism(
+        {"a": Body(2)},
+        pins={"p": Pin("ground")},
+        links={"spring": Link(("ground", "a"), 3)},
+        stops={"wall": Stop(("p", "a"), gap=-1)},
+    )
     assert tomllib.loads(mechanism.to_toml()) == {
         "bodies": {"a": {"mass": 2.0}},
+        "pins": {"p": {"on": "ground"}},
         "links": {"spring": {"between": ["ground", "a"], "stiffness": 3.0}},
+        "stops": {"wall": {"between": ["p", "a"], "gap": -1.0}},
     }
 
 

@@ -1,0 +1,60 @@
+"""The law of dry friction with stick, as a statement beside the equations of motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+
+from derivations.equations_of_motion import accelerations
+from derivations.mechanism import Mechanism, elongation_rate
+from derivations.parts import Friction
+from derivations.symbols import t
+
+
+@dataclass(frozen=True)
+class FrictionStatement:
+    """The law of one friction.
+
+    Attributes:
+        friction: The friction.
+        rate: v in the velocities of bodies and pins, m/s.
+        sliding: Dry force f while v is not zero, N.
+        held: Force f that keeps v at zero, N; None where no body is free to take part.
+        stick: What holds in stick: v = 0, and the force is at most the static one.
+    """
+
+    friction: Friction
+    rate: sympy.Expr
+    sliding: sympy.Expr
+    held: sympy.Expr | None
+    stick: sympy.Basic
+
+
+def friction_statement(mechanism: Mechanism, friction: Friction) -> FrictionStatement:
+    """State the law of one friction of a mechanism."""
+    v, force = friction.rate, friction.force
+    return FrictionStatement(
+        friction,
+        rate=elongation_rate(friction),
+        sliding=friction.kinetic * sympy.sign(v),
+        held=_holding_force(mechanism, friction),
+        stick=sympy.And(
+            sympy.Eq(v, 0, evaluate=False), sympy.Le(sympy.Abs(force), friction.static, evaluate=False)
+        ),
+    )
+
+
+def _holding_force(mechanism: Mechanism, friction: Friction) -> sympy.Expr | None:
+    """Return the force f with which v̇ = 0, all other forces being what they are.
+
+    With the direction n of the friction it is (n·a + ẇ) / (n·M⁻¹n), a being the accelerations without it and
+    ẇ those of the pins.
+    """
+    motion = zip(mechanism.bodies, accelerations(mechanism), strict=True)
+    change = elongation_rate(friction).diff(t).subs({each.coordinate.diff(t, 2): a for each, a in motion})
+    change = sympy.expand(change)
+    mobility = -sympy.diff(change, friction.force)
+    if mobility == 0:
+        return None
+    return sympy.together((change + mobility * friction.force).expand() / mobility)

@@ -1,0 +1,273 @@
+"""The derivation of any mechanism step by step, told as that of the thesis's trimmer is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy
+
+from derivations.contact_law import ContactStatement
+from derivations.equations_of_motion import MotionMatrices, inputs
+from derivations.friction_law import FrictionStatement
+from derivations.latex import latex, latex_equation, latex_text
+from derivations.mechanism import elongation, position
+from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
+from derivations.narrative import Formula, Step
+from derivations.parts import ContactLaw, End, Play
+from derivations.symbols import t
+from derivations.unevaluated import total
+
+ENDING = {
+    ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself "
+    "until a side of the slot is met again.",
+    ContactLaw.TRUNCATED: "It carries nothing where $T$ would have to pull, and has no memory of it.",
+    ContactLaw.PULLING: "It lasts until the gap is reached again, and may pull until then.",
+}
+
+
+def mechanism_narrative(derivation: MechanismDerivation) -> tuple[Step, ...]:
+    """Return the steps of a derivation, from the parts to the laws of contact and friction."""
+    mechanism = derivation.mechanism
+    return (
+        _parts(derivation),
+        _energies(derivation.motion),
+        *([] if mechanism.is_linear and not mechanism.forces else [_virtual_work(derivation.motion)]),
+        _motion(derivation.motion),
+        _matrices(derivation.motion),
+        *([_closed_contact(derivation.closed)] if mechanism.contacts else []),
+        _state_space(derivation),
+        *([_outputs(derivation)] if mechanism.outputs else []),
+        *map(_contact_law, derivation.contacts),
+        *map(_friction_law, derivation.frictions),
+        _checks(derivation),
+    )
+
+
+def _parts(derivation: MechanismDerivation) -> Step:
+    mechanism = derivation.mechanism
+    bodies = (f"{latex_text(body.name)} (${latex(body.coordinate)}$)" for body in mechanism.bodies)
+    pins = (
+        Formula(latex_equation(pin.displacement, pin.law)) for pin in mechanism.pins if pin.law is not None
+    )
+    forces = (
+        Formula(latex_equation(force.value, force.law)) for force in mechanism.forces if force.law is not None
+    )
+    springs = (
+        Formula(f"e_{{{latex(spring.stiffness)}}} = {latex(elongation(spring))}")
+        for spring in mechanism.springs
+    )
+    between_springs = {(spring.start, spring.end) for spring in mechanism.springs}
+    rates = (
+        Formula(f"e_{{{latex(damper.damping)}}} = {latex(elongation(damper))}")
+        for damper in mechanism.resistances
+        if (damper.start, damper.end) not in between_springs
+    )
+    distances = (
+        Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts
+    )
+    return Step(
+        "parts",
+        "Bodies and what joins them",
+        f"Bodies that move along one line, with their displacements in the fixed frame: {', '.join(bodies)}. "
+        "A pin moves as prescribed, relative to what carries it. Below stand these motions and the given "
+        "forces, the elongation $e$ of each spring, of each damper that is not beside one, and the distance "
+        "$s$ of the two ends of each contact: the position of one end less that of the other.",
+        (*pins, *forces, *springs, *rates, *distances),
+    )
+
+
+def _energies(motion: LinearMotion) -> Step:
+    return Step(
+        "energies",
+        "Energies and dissipation",
+        "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
+        "half of the power that is lost, to the dampers and to viscous friction.",
+        (
+            Formula(latex_equation(sympy.Symbol("T"), motion.kinetic_energy)),
+            Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
+            Formula(latex_equation(sympy.Symbol("R"), motion.rayleigh_function)),
+        ),
+    )
+
+
+def _virtual_work(motion: LinearMotion) -> Step:
+    forces = zip(motion.mechanism.bodies, motion.generalised_forces, strict=True)
+    return Step(
+        "virtual-work",
+        "Generalised forces",
+        "Contacts, dry frictions and given forces enter by their virtual work. A contact with the tension "
+        "$T_j$ does the work $-T_j\\,\\delta s_j$ as its ends move apart, a dry friction $f_j$ likewise, "
+        "and a given force that of its body's displacement.",
+        tuple(Formula(f"Q_{{{latex(body.coordinate)}}} = {latex(force)}") for body, force in forces),
+    )
+
+
+def _motion(motion: LinearMotion) -> Step:
+    general = (
+        r"\frac{d}{dt}\frac{\partial (T - U)}{\partial \dot{q}_i} - \frac{\partial (T - U)}{\partial q_i} + "
+        r"\frac{\partial R}{\partial \dot{q}_i} = Q_i"
+    )
+    return Step(
+        "motion",
+        "Equations of motion",
+        "The Euler-Lagrange equation of each body. The sum of forces by Newton's law gives the same lines.",
+        (Formula(general), *_balances(motion)),
+    )
+
+
+def _balances(motion: LinearMotion) -> Iterator[Formula]:
+    for body, force in zip(motion.mechanism.bodies, motion.resultant_forces, strict=True):
+        yield Formula(f"{latex(body.mass)} {latex(body.coordinate.diff(t, 2))} = {latex(force)}")
+
+
+def _matrices(motion: LinearMotion) -> Step:
+    kinds = zip(_columns(motion.matrices), inputs(motion.mechanism), strict=True)
+    driving = [
+        (name, matrix, f"{name} {latex(sympy.Matrix(names))}")
+        for (name, matrix), names in kinds
+        if any(matrix)
+    ]
+    sum_of_inputs = " + ".join(term for _, _, term in driving) or "0"
+    return Step(
+        "matrices",
+        "Matrices",
+        "The equations of motion are linear in displacements and inputs, with symmetric matrices.",
+        (
+            Formula(f"M\\ddot q + C\\dot q + K q = {sum_of_inputs}"),
+            Formula(latex_equation(sympy.Symbol("M"), motion.matrices.mass)),
+            Formula(latex_equation(sympy.Symbol("C"), motion.matrices.damping)),
+            Formula(latex_equation(sympy.Symbol("K"), motion.matrices.stiffness)),
+            *(Formula(f"{name} = {latex(matrix)}") for name, matrix, _ in driving),
+        ),
+    )
+
+
+def _columns(matrices: MotionMatrices) -> tuple[tuple[str, sympy.ImmutableMatrix], ...]:
+    return (
+        ("F_u", matrices.displacement_force),
+        ("F_v", matrices.velocity_force),
+        ("F_p", matrices.given_force),
+        ("F_T", matrices.contact_force),
+        ("F_f", matrices.friction_force),
+    )
+
+
+def _closed_contact(motion: LinearMotion) -> Step:
+    constant = motion.matrices.constant_force
+    return Step(
+        "closed-contact",
+        "Closed contact",
+        "While contacts are closed, their springs and dampers act as any others do, with the distance less "
+        "what the slot leaves free. A side $\\sigma$ of a play is 1 where the end is ahead, and $-1$ behind. "
+        "With every contact closed the energies and the equations of motion are these; of an open one "
+        "stiffness and damping are zero. At the right side a constant $f_0$ is added, if there is a gap.",
+        (
+            Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
+            Formula(latex_equation(sympy.Symbol("R"), motion.rayleigh_function)),
+            *_balances(motion),
+            Formula(latex_equation(sympy.Symbol("C"), motion.matrices.damping)),
+            Formula(latex_equation(sympy.Symbol("K"), motion.matrices.stiffness)),
+            *([] if constant.is_zero_matrix else [Formula(f"f_0 = {latex(constant)}")]),
+        ),
+    )
+
+
+def _state_space(derivation: MechanismDerivation) -> Step:
+    motion, closed = derivation.motion, derivation.closed
+    text = "With the state $x = (q, \\dot q)$ and all inputs $w$."
+    formulas = [Formula(r"\dot{x} = A x + B w"), *_space(motion)]
+    if closed is not motion:
+        text += " First with the tensions of contacts as inputs, then with every contact closed."
+        formulas += _space(closed)
+    return Step("state-space", "State space", text, tuple(formulas))
+
+
+def _space(motion: LinearMotion) -> list[Formula]:
+    driving = [each for kind in inputs(motion.mechanism) for each in kind]
+    if not motion.matrices.constant_force.is_zero_matrix:
+        driving.append(sympy.S.One)
+    formulas = [Formula(latex_equation(sympy.Symbol("A"), motion.space.a))]
+    if driving:
+        formulas.append(Formula(latex_equation(sympy.Symbol("B"), motion.space.b)))
+        formulas.append(Formula(f"w = {latex(sympy.Matrix(driving))}"))
+    return formulas
+
+
+def _outputs(derivation: MechanismDerivation) -> Step:
+    return Step(
+        "outputs",
+        "Outputs",
+        "The displacements that are asked for, in those of bodies and pins.",
+        tuple(
+            Formula(
+                latex_equation(
+                    output.displacement,
+                    total(*(weight * term for end, weight in output.weights for term in _terms(end))),
+                )
+            )
+            for output in derivation.mechanism.outputs
+        ),
+    )
+
+
+def _terms(end: End) -> tuple[sympy.Expr, ...]:
+    return sympy.Add.make_args(position(end))
+
+
+def _contact_law(statement: ContactStatement) -> Step:
+    contact = statement.contact
+    kind = "play" if isinstance(contact, Play) else "stop"
+    without = "" if contact.damping != 0 else " Without damping all laws of contact are this one."
+    formulas = [Formula(latex_equation(contact.distance, statement.distance))]
+    if statement.stretch is not None:
+        formulas.append(Formula(latex_equation(contact.stretch, statement.stretch)))
+    if statement.stretch_rate is not None:
+        formulas.append(Formula(latex_equation(contact.stretch.diff(t), statement.stretch_rate)))
+    formulas.append(Formula(latex_equation(contact.tension, statement.tension)))
+    return Step(
+        f"contact-{contact.tension.func.__name__}",
+        f"Contact: {latex_text(contact.name)}",
+        f"The {kind} pulls its ends together with $T = {latex(contact.tension)}$. "
+        f"{ENDING[contact.law] if contact.damping != 0 else ''}{without}".strip(),
+        tuple(formulas),
+    )
+
+
+def _friction_law(statement: FrictionStatement) -> Step:
+    friction = statement.friction
+    v, force = latex(friction.rate), latex(friction.force)
+    size = latex(sympy.Abs(friction.force))
+    formulas = [
+        Formula(f"{v} = {latex(statement.rate)}"),
+        Formula(f"{force} = {latex(statement.sliding)} \\quad \\text{{while }} {v} \\neq 0"),
+        Formula(f"{size} \\le {latex(friction.static)} \\quad \\text{{while }} {v} = 0"),
+    ]
+    if statement.held is not None:
+        formulas.append(Formula(f"{force} = {latex(statement.held)}"))
+    viscous = " Its viscous share is a damper, which the equations of motion hold already."
+    return Step(
+        f"friction-{friction.force.func.__name__}",
+        f"Friction: {latex_text(friction.name)}",
+        "In sliding the dry force has its kinetic size and opposes the motion. In stick it is what keeps the "
+        "velocity at zero, which is the last line, as long as that is not more than the static force. Where "
+        "several frictions stick, these lines hold together." + (viscous if friction.viscous != 0 else ""),
+        tuple(formulas),
+    )
+
+
+def _checks(derivation: MechanismDerivation) -> Step:
+    power = derivation.motion.power
+    both = (sympy.Add.make_args(power.dissipated_power), sympy.Add.make_args(power.contact_power))
+    taken = total(*(term for terms in both for term in terms))
+    return Step(
+        "checks",
+        "Checks",
+        "Along every motion the energy changes by the power $P_g$ of pins and given forces, less the power "
+        "$P_t$ that dampers, frictions and contacts take. The difference of both sides is zero identically. "
+        "The equations of motion were derived a second time from the forces on each body alone, and agree.",
+        (
+            Formula(r"\frac{d}{dt}(T + U) = P_g - P_t"),
+            Formula(latex_equation(sympy.Symbol("P_g"), sympy.factor_terms(power.input_power))),
+            Formula(latex_equation(sympy.Symbol("P_t"), taken)),
+        ),
+    )

@@ -1,0 +1,207 @@
+"""The parts of a mechanism that moves along one line, in symbols."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import sympy
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The fixed surroundings, whose displacement is zero."""
+
+
+@dataclass(frozen=True)
+class RigidBody:
+    """A rigid body that moves along one line.
+
+    Attributes:
+        name: What it is, in words.
+        mass: Mass, kg.
+        coordinate: Displacement in the fixed frame, m, a function of time.
+    """
+
+    name: str
+    mass: sympy.Expr
+    coordinate: sympy.Expr
+
+
+@dataclass(frozen=True)
+class Pin:
+    """A massless point whose displacement relative to a body or to the ground is given.
+
+    Attributes:
+        carrier: The body, or the ground for a moved base.
+        displacement: Displacement relative to it, m, a function of time.
+        law: The same written out over time; None where it is left open.
+    """
+
+    carrier: RigidBody | Ground
+    displacement: sympy.Expr
+    law: sympy.Expr | None = None
+
+
+End = Ground | RigidBody | Pin
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A linear spring.
+
+    Attributes:
+        stiffness: Stiffness, N/m.
+        start: One end.
+        end: The other end; the elongation is its displacement less that of ``start`` and less ``rest``.
+        rest: Distance of the ends at which it carries nothing, m.
+    """
+
+    stiffness: sympy.Expr
+    start: End
+    end: End
+    rest: sympy.Expr = sympy.S.Zero
+
+
+@dataclass(frozen=True)
+class Damper:
+    """A linear damper.
+
+    Attributes:
+        damping: Coefficient, N s/m.
+        start: One end.
+        end: The other end, as for a spring.
+    """
+
+    damping: sympy.Expr
+    start: End
+    end: End
+
+
+class ContactLaw(Enum):
+    """What a contact does when its force would have to pull.
+
+    A relaxing contact ends there, and its spring relaxes by itself (Nordin, Galić and Gutman, Int. J. Adapt.
+    Control Signal Process. 11, 1997); a truncated one ends there too, but has no memory; a pulling one lasts
+    until the gap is reached again (Kelvin-Voigt).
+    """
+
+    RELAXING = 1
+    TRUNCATED = 2
+    PULLING = 3
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A spring and a damper side by side behind a slot; ``Play`` and ``Stop`` are the two kinds.
+
+    Attributes:
+        name: What it is, in words.
+        stiffness: k, N/m.
+        damping: c, N s/m.
+        gap: g, m.
+        start: One end.
+        end: The other end.
+        distance: s, displacement of ``end`` less that of ``start``, m, a function of time.
+        stretch: z, stretch of the spring, m, a function of time.
+        tension: T = k z + c ż, N, a function of time; positive it pulls the ends together.
+        law: What it does when its force would have to pull.
+    """
+
+    name: str
+    stiffness: sympy.Expr
+    damping: sympy.Expr
+    gap: sympy.Expr
+    start: End
+    end: End
+    distance: sympy.Expr
+    stretch: sympy.Expr
+    tension: sympy.Expr
+    law: ContactLaw
+
+    @property
+    def offset(self) -> sympy.Expr:
+        """Distance of the ends at which the closed contact carries nothing, m."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Play(Contact):
+    """A contact on both sides of a slot, whose gap is the total clearance.
+
+    Attributes:
+        side: σ, 1 where ``end`` is ahead of ``start``, -1 on the other side of the slot.
+    """
+
+    side: sympy.Expr
+
+    @property
+    def offset(self) -> sympy.Expr:
+        """Half of the gap, on the side of the contact, m."""
+        return self.side * self.gap / 2
+
+
+@dataclass(frozen=True)
+class Stop(Contact):
+    """A contact on one side, while ``end`` is farther from ``start`` than the gap."""
+
+    @property
+    def offset(self) -> sympy.Expr:
+        """The gap, m."""
+        return self.gap
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Dry friction with stick, and viscous friction beside it.
+
+    Attributes:
+        name: What it is, in words.
+        kinetic: Force in sliding, N.
+        static: Largest force in stick, N.
+        viscous: Coefficient, N s/m.
+        start: One end.
+        end: The other end.
+        rate: v, velocity of ``end`` less that of ``start``, m/s, a function of time.
+        force: Dry share of the force, N, a function of time; positive it holds ``end`` back.
+    """
+
+    name: str
+    kinetic: sympy.Expr
+    static: sympy.Expr
+    viscous: sympy.Expr
+    start: End
+    end: End
+    rate: sympy.Expr
+    force: sympy.Expr
+
+
+@dataclass(frozen=True)
+class Force:
+    """A given force on a body.
+
+    Attributes:
+        body: The body.
+        value: The force, N, a function of time.
+        law: The same written out over time; None where it is left open.
+    """
+
+    body: RigidBody
+    value: sympy.Expr
+    law: sympy.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Output:
+    """A displacement that is asked for: a weighted sum of those of bodies and pins.
+
+    Attributes:
+        displacement: m, a function of time.
+        weights: Each body or pin with its factor.
+    """
+
+    displacement: sympy.Expr
+    weights: tuple[tuple[RigidBody | Pin, sympy.Expr], ...]
+
+
+Joint = Spring | Damper | Contact | Friction

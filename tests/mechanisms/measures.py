@@ -1,0 +1,92 @@
+"""Numbers of one period of a motion by brute force: peak to peak, harmonics, rms acceleration, settling."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from tests.mechanisms.brute_force import BruteForce, BruteMotion
+from tests.mechanisms.dynamics import System
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
+TURNS = 9
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The last period of a run.
+
+    Attributes:
+        motion: One period, from time 0 on.
+        change: How much the state changed over it, relative to its usual size.
+        periods: How many were run.
+    """
+
+    motion: BruteMotion
+    change: float
+    periods: int
+
+
+def settled(force: BruteForce, system: System, state: np.ndarray, most: int, enough: float) -> Settled:
+    """Run period after period, each from time 0, until the state returns to itself."""
+    period, usual = 1 / system.mechanism.frequency, system.usual[: system.rows.state_size]
+    periods = 0
+    while True:
+        periods += 1
+        motion = force.run(system, state, 0.0, period)
+        change = float(np.max(np.abs(motion.final - state) / usual))
+        state = motion.final
+        if change < enough or periods >= most:
+            return Settled(motion, change, periods)
+
+
+def integral(motion: BruteMotion, function) -> np.ndarray:
+    """Integrate function(times, y as columns, piece) over the motion by Gauss's rule on each step."""
+    total = 0.0
+    for piece in motion.pieces:
+        half = (piece.end - piece.begin) / 2
+        times = piece.begin + half * (1 + NODES)
+        total = total + half * (function(times, piece.interpolated(times), piece) @ WEIGHTS)
+    return np.asarray(total)
+
+
+def harmonics(motion: BruteMotion, row: np.ndarray, numbers: list[int]) -> np.ndarray:
+    """Amplitudes of a row's harmonics over the motion, which is one period."""
+    begin, end = motion.pieces[0].begin, motion.pieces[-1].end
+    turn = 2j * np.pi / (end - begin)
+
+    def turned(times, y, piece):
+        return np.exp(-turn * np.outer(numbers, times)) * (row @ y)
+
+    return np.abs(2 / (end - begin) * integral(motion, turned))
+
+
+def root_mean_square(motion: BruteMotion, row_of) -> float:
+    """Rms of the row that ``row_of`` gives for each mode's dynamics."""
+    begin, end = motion.pieces[0].begin, motion.pieces[-1].end
+
+    def squared(times, y, piece):
+        return (row_of(motion.system.dynamics(piece.mode)) @ y) ** 2
+
+    return float(np.sqrt(integral(motion, squared) / (end - begin)))
+
+
+def extremes(motion: BruteMotion, row: np.ndarray) -> tuple[float, float]:
+    """Smallest and largest value of a displacement, at the zeros of its rate."""
+    low, high = np.inf, -np.inf
+    for piece in motion.pieces:
+        rate = row @ motion.system.dynamics(piece.mode).rates
+        times = np.linspace(piece.begin, piece.end, TURNS)
+        values, rates = row @ piece.interpolated(times), rate @ piece.interpolated(times)
+        found = list(values)
+        for place in np.flatnonzero(rates[:-1] * rates[1:] < 0):
+
+            def speed(time, piece=piece, rate=rate):
+                return float(rate @ piece.interpolated(np.array([time]))[:, 0])
+
+            time = brentq(speed, times[place], times[place + 1], xtol=1e-300, rtol=1e-14)
+            found.append(float(row @ piece.interpolated(np.array([time]))[:, 0]))
+        low, high = min(low, *found), max(high, *found)
+    return low, high

@@ -1,0 +1,112 @@
+"""The modes of one contact and of one friction, with what must hold as long as a mode lasts.
+
+A guard is a row that is not negative while the mode lasts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tests.mechanisms.rows import Rows
+from trimmer.mechanism.parts import ContactLaw, Friction, Play, Stop
+
+
+class ContactMode(NamedTuple):
+    """Which side of the slot, +1 or -1, and whether a force passes; the side 0 is free.
+
+    A side without force is a truncated contact that would pull: lifted, though the gap is overcome.
+    """
+
+    side: int
+    touching: bool
+
+
+FREE = ContactMode(0, False)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A play or a stop."""
+
+    name: str
+    part: Play | Stop
+    rows: Rows
+
+    @property
+    def sides(self) -> tuple[int, ...]:
+        return (1, -1) if isinstance(self.part, Play) else (1,)
+
+    @property
+    def half_gap(self) -> float:
+        return self.part.gap / 2 if isinstance(self.part, Play) else self.part.gap
+
+    @property
+    def has_state(self) -> bool:
+        return self.name in self.rows.relaxing
+
+    @property
+    def lifts(self) -> bool:
+        return self.part.law is ContactLaw.TRUNCATED and self.part.damping > 0
+
+    @property
+    def is_link(self) -> bool:
+        """Whether it is always in contact: a play without a gap, unless its law lifts it."""
+        return isinstance(self.part, Play) and self.part.gap == 0 and not self.lifts
+
+    def beyond(self, side: int) -> np.ndarray:
+        """How far the gap is overcome on a side, positive when it is."""
+        return side * self.rows.distance(self.part.between) - self.rows.constant(self.half_gap)
+
+    def closed_force(self, side: int) -> np.ndarray:
+        """T, were it in contact on a side."""
+        rate = self.rows.rate(self.part.between)
+        return self.part.stiffness * side * self.beyond(side) + self.part.damping * rate
+
+    def force(self, mode: ContactMode) -> np.ndarray:
+        return self.closed_force(mode.side) if mode.touching else np.zeros(self.rows.size)
+
+    def clearance(self, side: int) -> np.ndarray:
+        """How far the free contact is from touching on a side."""
+        if not self.has_state:
+            return -self.beyond(side)
+        return side * self.rows.z(self.name) - self.beyond(side)
+
+    def guards(self, mode: ContactMode) -> list[np.ndarray]:
+        if mode == FREE:
+            return [self.clearance(side) for side in self.sides]
+        push = mode.side * self.closed_force(mode.side)
+        if self.has_state:
+            return [push]
+        if not self.lifts:
+            return [self.beyond(mode.side)]
+        return [self.beyond(mode.side), push if mode.touching else -push]
+
+    def modes(self) -> list[ContactMode]:
+        """All modes, those without force first."""
+        lifted = [ContactMode(side, False) for side in self.sides] if self.lifts else []
+        return [FREE, *lifted, *(ContactMode(side, True) for side in self.sides)]
+
+    def z_rate(self, mode: ContactMode) -> np.ndarray:
+        if mode.touching:
+            return self.rows.rate(self.part.between)
+        return -self.part.stiffness / self.part.damping * self.rows.z(self.name)
+
+
+@dataclass(frozen=True)
+class DryFriction:
+    """A friction; its mode is the sign of the velocity, 0 for stick."""
+
+    name: str
+    part: Friction
+    rows: Rows
+
+    @property
+    def velocity(self) -> np.ndarray:
+        return self.rows.rate(self.part.between)
+
+    def sliding_force(self, sign: int) -> np.ndarray:
+        """The force on ``end``."""
+        return -self.rows.constant(sign * self.part.force) - self.part.viscous * self.velocity

@@ -1,0 +1,139 @@
+"""Quantities of a mechanism as rows: each is linear in the state and in a few functions of time.
+
+Everything that the brute force speaks of (a distance, a velocity, a force) is ``row @ y`` with
+
+    y = (displacements, velocities, z of each relaxing contact with damping, 1, t, sin and cos of each order).
+
+The functions of time are carried along as entries of y, so a row may be differentiated: with y' = D y the
+rate of ``row @ y`` is ``row @ D @ y``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND, ContactLaw
+
+
+@dataclass
+class Rows:
+    """The layout of y for one mechanism, and rows of its points."""
+
+    mechanism: Mechanism
+    bodies: tuple[str, ...] = field(init=False)
+    relaxing: tuple[str, ...] = field(init=False)
+    orders: tuple[int, ...] = field(init=False)
+
+    def __post_init__(self):
+        mechanism = self.mechanism
+        self.bodies = tuple(mechanism.bodies)
+        contacts = {**mechanism.plays, **mechanism.stops}
+        self.relaxing = tuple(
+            name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
+        )
+        moving = [pin.order for pin in mechanism.pins.values() if pin.amplitude]
+        driven = [force.order for force in mechanism.forces.values() if force.amplitude or force.unbalance]
+        self.orders = tuple(sorted({*moving, *driven}))
+
+    @cached_property
+    def omega(self) -> float:
+        """That of the drive, rad/s; 0 without a drive."""
+        return 2 * math.pi * (self.mechanism.frequency or 0.0)
+
+    @cached_property
+    def state_size(self) -> int:
+        return 2 * len(self.bodies) + len(self.relaxing)
+
+    @cached_property
+    def size(self) -> int:
+        return self.state_size + 2 + 2 * len(self.orders)
+
+    def unit(self, place: int) -> np.ndarray:
+        row = np.zeros(self.size)
+        row[place] = 1.0
+        return row
+
+    def constant(self, value: float) -> np.ndarray:
+        return value * self.unit(self.state_size)
+
+    def z(self, name: str) -> np.ndarray:
+        return self.unit(2 * len(self.bodies) + self.relaxing.index(name))
+
+    def sine(self, amplitude: float, order: int, phase: float) -> np.ndarray:
+        """amplitude sin(order omega t + phase)."""
+        row = np.zeros(self.size)
+        if amplitude:
+            place = self.state_size + 2 + 2 * self.orders.index(order)
+            row[place : place + 2] = amplitude * math.cos(phase), amplitude * math.sin(phase)
+        return row
+
+    def clock(self) -> np.ndarray:
+        """D for the functions of time: their rates, the rest zero."""
+        rates = np.zeros((self.size, self.size))
+        first = self.state_size
+        rates[first + 1, first] = 1.0
+        for place, order in enumerate(self.orders):
+            sine = first + 2 + 2 * place
+            rates[sine, sine + 1], rates[sine + 1, sine] = order * self.omega, -order * self.omega
+        return rates
+
+    def functions_of_time(self, t: np.ndarray | float) -> np.ndarray:
+        """(1, t, sin, cos, ...) at a time, or as columns at several."""
+        t = np.asarray(t, dtype=float)
+        functions = np.ones((self.size - self.state_size, *t.shape))
+        functions[1] = t
+        for place, order in enumerate(self.orders):
+            angle = order * self.omega * t
+            functions[2 + 2 * place], functions[3 + 2 * place] = np.sin(angle), np.cos(angle)
+        return functions
+
+    def carrier(self, end: str) -> int | None:
+        """Number of the body that takes the force on an end; None for the ground."""
+        if end in self.mechanism.pins:
+            end = self.mechanism.pins[end].on
+        return None if end == GROUND else self.bodies.index(end)
+
+    def prescribed(self, end: str) -> np.ndarray:
+        """Displacement of a pin relative to its carrier; zero for a body."""
+        if end not in self.mechanism.pins:
+            return np.zeros(self.size)
+        pin = self.mechanism.pins[end]
+        row = self.constant(pin.offset) + self.sine(pin.amplitude, pin.order, pin.phase)
+        row[self.state_size + 1] += pin.velocity
+        return row
+
+    def displacement(self, end: str) -> np.ndarray:
+        row, carrier = self.prescribed(end), self.carrier(end)
+        return row if carrier is None else row + self.unit(carrier)
+
+    def velocity(self, end: str) -> np.ndarray:
+        row, carrier = self.prescribed(end) @ self.clock(), self.carrier(end)
+        return row if carrier is None else row + self.unit(len(self.bodies) + carrier)
+
+    def distance(self, between: tuple[str, str]) -> np.ndarray:
+        start, end = between
+        return self.displacement(end) - self.displacement(start)
+
+    def rate(self, between: tuple[str, str]) -> np.ndarray:
+        start, end = between
+        return self.velocity(end) - self.velocity(start)
+
+    def prescribed_acceleration(self, between: tuple[str, str]) -> np.ndarray:
+        """That part of the relative acceleration that is a function of time."""
+        start, end = between
+        clock = self.clock()
+        return (self.prescribed(end) - self.prescribed(start)) @ clock @ clock
+
+    def direction(self, between: tuple[str, str]) -> np.ndarray:
+        """Generalised force of a unit force on ``end`` and its opposite on ``start``."""
+        force = np.zeros(len(self.bodies))
+        for name, sign in zip(between, (-1.0, 1.0), strict=True):
+            carrier = self.carrier(name)
+            if carrier is not None:
+                force[carrier] += sign
+        return force

@@ -1,0 +1,59 @@
+"""Periodic motions return to themselves by brute force, with the multipliers of finite differences."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.mechanisms.brute_force import BruteForce
+from tests.mechanisms.differences import monodromy, once_around
+from tests.mechanisms.dynamics import System
+from tests.mechanisms.random_mechanisms import random_mechanism
+from trimmer.contact.flow import Course, ExactFlow
+
+# Seeds of mechanisms that settle, and the drive periods after which they repeat.
+QUICK = {98: 1, 107: 1, 122: 1, 212: 1}
+SLOW = {
+    **dict.fromkeys((4, 7, 11, 13, 15, 24, 27, 29, 38, 43, 51, 54, 58, 64, 66, 75, 78, 79, 84, 89, 96), 1),
+    **dict.fromkeys((104, 121, 124, 136, 146, 158, 161, 170, 186, 196, 231, 245, 252), 1),
+    **dict.fromkeys((68, 116), 2),
+    25: 3,
+}
+
+
+def settled(seed: int, periods: int) -> tuple[System, Course]:
+    """Return what a mechanism settles to: one repetition of it."""
+    mechanism = random_mechanism(seed)
+    flow = ExactFlow(mechanism)
+    end = flow.strobe(flow.rest(), 200).end
+    return System(mechanism), flow.course(end, periods)
+
+
+def sorted_by_size(values: np.ndarray) -> np.ndarray:
+    return values[np.lexsort((values.imag, values.real, -np.round(np.abs(values), 6)))]
+
+
+def hold_against_differences(seed: int, periods: int) -> None:
+    system, course = settled(seed, periods)
+    size = system.rows.state_size
+    state, usual = course.begin.state[:size], system.usual[:size]
+    around = once_around(BruteForce(), system, state, periods).final
+    assert np.max(np.abs(around - state) / usual) < 1e-9
+    exact = sorted_by_size(np.linalg.eigvals(course.monodromy))
+    differences = sorted_by_size(np.linalg.eigvals(monodromy(BruteForce(), system, state, periods)))
+    left = list(differences)
+    for value in exact:
+        nearest = min(left, key=lambda other, value=value: abs(other - value))
+        assert abs(nearest - value) < 2e-5
+        left.remove(nearest)
+
+
+@pytest.mark.parametrize(("seed", "periods"), QUICK.items())
+def test_the_multipliers_of_a_periodic_motion(seed, periods):
+    hold_against_differences(seed, periods)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("seed", "periods"), SLOW.items())
+def test_the_multipliers_of_many_periodic_motions(seed, periods):
+    hold_against_differences(seed, periods)

@@ -1,0 +1,151 @@
+"""What mechanisms settle to: repeating motions, tori and chaos, and how sure that is."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.trimmer.response.mechanisms import example, twin
+from trimmer import Mechanism, MechanismError, MotionKind, UnsupportedMotionError, WrongTypeError, respond
+from trimmer.contact.flow import ExactFlow
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
+from trimmer.response.response_json import response_json
+
+KEYS = {"kind", "period_count", "lyapunov", "drive_periods", "events_per_period", "multipliers"}
+KEYS |= {"outputs", "bodies", "motions", "starts"}
+
+
+def test_the_trimmer_settles_to_the_period_of_the_drive() -> None:
+    response = respond(twin(1.0))
+    content = response_json(response)
+    assert response.success
+    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    assert content["kind"] == "periodic"
+    assert content["events_per_period"] == 14
+    assert content["outputs"]["stroke"]["peak_to_peak"] == pytest.approx(2.933334121400e-3, rel=4e-13)
+    assert content["bodies"]["motor"]["rms_acceleration"] == pytest.approx(118.754895, abs=6e-7)
+    assert len(content["multipliers"]) == 9
+    assert content.keys() >= KEYS
+    assert json.loads(json.dumps(content, allow_nan=False)) == content
+
+
+def test_it_is_where_the_motion_from_rest_is_after_a_long_time() -> None:
+    mechanism = twin(2.0, 2e-4)
+    orbit = respond(mechanism).motion.orbit
+    flow = ExactFlow(mechanism)
+    late = flow.strobe(flow.rest(), 600).states[-3:]
+    apart = [abs((late - np.roll(orbit.strobed, shift, axis=0)) / orbit.sizes).max() for shift in range(3)]
+    assert orbit.period_count == 3
+    assert min(apart) < 1e-10
+
+
+def test_lines_between_the_harmonics() -> None:
+    output = response_json(respond(twin(2.0, 2e-4)))["outputs"]["stroke"]
+    assert len(output["subharmonics"]) == 2
+    assert [line[:2] for line in output["lines"][:3]] == [[1, 3], [2, 3], [3, 3]]
+    assert output["lines"][2][2] == output["harmonics"][0]
+    assert output["lines"][0][2] == output["subharmonics"][0]
+
+
+def test_at_another_speed_the_symmetry_is_lost() -> None:
+    motion = respond(twin(2.0, 2e-4, 100.0)).motion
+    assert motion.period_count == 1
+    assert motion.harmonics["stroke"][1] > 1e-6
+
+
+def test_without_friction_it_is_chaotic() -> None:
+    response = respond(twin(0.0, 2e-4), most_periods=200)
+    exponent = response.motion.lyapunov
+    assert response.kind is MotionKind.CHAOTIC
+    assert response.period_count is None
+    assert exponent.value - 3 * exponent.uncertainty > 0
+    content = response_json(response)
+    low, high = content["outputs"]["stroke"]["rms_interval"]
+    assert low < content["outputs"]["stroke"]["rms"] < high
+    assert content["multipliers"] == []
+    assert content["drive_periods"] == 200 + content["window_periods"]
+    assert "had not settled after 200 drive periods" in response.message
+    json.dumps(content, allow_nan=False)
+
+
+def test_a_conservative_oscillator_is_no_chaos() -> None:
+    """Without damping the free oscillation stays, with another frequency than the drive: a torus."""
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        links={"spring": Link(("ground", "body"), 30.0)},
+        forces={"push": Force("body", amplitude=1.0)},
+        outputs={"body": Output({"body": 1.0})},
+    )
+    response = respond(mechanism, most_periods=64)
+    assert response.kind is MotionKind.TORUS
+    assert abs(response.motion.lyapunov.value) < 0.01
+
+
+def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        frictions={"floor": Friction(("ground", "body"), 2.0)},
+        forces={"push": Force("body", amplitude=1.0)},
+        outputs={"body": Output({"body": 1.0})},
+    )
+    response = respond(mechanism, state={"body": (0.3, 0.0)})
+    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    assert response.motion.peak_to_peak["body"] == 0
+    assert response.motion.orbit.instant.state[0] == 0.3
+
+
+def test_starts_find_several_motions_and_their_shares() -> None:
+    response = respond(twin(2.0, 2e-4, 100.0), starts=6, seed=1)
+    content = response_json(response)
+    assert sum(motion["share"] for motion in content["motions"]) == pytest.approx(1)
+    assert content["starts"] == 6
+    assert any(motion["mirrored"] for motion in content["motions"])
+    peaks = {round(motion["outputs"]["stroke"]["peak_to_peak"], 12) for motion in content["motions"][:2]}
+    assert len(peaks) == 1, "mirrored twins have the same stroke"
+
+
+def test_the_same_seed_gives_the_same_starts() -> None:
+    first, second = (respond(twin(2.0, 2e-4), starts=3, seed=5) for _ in range(2))
+    assert response_json(first) == response_json(second)
+
+
+def test_a_mechanism_without_drive_has_a_period_of_its_own() -> None:
+    response = respond(example("block-on-belt"))
+    content = response_json(response)
+    assert (content["kind"], content["period_count"], content["lyapunov"]) == ("periodic", 1, None)
+    assert content["period"] == pytest.approx(8.902605407815, abs=6e-13)
+
+
+def test_the_second_play_runs_on_a_torus() -> None:
+    response = respond(example("second-play"), most_periods=100)
+    assert response.kind is MotionKind.TORUS
+    assert response.success
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "named"),
+    [
+        (lambda: respond("twin"), WrongTypeError, "mechanism"),
+        (lambda: respond(twin(), starts=0), ValueError, "starts"),
+        (lambda: respond(twin(), most_periods=1.5), WrongTypeError, "most_periods"),
+        (lambda: respond(twin(), state={"wheel": (0, 0)}), MechanismError, "wheel"),
+    ],
+)
+def test_what_cannot_be_used_is_named(call, error: type[Exception], named: str) -> None:
+    with pytest.raises(error, match=named):
+        call()
+
+
+def test_what_goes_on_for_ever_does_not_settle() -> None:
+    winch = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        pins={"winch": Pin("ground", velocity=1.0)},
+        links={"rope": Link(("winch", "body"), 1.0)},
+    )
+    with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
+        respond(winch)

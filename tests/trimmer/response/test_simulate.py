@@ -1,0 +1,97 @@
+"""Simulated motions of mechanisms: events, forces and energy."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.trimmer.response.mechanisms import example, twin
+from trimmer import ContactLaw, MechanismError, simulate
+
+LAWS = list(ContactLaw)
+NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hartog", "thesis", "gear-pair")
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_energy_balance_closes_to_rounding(name: str, law: ContactLaw) -> None:
+    mechanism = example(name)
+    plays = {key: dataclasses.replace(play, law=law) for key, play in mechanism.plays.items()}
+    mechanism = dataclasses.replace(mechanism, plays=plays)
+    motion = simulate(mechanism, 20.3 / mechanism.frequency)
+    energy = motion.energy
+    assert motion.success
+    assert energy.residual < 1e-12
+    assert (
+        min([*energy.dampers.values(), *energy.contacts.values(), *energy.frictions.values(), 0.0]) > -1e-15
+    )
+
+
+def test_the_block_on_the_belt_sticks_and_slips() -> None:
+    mechanism = example("block-on-belt")
+    motion = simulate(mechanism, 30.0)
+    kinds = [event.kind.word for event in motion.events]
+    assert motion.events[0].part == "rubbing"
+    assert set(kinds) == {"stick-begun", "stick-ended"}
+    slips = [event.time for event in motion.events if event.kind.word == "stick-ended"]
+    assert np.diff(slips) == pytest.approx(8.902605407815, abs=1e-10)
+    stuck = slips[-1] - 1.0
+    assert motion.friction_force("rubbing", stuck) == pytest.approx(-motion.displacement("block", stuck))
+    assert motion.friction_force("rubbing", slips[-1]) == pytest.approx(-0.5)
+    assert motion.velocity("block", stuck) == pytest.approx(0.2, abs=1e-13)
+
+
+def test_contact_forces_and_accelerations_are_one() -> None:
+    motion = simulate(twin(0.0), 0.05)
+    times = np.linspace(0.0, 0.05, 501)[::-1]
+    force = motion.contact_force("bridge", times)
+    cutter, housing = motion.displacement("cutter", times), motion.displacement("housing", times)
+    spring = -1e3 * (cutter - housing)
+    step = 1e-7
+    inner = (times > step) & (times < 0.05 - step)
+    change = motion.velocity("cutter", times[inner] + step) - motion.velocity("cutter", times[inner] - step)
+    expected = (spring + force)[inner] / 0.003
+    smooth = abs(change / (2 * step) - expected) < 1e-3 * abs(expected).max()
+    assert smooth.mean() > 0.99
+    assert motion.contact_force("bridge", 0.0).shape == ()
+
+
+def test_a_regular_mechanism_follows_another_integrator() -> None:
+    mechanism = example("thesis")
+    motion = simulate(mechanism, 0.03)
+    from trimmer import linear_matrices
+
+    matrices, omega = linear_matrices(mechanism), 2 * np.pi * mechanism.frequency
+    (pin,) = mechanism.pins.values()
+
+    def rate(time: float, state: np.ndarray) -> np.ndarray:
+        q, v = state[:4], state[4:]
+        u = np.array([pin.amplitude * np.sin(omega * time)])
+        du = np.array([pin.amplitude * omega * np.cos(omega * time)])
+        force = matrices.pin_displacement @ u + matrices.pin_velocity @ du
+        force -= matrices.stiffness @ q + matrices.damping @ v
+        return np.concatenate([v, np.linalg.solve(matrices.mass, force)])
+
+    peer = solve_ivp(rate, (0, 0.03), np.zeros(8), method="DOP853", rtol=1e-11, atol=1e-16)
+    assert motion.states([0.03])[:, 0] == pytest.approx(peer.y[:, -1], rel=1e-7, abs=1e-12)
+
+
+def test_what_is_not_there_is_named() -> None:
+    motion = simulate(twin(), 0.01)
+    with pytest.raises(MechanismError, match="'wheel'; there are"):
+        motion.displacement("wheel", 0.0)
+    with pytest.raises(MechanismError, match="no output"):
+        motion.output("travel", 0.0)
+    with pytest.raises(MechanismError, match="no play or stop"):
+        motion.contact_force("blade", 0.0)
+    with pytest.raises(MechanismError, match="no friction"):
+        motion.friction_force("bridge", 0.0)
+    with pytest.raises(ValueError, match="end of the motion"):
+        motion.output("stroke", 0.02)
+    with pytest.raises(TypeError, match="impulse is an argument for loops"):
+        simulate(twin(), 0.01, impulse=1.0)
+    with pytest.raises(ValueError, match="duration"):
+        simulate(twin(), 0.0)

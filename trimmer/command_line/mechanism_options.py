@@ -1,0 +1,40 @@
+"""The file of a mechanism, and numbers set in it, as options of a command."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.file_options import file_to_read
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+
+
+def add_mechanism_options(parser: ArgumentParser) -> None:
+    """Add the file of a mechanism and ``--set``."""
+    parser.add_argument(
+        "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="PLACE=VALUE",
+        help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
+    )
+
+
+def chosen_mechanism(arguments: Namespace) -> Mechanism:
+    """Return the mechanism of the file with the numbers that are set.
+
+    Raises:
+        MechanismError: if the file or a number cannot be used.
+    """
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.places import assignment
+
+    mechanism = Mechanism.from_toml(arguments.file)
+    for text in arguments.set:
+        mechanism = mechanism.with_value(*assignment(text))
+    return mechanism

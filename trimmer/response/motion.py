@@ -1,0 +1,213 @@
+"""A simulated motion of a mechanism: events, exact signals at any time, forces, energy balance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import real_values
+from trimmer.choices import Choice
+from trimmer.contact import statuses
+from trimmer.contact.advance import Ending
+from trimmer.contact.layout import Rows
+from trimmer.errors import MechanismError
+from trimmer.mechanism.parts import GROUND
+from trimmer.messages import listed
+from trimmer.response.energy import MechanismEnergy, dry_force, energy_of
+from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.mechanism.mechanism import Mechanism
+
+
+class MechanismEventKind(Choice):
+    """What happens to a play, a stop or a friction."""
+
+    CONTACT_MADE = "contact made"
+    CONTACT_BROKEN = "contact broken"
+    REVERSED = "sliding reversed"
+    STICK_BEGUN = "stick begun"
+    STICK_ENDED = "stick ended"
+
+
+KINDS = {
+    statuses.CONTACT_MADE: MechanismEventKind.CONTACT_MADE,
+    statuses.CONTACT_BROKEN: MechanismEventKind.CONTACT_BROKEN,
+    statuses.REVERSED: MechanismEventKind.REVERSED,
+    statuses.STICK_BEGUN: MechanismEventKind.STICK_BEGUN,
+    statuses.STICK_ENDED: MechanismEventKind.STICK_ENDED,
+}
+
+
+@dataclass(frozen=True)
+class MechanismEvent:
+    """An event.
+
+    Attributes:
+        time: Time since the start of the motion, s.
+        part: Name of the play, stop or friction.
+        kind: What happens to it.
+    """
+
+    time: float
+    part: str
+    kind: MechanismEventKind
+
+
+@dataclass(frozen=True, eq=False)
+class MechanismMotion:
+    """A simulated motion of a mechanism, exact between and at its events.
+
+    Attributes:
+        flow: The motion of the mechanism.
+        course: The motion itself.
+    """
+
+    flow: ExactFlow
+    course: Course
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return self.flow.mechanism
+
+    @property
+    def duration(self) -> float:
+        """End of the motion, s; less than asked for if it ended early."""
+        return self.course.duration
+
+    @property
+    def outcome(self) -> Ending:
+        """Why it ends there."""
+        return self.course.ending
+
+    @property
+    def success(self) -> bool:
+        """Whether it reached the end that was asked for."""
+        return self.outcome is Ending.REACHED_END
+
+    @property
+    def message(self) -> str:
+        """How it ended, in words."""
+        return self.outcome.value
+
+    @cached_property
+    def events(self) -> tuple[MechanismEvent, ...]:
+        """All events in order of time."""
+        layout = self.course.modes.layout
+        parts = (*layout.contacts, *layout.frictions)
+        return tuple(
+            MechanismEvent(time, parts[part], KINDS[kind]) for time, part, kind in self.course.events
+        )
+
+    @cached_property
+    def energy(self) -> MechanismEnergy:
+        """The energy balance from start to end, with each loss named."""
+        return energy_of(self.mechanism, self.course)
+
+    def states(self, times: ArrayLike) -> Reals:
+        """Return displacements, m, velocities, m/s, and stretches of relaxing springs, m, at times.
+
+        Args:
+            times: s, from 0 to ``duration``, of any shape and order.
+
+        Returns:
+            Array of shape (n,) + shape of the times; ``flow.names`` names the rows.
+
+        Raises:
+            ValueError: if a time lies outside the motion.
+        """
+        return np.array([self._signal(steady(row), times) for row in np.eye(self.flow.size, self._size)])
+
+    def output(self, name: str, times: ArrayLike) -> Reals:
+        """Return an output, m, in the shape of the times, s.
+
+        Raises:
+            MechanismError: if there is no such output.
+            ValueError: if a time lies outside the motion.
+        """
+        rows = output_rows(self.mechanism, self.course.modes.layout)
+        _require("output", name, rows)
+        return self._signal(steady(rows[name]), times)
+
+    def displacement(self, name: str, times: ArrayLike) -> Reals:
+        """Return the displacement of a body or a pin, m, in the shape of the times, s.
+
+        That of a pin which goes on for ever while no spring leans on it is without what it goes on by.
+
+        Raises:
+            MechanismError: if there is no such body or pin.
+            ValueError: if a time lies outside the motion.
+        """
+        return self._signal(steady(self._rows(name)[0]), times)
+
+    def velocity(self, name: str, times: ArrayLike) -> Reals:
+        """Return the velocity of a body or a pin, m/s, in the shape of the times, s.
+
+        Raises:
+            MechanismError: if there is no such body or pin.
+            ValueError: if a time lies outside the motion.
+        """
+        return self._signal(steady(self._rows(name)[1]), times)
+
+    def contact_force(self, name: str, times: ArrayLike) -> Reals:
+        """Return the force of a play or a stop, N, positive where it pulls its ends together.
+
+        At an event it is that just after it.
+
+        Raises:
+            MechanismError: if there is no such play or stop, or it exerts no force.
+            ValueError: if a time lies outside the motion.
+        """
+        contacts = self.course.modes.layout.contacts
+        _require("play or stop", name, contacts)
+        return self._signal(contact_force(self.course.modes, contacts.index(name)), times)
+
+    def friction_force(self, name: str, times: ArrayLike) -> Reals:
+        """Return the dry force of a friction, N, positive against an end that moves forward.
+
+        In stick it is what holds; where several stick and share it in any way, it is the smallest split.
+
+        Raises:
+            MechanismError: if there is no such friction, or it exerts no force.
+            ValueError: if a time lies outside the motion.
+        """
+        frictions = self.course.modes.layout.frictions
+        _require("friction", name, frictions)
+        return self._signal(dry_force(self.course.modes, frictions.index(name)), times)
+
+    @property
+    def _size(self) -> int:
+        return self.course.modes.layout.size
+
+    def _rows(self, name: str) -> tuple[Reals, Reals]:
+        _require("body or pin", name, (*self.mechanism.bodies, *self.mechanism.pins, GROUND))
+        rows = Rows(self.mechanism, self.course.modes.layout)
+        return rows.displacement(name), rows.velocity(name)
+
+    def _signal(self, signal: Signal, times: ArrayLike) -> Reals:
+        instants = real_values("times", times)
+        if not ((instants >= 0) & (instants <= self.duration)).all():
+            raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
+        flat = instants.ravel()
+        order = np.argsort(flat, kind="stable")
+        ordered = np.array(flat[order], dtype=np.float64)
+        rows = np.searchsorted(self.course.log.start, ordered, side="right") - 1
+        values = np.empty(len(flat))
+        values[order] = along(self.course, signal, rows.astype(np.int64), self.course.states(ordered))
+        return values.reshape(instants.shape)
+
+
+def _require(kind: str, name: str, known: Collection[str]) -> None:
+    if name not in known:
+        there = f"there are {listed(known)}" if known else "there is none"
+        raise MechanismError(f"no {kind} is called {name!r}; {there}")

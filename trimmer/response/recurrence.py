@@ -1,0 +1,83 @@
+"""Whether a motion seen once a drive period comes again, and whether it settles to an exact orbit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.response.orbit import MechanismOrbit
+
+NEAR = 0.1
+"""Distance of two states, as a share of their sizes, at which a motion may be about to repeat."""
+MUCH_NEARER = 0.2
+"""Share of the distance after k periods below which that after another number of periods is tried too."""
+LINEAR = 0.1
+"""Share of its distance by which a motion may differ from what the multipliers say of it."""
+CLOSE = 0.2
+"""Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing."""
+ROUNDING = 1e-9
+"""Distance at which what is left is taken for rounding."""
+RETURNED = 1e-11
+"""Distance of a motion to itself that counts as none."""
+
+
+def candidates(states: Reals, sizes: Reals, most: int) -> list[int]:
+    """Return numbers of drive periods after which a motion may repeat, the most promising ones first.
+
+    Args:
+        states: At the start of each drive period, (count, n).
+        sizes: Scale of each state, (n,).
+        most: The largest number.
+    """
+    longest = min(most, (len(states) - 1) // 2)
+    if longest < 1:
+        return []
+    last = states[-1]
+    apart = abs((states[-2 : -2 - longest : -1] - last) / sizes).max(axis=1)
+    near = np.flatnonzero(apart < NEAR)
+    if not len(near):
+        return []
+    first, nearest = int(near[0]), int(np.argmin(apart))
+    if nearest != first and apart[nearest] < MUCH_NEARER * apart[first]:
+        return [nearest + 1, first + 1]
+    return [first + 1]
+
+
+def has_returned(states: Reals, sizes: Reals, periods: int) -> bool:
+    """Return whether a motion has come back to itself, to rounding, three times."""
+    if len(states) <= 3 * periods:
+        return False
+    last = states[-1 : -2 - 3 * periods : -periods]
+    return bool((abs((last[1:] - last[0]) / sizes) < RETURNED).all())
+
+
+def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:
+    """Return whether a motion comes closer to a stable orbit as its multipliers say.
+
+    The last two returns are compared with the derivative of the return. Small distances may grow at first;
+    what they differ by from the derivative, which grows with them, has to stay small.
+
+    Args:
+        orbit: The orbit, over its smallest number of periods.
+        states: At the start of each drive period, (count, n).
+    """
+    periods = orbit.periods
+    if len(states) <= 3 * periods:
+        return False
+    apart = (states[-1 - 3 * periods :] - orbit.instant.state) / orbit.sizes
+    first = int(np.argmin(abs(apart[: periods + 1]).max(axis=1)))
+    returns = apart[first::periods][:3]
+    distances = abs(returns).max(axis=1)
+    missed = abs(returns[1:] - returns[:-1] @ orbit.monodromy.T).max(axis=1)
+    if max(distances) <= ROUNDING:
+        return True
+    farthest = orbit.growth * distances[2]
+    if max(distances) > CLOSE or farthest > 1:
+        return False
+    share = max(missed / distances[:2])
+    return bool(
+        (missed <= LINEAR * distances[:2] + ROUNDING).all() and share * farthest <= LINEAR * max(distances)
+    )

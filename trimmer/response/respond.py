@@ -1,0 +1,183 @@
+"""``respond``: what a mechanism settles to, from rest, a given state, or several starts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import require_instance, whole_number
+from trimmer.errors import OrbitNotFoundError
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.forced_orbit import require_repeating
+from trimmer.response.response import MotionKind, Response, SettledMotion
+from trimmer.response.same import same_orbit, twins
+from trimmer.response.self_excited import self_excited_orbit
+from trimmer.response.settling import Settling
+from trimmer.response.shooting import sizes_of
+from trimmer.response.starts import instant_of
+from trimmer.response.verdict import unsettled
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.starts import Start
+
+MOST_PERIODS = 1000
+"""Drive periods that are waited for a motion to settle, if no number is given."""
+LONG = 100
+"""Drive periods of settling beyond which a neighbouring start is tried too."""
+NEIGHBOUR = 1e-6
+"""Distance of the neighbouring start, as a share of the sizes of the states."""
+
+
+def respond(
+    mechanism: Mechanism,
+    *,
+    state: Start = None,
+    starts: int = 1,
+    most_periods: int = MOST_PERIODS,
+    box: Mapping[str, tuple[float, float]] | None = None,
+    seed: int = 0,
+) -> Response:
+    """Find what a mechanism settles to.
+
+    The motion is followed from its start. When it seems to come again after 1 to 24 drive periods, Newton's
+    method finds the exact orbit; it is what the motion settles to if it is stable and the motion comes closer
+    to it as its multipliers say. A motion that has not settled is watched: it is called chaotic if its
+    largest Lyapunov exponent is positive by more than three standard errors and a neighbouring motion leaves
+    it, a torus if that exponent is zero within narrow bounds and a neighbour stays, and otherwise undecided.
+
+    Args:
+        mechanism: The mechanism.
+        state: Where the first start begins, at t = 0: displacement, m, and velocity, m/s, by body; or all
+            states, (n,); rest, or the start of the mechanism, if not given.
+        starts: Number of starts; those after the first one are random.
+        most_periods: Drive periods to wait for a motion to settle.
+        box: Largest modulus of displacement, m, and velocity, m/s, of each body in random starts; what they
+            reach in the first motion if not given.
+        seed: Of the random starts; the same one gives the same starts.
+
+    Raises:
+        WrongTypeError: if an argument is of another type.
+        MechanismError: if the state does not fit the mechanism.
+        UnsupportedMotionError: if the mechanism never repeats, because a pin goes on for ever and pulls.
+    """
+    from trimmer.contact.flow import ExactFlow
+
+    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    whole_number("starts", starts, 1)
+    whole_number("most_periods", most_periods, 1)
+    whole_number("seed", seed, 0)
+    flow = ExactFlow(mechanism)
+    require_repeating(flow)
+    search = _Search(flow, most_periods, [])
+    first = search.motion(instant_of(flow, state))
+    reached = dict(box) if box is not None else _reached(flow, first)
+    found = [first] if starts == 1 else search.grouped(first, _random(flow, reached, starts - 1, seed))
+    shared = tuple(replace(each, share=each.starts / starts) for each in found)
+    return Response(mechanism, shared, starts, reached, seed)
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The starts of one mechanism, and the stable orbits that they met."""
+
+    flow: ExactFlow
+    most_periods: int
+    known: list[MechanismOrbit]
+
+    def motion(self, instant: Instant) -> SettledMotion:
+        """Return what a start settles to."""
+        if not self.flow.period:
+            return self._by_itself(instant)
+        settling = Settling(self.flow, instant, self.known)
+        orbit = settling.until_settled(self.most_periods)
+        agrees = None
+        if settling.periods > LONG and self.flow.size:
+            agrees = self._agrees(instant, orbit)
+        if orbit is None:
+            return unsettled(self.flow, settling, agrees)
+        told = f"It settles within {settling.periods} drive periods to {orbit.message}."
+        if agrees is not None:
+            told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
+        return _settled(orbit, settling.periods, agrees, told)
+
+    def _by_itself(self, instant: Instant) -> SettledMotion:
+        try:
+            orbit = self_excited_orbit(self.flow, instant)
+        except OrbitNotFoundError as error:
+            return SettledMotion(
+                MotionKind.UNDECIDED, None, None, 0, None, 1, 1.0, False, f"{str(error).capitalize()}."
+            )
+        return _settled(orbit, 0, None, f"It settles to {orbit.message}.")
+
+    def _agrees(self, instant: Instant, orbit: MechanismOrbit | None) -> bool:
+        """Return whether a neighbouring start settles to the same orbit, or to none as well."""
+        moving = 2 * len(self.flow.modes.layout.bodies)
+        state = instant.state.copy()
+        state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
+        settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
+        other = settling.until_settled(self.most_periods)
+        if orbit is None or other is None:
+            return orbit is other
+        return same_orbit(orbit, other)
+
+    def grouped(self, first: SettledMotion, instants: Iterator[Instant]) -> list[SettledMotion]:
+        """Return the different motions that starts settle to, with how many do."""
+        found = [first]
+        for instant in instants:
+            motion = self.motion(instant)
+            place = next((i for i, other in enumerate(found) if _same(motion, other)), None)
+            if place is None:
+                found.append(replace(motion, mirrored=any(_twins(motion, other) for other in found)))
+            else:
+                found[place] = replace(found[place], starts=found[place].starts + 1)
+        return found
+
+
+def _settled(orbit: MechanismOrbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:
+    return SettledMotion(MotionKind.PERIODIC, orbit, None, periods, agrees, 1, 1.0, False, told)
+
+
+def _same(motion: SettledMotion, other: SettledMotion) -> bool:
+    if motion.orbit is not None and other.orbit is not None:
+        if not motion.orbit.periods:
+            return bool(np.isclose(motion.orbit.period, other.orbit.period, rtol=1e-9))
+        return same_orbit(motion.orbit, other.orbit)
+    return motion.kind is other.kind and (motion.orbit is None) == (other.orbit is None)
+
+
+def _twins(motion: SettledMotion, other: SettledMotion) -> bool:
+    return motion.orbit is not None and other.orbit is not None and twins(motion.orbit, other.orbit)
+
+
+def _reached(flow: ExactFlow, motion: SettledMotion) -> dict[str, tuple[float, float]]:
+    """Return the largest displacement, m, and velocity, m/s, of each body in a motion."""
+    count = len(flow.modes.layout.bodies)
+    sizes: Reals = np.zeros(2 * count)
+    if motion.orbit is not None:
+        sizes = motion.orbit.sizes[: 2 * count]
+    elif motion.window is not None:
+        sizes = motion.window.sizes[: 2 * count]
+    return {
+        name: (float(sizes[place]), float(sizes[count + place]))
+        for place, name in enumerate(flow.modes.layout.bodies)
+    }
+
+
+def _random(
+    flow: ExactFlow, box: Mapping[str, tuple[float, float]], count: int, seed: int
+) -> Iterator[Instant]:
+    numbers = np.random.default_rng(seed)
+    for _ in range(count):
+        state = {
+            name: (reach * numbers.uniform(-1, 1), speed * numbers.uniform(-1, 1))
+            for name, (reach, speed) in box.items()
+        }
+        yield instant_of(flow, state)

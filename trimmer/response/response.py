@@ -1,0 +1,161 @@
+"""What a mechanism settles to: the motions that were found, and what is known of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.choices import Choice
+from trimmer.response.estimate import Estimate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Reals
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.window import Window
+
+
+class MotionKind(Choice):
+    """What a motion is, as far as the numbers carry it."""
+
+    PERIODIC = "it repeats"
+    TORUS = "it runs on a torus"
+    CHAOTIC = "it is chaotic"
+    UNDECIDED = "it is undecided"
+
+
+@dataclass(frozen=True, eq=False)
+class SettledMotion:
+    """A motion that one or several starts settle to.
+
+    Attributes:
+        kind: What it is.
+        orbit: The exact orbit, if it repeats.
+        window: What was seen of it, if it does not repeat.
+        drive_periods: Number of drive periods that were followed until this was known, the window included.
+        neighbour_agrees: Whether a neighbouring start was found to do the same; None if none was tried.
+        starts: How many starts settle to it.
+        share: Their share of all starts.
+        mirrored: Whether it is the mirror image of the motion before it in the list.
+        message: What it is, in sentences.
+    """
+
+    kind: MotionKind
+    orbit: MechanismOrbit | None
+    window: Window | None
+    drive_periods: int
+    neighbour_agrees: bool | None
+    starts: int
+    share: float
+    mirrored: bool
+    message: str
+
+    @property
+    def period_count(self) -> int | None:
+        """Number of drive periods after which it repeats; None if it does not."""
+        return None if self.orbit is None else self.orbit.period_count
+
+    @cached_property
+    def lyapunov(self) -> Estimate | None:
+        """Largest Lyapunov exponent per drive period; None where no distance is left, or without drive."""
+        if self.window is not None:
+            return self.window.exponents[0]
+        if self.orbit is None or not self.orbit.periods:
+            return None
+        largest = float(abs(self.orbit.multipliers).max(initial=0.0))
+        return Estimate(float(np.log(largest)) / self.orbit.periods, 0.0) if largest > 0 else None
+
+    @property
+    def events_per_period(self) -> float | None:
+        """Number of events per drive period, the mean; None if the motion could not be followed."""
+        if self.orbit is not None:
+            return self.orbit.events_per_period
+        return None if self.window is None else float(self.window.events.mean())
+
+    @cached_property
+    def rms(self) -> Mapping[str, Estimate]:
+        """Root of the mean square of each output about its mean, m; exact if it repeats."""
+        if self.orbit is not None:
+            return {name: Estimate(each.rms, 0.0) for name, each in self.orbit.measures.outputs.items()}
+        return {} if self.window is None else self.window.rms
+
+    @cached_property
+    def peak_to_peak(self) -> Mapping[str, float]:
+        """Largest less smallest value of each output, m; in the window if it does not repeat."""
+        if self.orbit is not None:
+            return {name: each.peak_to_peak for name, each in self.orbit.measures.outputs.items()}
+        return {} if self.window is None else self.window.peak_to_peak
+
+    @cached_property
+    def harmonics(self) -> Mapping[str, Reals]:
+        """Amplitudes of each output at the harmonics of the drive, m."""
+        if self.orbit is not None:
+            return {name: each.harmonics for name, each in self.orbit.measures.outputs.items()}
+        return {} if self.window is None else self.window.harmonics
+
+    @cached_property
+    def rms_acceleration(self) -> Mapping[str, Estimate]:
+        """Root of the mean square of the acceleration of each body, m/s²; exact if it repeats."""
+        if self.orbit is not None:
+            found = self.orbit.measures.rms_acceleration
+            return {name: Estimate(value, 0.0) for name, value in found.items()}
+        return {} if self.window is None else self.window.rms_acceleration
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """What a mechanism settles to.
+
+    Attributes:
+        mechanism: The mechanism.
+        motions: The motions found; the first one is that of the first start.
+        starts: Number of starts.
+        box: Largest displacement, m, and velocity, m/s, of each body in the starts beside the first one.
+        seed: Of the random starts.
+    """
+
+    mechanism: Mechanism
+    motions: tuple[SettledMotion, ...]
+    starts: int
+    box: Mapping[str, tuple[float, float]]
+    seed: int
+
+    @property
+    def motion(self) -> SettledMotion:
+        """The motion of the first start."""
+        return self.motions[0]
+
+    @property
+    def kind(self) -> MotionKind:
+        """What the first start settles to."""
+        return self.motion.kind
+
+    @property
+    def period_count(self) -> int | None:
+        """Number of drive periods after which it repeats; None if it does not."""
+        return self.motion.period_count
+
+    @property
+    def success(self) -> bool:
+        """Whether it is known what the first start settles to."""
+        return self.kind is not MotionKind.UNDECIDED
+
+    @property
+    def message(self) -> str:
+        """What the first start settles to, and how many motions were found."""
+        return " ".join([self.motion.message, *self._others()])
+
+    def _others(self) -> list[str]:
+        if self.starts == 1:
+            return []
+        if len(self.motions) == 1:
+            return [f"All {self.starts} starts settle to it."]
+        return [
+            f"{self.starts} starts settle to {len(self.motions)} motions; "
+            f"{self.motion.share:.0%} of them to this one."
+        ]

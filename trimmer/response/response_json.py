@@ -1,0 +1,109 @@
+"""What a mechanism settles to, as JSON has it: SI units, full precision."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from trimmer.response.estimate import Estimate
+    from trimmer.response.measures import Measures
+    from trimmer.response.response import Response, SettledMotion
+
+
+def response_json(response: Response) -> dict[str, Any]:
+    """Return a response as a dictionary that JSON can hold."""
+    return {
+        **motion_json(response.motion),
+        "success": response.success,
+        "message": response.message,
+        "starts": response.starts,
+        "box": {name: list(reach) for name, reach in response.box.items()},
+        "seed": response.seed,
+        "motions": [
+            {"share": motion.share, "mirrored": motion.mirrored, **motion_json(motion)}
+            for motion in response.motions
+        ],
+    }
+
+
+def motion_json(motion: SettledMotion) -> dict[str, Any]:
+    """Return a motion as a dictionary that JSON can hold."""
+    multipliers = [] if motion.orbit is None else motion.orbit.multipliers.tolist()
+    return {
+        "kind": motion.kind.word,
+        "period_count": motion.period_count,
+        "lyapunov": None if motion.lyapunov is None else estimate_json(motion.lyapunov),
+        "drive_periods": motion.drive_periods,
+        "events_per_period": motion.events_per_period,
+        "multipliers": [[each.real, each.imag] for each in multipliers],
+        "outputs": {name: _output(motion, name) for name in motion.peak_to_peak},
+        "bodies": {name: _body(each) for name, each in motion.rms_acceleration.items()},
+        "contacts": {} if motion.orbit is None else _contacts(motion.orbit.measures),
+        "frictions": {} if motion.orbit is None else _frictions(motion.orbit.measures),
+        "period": None if motion.orbit is None else motion.orbit.period,
+        "residual": None if motion.orbit is None else motion.orbit.residual,
+        "neighbour_agrees": motion.neighbour_agrees,
+        "window_periods": None if motion.window is None else motion.window.periods,
+        "spectrum": _spectrum(motion),
+        "message": motion.message,
+    }
+
+
+def estimate_json(estimate: Estimate) -> dict[str, float]:
+    """Return an estimate with its standard error."""
+    return {"value": estimate.value, "uncertainty": estimate.uncertainty}
+
+
+def _output(motion: SettledMotion, name: str) -> dict[str, Any]:
+    rms, harmonics = motion.rms[name], motion.harmonics[name].tolist()
+    found = {
+        "peak_to_peak": motion.peak_to_peak[name],
+        "rms": rms.value,
+        "rms_interval": list(rms.interval),
+        "harmonics": harmonics,
+        "subharmonics": [],
+        "lines": [[place + 1, 1, size] for place, size in enumerate(harmonics)],
+    }
+    if motion.orbit is not None:
+        measured = motion.orbit.measures.outputs[name]
+        found |= {
+            "subharmonics": measured.subharmonics.tolist(),
+            "lines": [list(line) for line in measured.lines],
+        }
+    return found
+
+
+def _body(acceleration: Estimate) -> dict[str, Any]:
+    return {
+        "rms_acceleration": acceleration.value,
+        "rms_acceleration_interval": list(acceleration.interval),
+    }
+
+
+def _contacts(measures: Measures) -> dict[str, Any]:
+    return {
+        name: {
+            "impacts_per_period": each.impacts,
+            "impact_speeds": list(each.impact_speeds),
+            "largest_force": each.largest_force,
+            "share_of_time": each.share,
+        }
+        for name, each in measures.contacts.items()
+    }
+
+
+def _frictions(measures: Measures) -> dict[str, Any]:
+    return {
+        name: {"work_per_period": each.work, "power": each.power, "share_of_stick": each.stick}
+        for name, each in measures.frictions.items()
+    }
+
+
+def _spectrum(motion: SettledMotion) -> dict[str, Any] | None:
+    if motion.window is None:
+        return None
+    frequencies, densities = motion.window.spectrum
+    return {
+        "frequencies": frequencies.tolist(),
+        "densities": {name: density.tolist() for name, density in densities.items()},
+    }

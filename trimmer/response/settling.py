@@ -1,0 +1,135 @@
+"""A motion followed until it repeats: orbits are sought on the way, and accepted when it settles to them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.response.orbit import orbit_of
+from trimmer.response.recurrence import candidates, has_returned, settles_to
+from trimmer.response.shooting import Patience, Return, sizes_of, solve
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.response.orbit import MechanismOrbit
+
+FIRST, LONGEST = 8, 128
+"""Drive periods before the first look at a motion, and at most between two looks."""
+KEPT = 256
+"""Drive periods that are kept for a look."""
+MOST_REPEATS = 24
+"""The largest number of drive periods after which a motion is taken to repeat."""
+PATIENCE = Patience(iterations=12, halvings=4, followed=0)
+"""With which an orbit is looked for on the way."""
+NEUTRAL = 1e-6
+"""By how much the modulus of a multiplier may exceed 1 where the motion itself returns to rounding."""
+
+
+@dataclass(eq=False)
+class Settling:
+    """One motion, followed from its start.
+
+    Attributes:
+        flow: The motion of the mechanism.
+        instant: Where it is.
+        known: Stable orbits that it may settle to; those found on the way are added.
+        states: At the start of each of the last drive periods, (count, n).
+        periods: Drive periods that were followed.
+        ending: Why it cannot be followed further, if so.
+    """
+
+    flow: ExactFlow
+    instant: Instant
+    known: list[MechanismOrbit] = field(default_factory=list)
+    states: Reals = field(init=False)
+    periods: int = 0
+    ending: Ending = Ending.REACHED_END
+
+    def __post_init__(self) -> None:
+        self.states = self.instant.state[None]
+
+    def follow(self, periods: int) -> bool:
+        """Go on; returns whether that was possible."""
+        strobe = self.flow.strobe(self.instant, periods)
+        self.instant, self.ending = strobe.end, strobe.ending
+        self.states = np.concatenate([self.states, strobe.states[1:]])[-KEPT:]
+        self.periods += len(strobe.states) - 1
+        return self.ending is Ending.REACHED_END
+
+    def until_settled(self, most_periods: int) -> MechanismOrbit | None:
+        """Return the orbit that the motion settles to within some drive periods, None if it does not."""
+        block, look = FIRST, FIRST
+        while self.periods < most_periods:
+            if not self.follow(min(block, most_periods - self.periods)):
+                return None
+            orbit = self._accepted(self.known)
+            if orbit is None and self.periods >= look:
+                orbit, look = self._looked_for(), self.periods + min(self.periods, LONGEST)
+            if orbit is not None:
+                return orbit
+            block = FIRST if self._is_near() else min(look - self.periods, LONGEST)
+        return None
+
+    def _accepted(self, orbits: Sequence[MechanismOrbit]) -> MechanismOrbit | None:
+        return next((orbit for orbit in orbits if settles_to(orbit, self.states)), None)
+
+    def _is_near(self) -> bool:
+        """Return whether the last state is near a stable orbit that is known."""
+        last = self.states[-1]
+        return any(
+            (abs((orbit.strobed - last) / orbit.sizes).max(axis=1) < 0.5).any() for orbit in self.known
+        )
+
+    def _looked_for(self) -> MechanismOrbit | None:
+        course = self.flow.course(self.instant, 1)
+        if course.ending is not Ending.REACHED_END:
+            return None
+        sizes = sizes_of(course)
+        for periods in candidates(self.states, sizes, MOST_REPEATS):
+            orbit = self._orbit(periods)
+            if orbit is None:
+                continue
+            if has_returned(self.states, sizes, periods) and _neutral(orbit):
+                return orbit
+            if orbit.stable and not _listed(orbit, self.known):
+                self.known.append(orbit)
+                if settles_to(orbit, self.states):
+                    return orbit
+        return None
+
+    def _orbit(self, periods: int) -> MechanismOrbit | None:
+        """Return the orbit that Newton's method finds from here, over its smallest number of periods."""
+        start = self.flow.at(self.instant.state, like=self.instant)
+        for count in _counts(periods):
+            shot = solve(Return(self.flow, count), start, patience=PATIENCE)
+            if shot is None:
+                return None
+            orbit = orbit_of(self.flow, shot, count)
+            if not orbit.success or orbit.period_count == count:
+                break
+            start = orbit.instant
+        else:
+            return None
+        return orbit if orbit.success else None
+
+
+def _counts(periods: int) -> Iterator[int]:
+    yield periods
+    yield from (each for each in range(periods - 1, 0, -1) if periods % each == 0)
+
+
+def _neutral(orbit: MechanismOrbit) -> bool:
+    return bool(abs(orbit.multipliers).max(initial=0.0) <= 1 + NEUTRAL)
+
+
+def _listed(orbit: MechanismOrbit, known: Sequence[MechanismOrbit]) -> bool:
+    from trimmer.response.same import same_orbit
+
+    return any(same_orbit(orbit, other) for other in known)

@@ -1,0 +1,105 @@
+"""What a motion that has not settled is, as far as the numbers carry it: chaos, a torus, or undecided."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.window import Window, joined, watch
+from trimmer.response.zero_one import growth_of_walk
+
+if TYPE_CHECKING:
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.response.settling import Settling
+
+WINDOW = 512
+"""Drive periods that a motion is watched at first."""
+MOST_WINDOWS = 4
+"""By how much the window grows at most while the kind of the motion is undecided."""
+ERRORS = 3.0
+"""Standard errors by which an exponent has to differ from zero."""
+RESOLVED = 0.05
+"""Largest modulus of an exponent per drive period, errors included, that is taken for zero."""
+ORDERLY = 0.2
+"""Largest result of the 0-1 test of a motion on a torus."""
+NEIGHBOUR = 1e-9
+"""Distance of the motion that is followed beside the first one, as a share of the sizes."""
+LEAVES = 1e3
+"""Growth of that distance at which the neighbour has left."""
+BESIDE = 256
+"""Drive periods over which both are followed."""
+
+
+def unsettled(flow: ExactFlow, settling: Settling, agrees: bool | None) -> SettledMotion:
+    """Return what is known of a motion that has not settled."""
+    waited = settling.periods
+    if settling.ending is not Ending.REACHED_END:
+        told = f"It could be followed for {waited} drive periods only: {settling.ending.value}."
+        return SettledMotion(MotionKind.UNDECIDED, None, None, waited, agrees, 1, 1.0, False, told)
+    seen = _Seen(flow, watch(flow, settling.instant, WINDOW))
+    for _ in range(MOST_WINDOWS - 1):
+        if seen.kind is not MotionKind.UNDECIDED or seen.window.ending is not Ending.REACHED_END:
+            break
+        seen = _Seen(flow, joined(seen.window, watch(flow, seen.window.end, WINDOW)))
+    periods = waited + seen.window.periods
+    told = _told(seen, waited, agrees)
+    return SettledMotion(seen.kind, None, seen.window, periods, agrees, 1, 1.0, False, told)
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    flow: ExactFlow
+    window: Window
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "leaves", _neighbour_leaves(self.flow, self.window))
+
+    leaves: bool = False
+
+    @property
+    def kind(self) -> MotionKind:
+        largest = self.window.exponents[0]
+        error = ERRORS * largest.uncertainty
+        if largest.value - error > 0:
+            return MotionKind.CHAOTIC if self.leaves else MotionKind.UNDECIDED
+        zero = abs(largest.value) <= error and abs(largest.value) + error < RESOLVED
+        return MotionKind.TORUS if zero and not self.leaves and self.orderly else MotionKind.UNDECIDED
+
+    @property
+    def orderly(self) -> bool:
+        """Whether the 0-1 test calls the displacements orderly, seen once a drive period."""
+        bodies = len(self.flow.modes.layout.bodies)
+        return all(growth_of_walk(series) < ORDERLY for series in self.window.states[:, :bodies].T)
+
+
+def _neighbour_leaves(flow: ExactFlow, window: Window) -> bool:
+    begin = window.begin
+    direction = np.random.default_rng(2).normal(size=flow.size)
+    step = NEIGHBOUR * window.sizes * direction / np.linalg.norm(direction)
+    first = flow.strobe(begin, BESIDE).states
+    second = flow.strobe(flow.at(begin.state + step, begin.phase, like=begin), BESIDE).states
+    count = min(len(first), len(second))
+    apart = np.linalg.norm((first[:count] - second[:count]) / window.sizes, axis=1)
+    return bool(apart.max() > LEAVES * NEIGHBOUR)
+
+
+def _told(seen: _Seen, waited: int, agrees: bool | None) -> str:
+    largest = seen.window.exponents[0]
+    exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per drive period"
+    kinds = {
+        MotionKind.CHAOTIC: "It is chaotic",
+        MotionKind.TORUS: "It seems to run on a torus",
+        MotionKind.UNDECIDED: "It is undecided what it settles to",
+    }
+    told = (
+        f"{kinds[seen.kind]}: it had not settled after {waited} drive periods, and over "
+        f"{seen.window.periods} more its largest Lyapunov exponent is {exponent}; a neighbouring motion "
+        f"{'leaves it' if seen.leaves else 'stays near it'}."
+    )
+    if agrees is None:
+        return told
+    return told + f" A neighbouring start {'does not settle either' if agrees else 'settles'}."

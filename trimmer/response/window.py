@@ -1,0 +1,186 @@
+"""A motion that does not repeat, watched over some drive periods: sums, growth of distances, samples."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.response.estimate import Estimate, mean_of
+from trimmer.response.extremes import extremes
+from trimmer.response.fourier import fourier
+from trimmer.response.measures import HARMONICS
+from trimmer.response.motion_signals import acceleration, along, output_rows, steady
+from trimmer.response.shooting import sizes_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import Course, ExactFlow
+
+SAMPLES = 64
+"""Samples in a drive period, for the spectrum."""
+SEGMENT = 128
+"""Drive periods of a segment of the spectrum, at most."""
+SMALLEST = 1e-16
+"""Growth of a distance in a period below which it counts as lost."""
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """What was seen of a motion, period by period.
+
+    Attributes:
+        flow: The motion of the mechanism.
+        sizes: Scale of each state, (n,).
+        begin: Where the window begins.
+        end: Where it ends.
+        ending: Why, if it had to.
+        growth: Logarithms of the growth of two distances at right angles, per period, (periods, 2).
+        means, squares: Mean and mean square of each output, per period, m, m², (periods, outputs).
+        waves: Complex amplitudes of the harmonics, per period, m, (periods, HARMONICS, outputs).
+        ranges: Smallest and largest value of each output, per period, m, (periods, outputs, 2).
+        accelerations: Mean square of the acceleration of each body, per period, m²/s⁴, (periods, bodies).
+        events: Number of events per period, (periods,).
+        states: At the start of each period, (periods, n).
+        samples: Outputs at equal steps, m, (SAMPLES periods, outputs).
+    """
+
+    flow: ExactFlow
+    sizes: Reals
+    begin: Instant
+    end: Instant
+    ending: Ending
+    growth: Reals
+    means: Reals
+    squares: Reals
+    waves: Complexes
+    ranges: Reals
+    accelerations: Reals
+    events: Reals
+    states: Reals
+    samples: Reals
+
+    @property
+    def periods(self) -> int:
+        """Its length in drive periods."""
+        return len(self.events)
+
+    @cached_property
+    def exponents(self) -> tuple[Estimate, ...]:
+        """The two largest Lyapunov exponents per drive period."""
+        return tuple(mean_of(series) for series in self.growth.T)
+
+    @cached_property
+    def rms(self) -> Mapping[str, Estimate]:
+        """Root of the mean square of each output about its mean over the window, m."""
+        found = {}
+        for place, name in enumerate(self.flow.mechanism.outputs):
+            mean = self.means[:, place].mean()
+            square = mean_of(self.squares[:, place] - 2 * mean * self.means[:, place] + mean**2)
+            root = float(np.sqrt(max(square.value, 0.0)))
+            found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
+        return found
+
+    @cached_property
+    def harmonics(self) -> Mapping[str, Reals]:
+        """Amplitudes of the harmonics of the drive in each output, m."""
+        mean = abs(self.waves.mean(axis=0))
+        return {name: mean[:, place] for place, name in enumerate(self.flow.mechanism.outputs)}
+
+    @cached_property
+    def peak_to_peak(self) -> Mapping[str, float]:
+        """Largest less smallest value of each output in the window, m."""
+        lowest, highest = self.ranges[..., 0].min(axis=0), self.ranges[..., 1].max(axis=0)
+        return dict(zip(self.flow.mechanism.outputs, (highest - lowest).tolist(), strict=True))
+
+    @cached_property
+    def rms_acceleration(self) -> Mapping[str, Estimate]:
+        """Root of the mean square of the acceleration of each body, m/s²."""
+        found = {}
+        for place, name in enumerate(self.flow.mechanism.bodies):
+            square = mean_of(self.accelerations[:, place])
+            root = float(np.sqrt(square.value))
+            found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
+        return found
+
+    @cached_property
+    def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
+        """Frequencies, Hz, and power density of each output, m²/Hz, by Welch's method (Hann, half over)."""
+        from scipy.signal import welch
+
+        rate = SAMPLES / self.flow.period
+        length = SAMPLES * min(SEGMENT, self.periods)
+        frequencies, density = welch(self.samples, rate, nperseg=length, axis=0)
+        outputs = self.flow.mechanism.outputs
+        return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
+
+
+def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window:
+    """Follow a motion over a window of drive periods."""
+    return _Watch(flow, instant).over(periods)
+
+
+def joined(first: Window, second: Window) -> Window:
+    """Return two windows, one after the other, as one."""
+    series = ("growth", "means", "squares", "waves", "ranges", "accelerations", "events", "states", "samples")
+    both: dict[str, Any] = {
+        name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in series
+    }
+    return replace(first, end=second.end, ending=second.ending, **both)
+
+
+class _Watch:
+    def __init__(self, flow: ExactFlow, instant: Instant) -> None:
+        self.flow, self.instant = flow, instant
+        self.rows = list(output_rows(flow.mechanism, flow.modes.layout).values())
+        self.sizes = np.ones(flow.size)
+        self.distances = np.linalg.qr(np.random.default_rng(0).normal(size=(flow.size, 2)))[0]
+        self.seen: list[tuple[Any, ...]] = []
+
+    def over(self, periods: int) -> Window:
+        begin, ending = self.instant, Ending.REACHED_END
+        for period in range(periods):
+            course = self.flow.course(self.instant, 1)
+            ending = course.ending
+            if ending is not Ending.REACHED_END:
+                break
+            if period == 0:
+                self.sizes = sizes_of(course)
+            self.seen.append(self._of(course))
+            self.instant = course.end
+        columns = [np.array(column) for column in zip(*self.seen, strict=True)]
+        columns[-1] = columns[-1].reshape(-1, len(self.rows))
+        return Window(self.flow, self.sizes, begin, self.instant, ending, *columns)
+
+    def _of(self, course: Course) -> tuple[Any, ...]:
+        nodes, duration = course.nodes, course.duration
+        signals = nodes.states @ np.array(self.rows).reshape(len(self.rows), -1).T
+        accelerations = [
+            nodes.weights
+            @ along(course, acceleration(course.modes, body), nodes.rows, nodes.states) ** 2
+            / duration
+            for body in range(len(course.modes.layout.bodies))
+        ]
+        times = course.duration * np.arange(SAMPLES) / SAMPLES
+        return (
+            self._growth(course),
+            nodes.weights @ signals / duration,
+            nodes.weights @ signals**2 / duration,
+            fourier(course, signals, 2 * np.pi / duration, HARMONICS),
+            np.array([extremes(course, steady(row)) for row in self.rows]).reshape(-1, 2),
+            np.array(accelerations),
+            np.array(float(len(course.events))),
+            course.begin.state,
+            course.states(times) @ np.array(self.rows).T,
+        )
+
+    def _growth(self, course: Course) -> Reals:
+        at_end = course.tangents(self.sizes[:, None] * self.distances) / self.sizes[:, None]
+        self.distances, triangle = np.linalg.qr(at_end)
+        return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)))
