@@ -1,10 +1,10 @@
 """A map of the thesis's twin over play and friction, beside SciPy's `solve_ivp`.
 
-Run it with `python benchmarks/map.py`. The map is 100 x 100 cells of up to 300 drive periods each (`--cells N`
-for N x N), on two processes. Half of it is measured too: twice the cells are to take twice the time. Memory is
-that of the process that keeps the results. The peer follows one of the motions for some drive periods with
-DOP853 at 1e-10, contact by terminal events and friction smoothed. Its time is scaled to the drive periods of
-the map; it tells no kind and measures nothing.
+Run it with `python benchmarks/map.py`. The map is 100 x 100 cells of up to 300 drive periods each
+(`--cells N` for N x N), on two processes. Half of it is measured too: twice the cells are to take twice the
+time. Memory is that of the process that keeps the results. The peer follows one of the motions for some drive
+periods with DOP853 at 1e-10, contact by terminal events and friction smoothed. Its time is scaled to the drive
+periods of the map; it tells no kind and measures nothing.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
-from trimmer.maps.kinds import MotionKind
+from trimmer.maps.cells import described
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
 from trimmer.maps.runner import ProcessRunner
@@ -138,10 +138,7 @@ def main() -> None:
     print(f"  half of the cells         {half:8.1f} s, the whole takes {whole / half:.2f} times as long")
     print(f"  memory beside the start   {memory:8.1f} MB, {1024 * memory / count:.2f} kB a cell")
     print(f"solve_ivp, as many periods  {theirs:8.0f} s in one process, in two {ratio:.0f} times ours")
-    kinds = Counter(
-        f"period {k}" if kind is MotionKind.PERIODIC else kind.value
-        for kind, k in zip(result.kind.ravel(), result.period_count.ravel(), strict=True)
-    )
+    kinds = Counter(described(cell.motions[0]) for cell in result.cells)
     print(", ".join(f"{name} {number / count:.1%}" for name, number in kinds.most_common(8)))
     print(sentence())
 
