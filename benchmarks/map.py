@@ -2,9 +2,9 @@
 
 Run it with `python benchmarks/map.py`. The map is 100 x 100 cells of up to 300 drive periods each
 (`--cells N` for N x N), on two processes. Half of it is measured too: twice the cells are to take twice the
-time. Memory is that of the process that keeps the results. The peer follows one of the motions for some drive
-periods with DOP853 at 1e-10, contact by terminal events and friction smoothed. Its time is scaled to the drive
-periods of the map; it tells no kind and measures nothing.
+time. Memory is that of the process that keeps the results. The peer follows one of the motions for some
+drive periods with DOP853 at 1e-10, contact by terminal events and friction smoothed. Its time is scaled to
+the drive periods of the map; it tells no kind and measures nothing.
 """
 
 from __future__ import annotations

@@ -15,11 +15,8 @@ from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_orbit, of_window
 from trimmer.maps.same import same_orbit
-from trimmer.maps.settle import Settled, settle
-from trimmer.response.orbit import orbit_of
+from trimmer.maps.settle import Settled, orbit_near, settle
 from trimmer.response.response import MotionKind
-from trimmer.response.settling import PATIENCE
-from trimmer.response.shooting import Return, solve
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -137,11 +134,9 @@ def _settled(flow: ExactFlow, start: Instant, settings: Settings) -> Settled:
 def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
     """Return the stable orbit near that of another cell, or what a start on that leads to."""
     start = flow.at(states[0])
-    shot = solve(Return(flow, len(states)), start, patience=PATIENCE)
-    if shot is not None:
-        orbit = orbit_of(flow, shot, len(states))
-        if orbit.stable and orbit.period_count == orbit.periods:
-            return Settled(MotionKind.PERIODIC, 0, orbit.instant, orbit)
+    orbit = orbit_near(flow, start, len(states))
+    if orbit is not None and orbit.stable:
+        return Settled(MotionKind.PERIODIC, 0, orbit.instant, orbit)
     return _settled(flow, start, settings)
 
 

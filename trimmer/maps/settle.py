@@ -1,9 +1,10 @@
 """What a motion settles to within a number of drive periods, cheaply enough for thousands of cells.
 
-Orbits are found and accepted as by ``respond``. What does not settle is not watched for as long: the last
-drive periods are compared with those of a neighbour. Where their distance grows like an exponential the
-motion is chaotic, where it neither grows nor shrinks and the motion keeps its size it is on a torus, and
-otherwise nothing is said.
+Orbits are solved for and accepted as by ``respond``, but only from where the motion returns closely, since in
+chaos many an attempt is in vain. What does not settle is not watched for as long: the last drive periods are
+compared with those of a neighbour. Where their distance grows like an exponential the motion is chaotic,
+where it neither grows nor shrinks and the motion keeps its size it is on a torus, and otherwise nothing is
+said.
 """
 
 from __future__ import annotations
@@ -14,8 +15,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending
+from trimmer.response.orbit import orbit_of
+from trimmer.response.recurrence import settles_to
 from trimmer.response.response import MotionKind
-from trimmer.response.settling import Settling
+from trimmer.response.settling import MOST_REPEATS, PATIENCE
+from trimmer.response.shooting import Return, solve
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -23,6 +27,16 @@ if TYPE_CHECKING:
     from trimmer.contact.flow import ExactFlow
     from trimmer.response.orbit import MechanismOrbit
 
+FIRST_LOOK = 24
+"""Drive periods after which a motion is first looked at; later looks are half as long again apart."""
+RETURNING = 1e-3
+"""Difference of two states, relative to their sizes, from which an orbit is solved for."""
+PROGRESS = 0.2
+"""Share of the last difference that is worth another attempt."""
+CLOSER = 10.0
+"""A return counts that is at most so many times worse than the best; the shortest of them is the period."""
+REPEATED = 1e-9
+"""Difference that cannot be told from none."""
 COMPARED = 100
 """Drive periods over which a motion that has not settled is compared with a neighbour."""
 APART = 1e-9
@@ -70,23 +84,101 @@ def settle(flow: ExactFlow, begin: Instant, most_periods: int) -> Settled:
         begin: Where the motion begins, the start of a drive period.
         most_periods: Drive periods to wait at most.
     """
-    settling = Settling(flow, begin)
     compared = min(COMPARED, most_periods)
-    orbit = settling.until_settled(most_periods - compared)
-    before = settling.instant
-    if orbit is None and settling.ending is Ending.REACHED_END:
-        orbit = settling.until_settled(most_periods)
-    if orbit is not None:
-        return Settled(MotionKind.PERIODIC, settling.periods, orbit.instant, orbit)
-    if settling.ending is not Ending.REACHED_END:
-        return Settled(MotionKind.UNDECIDED, settling.periods, settling.instant, ending=settling.ending)
-    states = settling.states[-1 - compared :]
+    following = _Following(flow, begin, begin.state[None], [])
+    for length in _looks(most_periods - compared):
+        settled = following.on(length)
+        if settled is not None:
+            return settled
+    before = following.instant
+    settled = following.on(compared)
+    return settled or _beside(following, before, compared)
+
+
+def _looks(periods: int) -> list[int]:
+    """Return the lengths of the parts after each of which the motion is looked at; their sum is given."""
+    lengths, length = [], FIRST_LOOK
+    while periods > length:
+        lengths.append(length)
+        periods -= length
+        length += length // 2
+    return [*lengths, periods] if periods > 0 else lengths
+
+
+@dataclass(eq=False)
+class _Following:
+    """A motion that is followed.
+
+    Attributes:
+        flow: The exact motion of the mechanism.
+        instant: Where it is.
+        states: At the start of each drive period so far, (periods + 1, n).
+        known: Stable orbits that were found on the way.
+        tried: Difference of the last return from which an orbit was solved for.
+    """
+
+    flow: ExactFlow
+    instant: Instant
+    states: Reals
+    known: list[MechanismOrbit]
+    tried: float = RETURNING / PROGRESS
+
+    def on(self, periods: int) -> Settled | None:
+        """Go on for some drive periods; returns what the motion has settled to by then, or why it ended."""
+        strobe = self.flow.strobe(self.instant, periods)
+        self.instant, self.states = strobe.end, np.concatenate([self.states, strobe.states[1:]])
+        done = len(self.states) - 1
+        if strobe.ending is not Ending.REACHED_END:
+            return Settled(MotionKind.UNDECIDED, done, self.instant, ending=strobe.ending)
+        self._solve()
+        for orbit in self.known:
+            if settles_to(orbit, self.states):
+                return Settled(MotionKind.PERIODIC, done, orbit.instant, orbit)
+        return None
+
+    def _solve(self) -> None:
+        """Solve for the orbit near the motion, if it returns closely."""
+        count, difference = _recurrence(self.states)
+        if difference < PROGRESS * self.tried:
+            self.tried = difference
+            orbit = orbit_near(self.flow, self.instant, count)
+            if orbit is not None and orbit.stable:
+                self.known.append(orbit)
+
+
+def orbit_near(flow: ExactFlow, instant: Instant, periods: int) -> MechanismOrbit | None:
+    """Return the orbit near an instant that closes after some drive periods, over as few as it needs."""
+    while True:
+        shot = solve(Return(flow, periods), flow.at(instant.state, like=instant), patience=PATIENCE)
+        if shot is None:
+            return None
+        orbit = orbit_of(flow, shot, periods)
+        if not orbit.success:
+            return None
+        if orbit.period_count == periods:
+            return orbit
+        instant, periods = orbit.instant, orbit.period_count
+
+
+def _recurrence(states: Reals) -> tuple[int, float]:
+    """Return after how many periods the last state nearly repeats, and how nearly, relative to sizes."""
+    back = states[-2 : -2 - MOST_REPEATS : -1]
+    differences = (abs(back - states[-1]) / sizes_of(states[-2 * MOST_REPEATS :])).max(axis=1)
+    good = max(CLOSER * float(differences.min()), REPEATED)
+    count = int(np.flatnonzero(differences <= good)[0])
+    return count + 1, float(differences[count])
+
+
+def _beside(following: _Following, before: Instant, compared: int) -> Settled:
+    """Follow a neighbour over the last drive periods of a motion, and say what can be said."""
+    flow, periods, end = following.flow, len(following.states) - 1, following.instant
+    states = following.states[-1 - compared :]
     sizes = sizes_of(states)
     neighbour = flow.strobe(flow.at(before.state + APART * sizes, like=before), compared)
     if neighbour.ending is not Ending.REACHED_END:
-        return Settled(MotionKind.UNDECIDED, settling.periods, settling.instant)
+        return Settled(MotionKind.UNDECIDED, periods, end)
     kind, exponent = _compared(states, neighbour.states, sizes)
-    return Settled(kind, settling.periods, settling.instant, lyapunov=exponent)
+    return Settled(kind, periods, end, lyapunov=exponent)
 
 
 def sizes_of(states: Reals) -> Reals:

@@ -8,7 +8,7 @@ import pytest
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer.contact.flow import ExactFlow
 from trimmer.maps.same import same_orbit
-from trimmer.maps.settle import settle
+from trimmer.maps.settle import _looks, settle
 from trimmer.mechanism import Mechanism
 from trimmer.response.response import MotionKind
 
@@ -69,6 +69,11 @@ def test_fewer_periods_than_it_takes_leave_it_undecided() -> None:
     found = settled(linear_oscillator().with_value("links.spring.damping", 0.01), periods=40)
     assert found.kind is MotionKind.UNDECIDED
     assert found.periods == 40
+
+
+@pytest.mark.parametrize("periods", [1, 24, 25, 200, 300])
+def test_looks_add_up_to_the_periods_that_are_given(periods: int) -> None:
+    assert sum(_looks(periods)) == periods
 
 
 def test_an_orbit_is_the_same_wherever_it_begins_and_another_one_is_not() -> None:
