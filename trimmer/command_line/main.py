@@ -106,7 +106,6 @@ def _commands() -> list[Command]:
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
         *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
-        *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]
