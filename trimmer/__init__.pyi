@@ -94,6 +94,7 @@ from .motion.loops import OpenLoop as OpenLoop
 from .motion.motion import Event as Event
 from .motion.motion import Motion as Motion
 from .motion.motion import Outcome as Outcome
+from .motion.simulation import SimulationInterrupted as SimulationInterrupted
 from .motion.switched_component import EventKind as EventKind
 from .motion.trimmer_loop import BodyFriction as BodyFriction
 from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
@@ -104,6 +105,7 @@ from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
 from .orbits.search import OrbitSearched as OrbitSearched
+from .orbits.search import OrbitSearchInterrupted as OrbitSearchInterrupted
 from .orbits.search import PeriodicOrbits as PeriodicOrbits
 from .orbits.search import RelaySearch as RelaySearch
 from .orbits.search import Simulations as Simulations

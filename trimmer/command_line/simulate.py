@@ -1,4 +1,4 @@
-"""``trimmer simulate``: the exact motion of a trimmer with backlash and friction."""
+"""``trimmer simulate``: the exact motion of a mechanism, or of a loop with backlash and friction."""
 
 from __future__ import annotations
 
@@ -7,13 +7,21 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
+from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
+from trimmer.command_line.simulate_mechanism import (
+    add_mechanism,
+    mechanism_motion,
+    mechanism_signals,
+    refuse_options_of_the_other,
+)
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
     from trimmer.motion.motion import Motion
+    from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
 MOST_SAMPLES = 50_000_000
@@ -23,6 +31,7 @@ ENDED_EARLY = 3
 
 
 def _configure(parser: ArgumentParser) -> None:
+    add_mechanism(parser)
     add_motion_options(parser)
     parser.add_argument(
         "--duration", type=float, default=0.5, metavar="S", help="length of the motion, s (default: 0.5)"
@@ -38,7 +47,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--csv",
         type=file_to_write,
         metavar="FILE",
-        help="write time, output, and input and output of the play",
+        help="write time and outputs, or of a loop its output and input and output of the play",
     )
     parser.add_argument(
         "--wav", type=file_to_write, metavar="FILE", help="write the output as sound, into a .wav file"
@@ -48,31 +57,49 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.motion_text import as_json, as_text
-    from trimmer.motion.motion import Outcome
-    from trimmer.motion.simulation import simulate
-
-    loop, impulse = chosen_loop(arguments), impulse_of(arguments)
+    refuse_options_of_the_other(arguments)
     _check_duration(arguments)
-    check_targets(
-        arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}}, {"parameters": "the file of the parameters"}
-    )
-    try:
-        motion = simulate(loop, arguments.duration, impulse=impulse)
-    except ValueError as error:
-        raise OptionError(str(error)) from error
+    motion, text = _moved(arguments)
     targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
     try:
         _write(arguments, motion)
     except TrimmerError:
-        show(as_json(motion) if arguments.json else as_text(motion), *targets)
+        show(text, *targets)
         raise
-    text = [as_json(motion)] if arguments.json else [as_text(motion), *(f"wrote {path}" for path in targets)]
-    show("\n".join(text), *targets)
-    if motion.outcome is Outcome.COMPLETED:
+    show("\n".join([text, *(f"wrote {path}" for path in targets if not arguments.json)]), *targets)
+    if motion.success:
         return 0
-    tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.outcome.value}")
-    return ENDED_EARLY
+    from trimmer.motion.motion import Outcome
+
+    tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.message}")
+    return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
+
+
+def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
+    """Return the motion, and what is told of it."""
+    if arguments.file is not None:
+        _check_targets(arguments)
+        from trimmer.command_line.mechanism_motion_text import as_json, as_text
+
+        moved = mechanism_motion(arguments)
+        return moved, (as_json if arguments.json else as_text)(moved)
+    loop, impulse = chosen_loop(arguments), impulse_of(arguments)
+    _check_targets(arguments)
+    from trimmer.command_line import motion_text
+    from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
+
+    try:
+        motion = simulate_loop(loop, arguments.duration, impulse=impulse)
+    except SimulationInterrupted as interrupt:
+        motion = interrupt.motion
+    except ValueError as error:
+        raise unusable(arguments, error) from error
+    return motion, (motion_text.as_json if arguments.json else motion_text.as_text)(motion)
+
+
+def _check_targets(arguments: Namespace) -> None:
+    sources = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
+    check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}}, sources)
 
 
 def _check_duration(arguments: Namespace) -> None:
@@ -89,14 +116,14 @@ def _check_duration(arguments: Namespace) -> None:
         )
 
 
-def _write(arguments: Namespace, motion: Motion) -> None:
+def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Write the files that are wanted."""
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
 
     if arguments.csv is None and arguments.wav is None:
         return
-    _note_aliasing(arguments)
+    _note_aliasing(motion, arguments)
     output, *others = _signals(motion, arguments.sample_rate)
     if arguments.csv is not None:
         write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
@@ -104,21 +131,25 @@ def _write(arguments: Namespace, motion: Motion) -> None:
         write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
 
 
-def _note_aliasing(arguments: Namespace) -> None:
+def _note_aliasing(motion: Motion | MechanismMotion, arguments: Namespace) -> None:
     """Note on standard error a drive that the files cannot show."""
     from trimmer.spectra.doubts import aliasing_doubt
 
-    doubt = aliasing_doubt(arguments.drive, arguments.sample_rate) if arguments.drive else None
+    drive = arguments.drive if arguments.file is None else motion.mechanism.frequency  # type: ignore[union-attr]
+    doubt = aliasing_doubt(drive, arguments.sample_rate) if drive else None
     if doubt is not None:
         tell(f"note: {doubt}")
 
 
-def _signals(motion: Motion, sample_rate: float) -> list[Signal]:
-    """Sample the output, and input and output of the backlash, m."""
+def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signal]:
+    """Sample the outputs; of a loop, its output, and input and output of the backlash, m."""
     import numpy as np
 
+    from trimmer.motion.motion import Motion
     from trimmer.signals.signal import Signal
 
+    if not isinstance(motion, Motion):
+        return mechanism_signals(motion, sample_rate)
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate
     named = (
         (motion.loop.model.output_labels[0], motion.output(times)),

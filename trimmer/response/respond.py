@@ -103,7 +103,7 @@ class _Search:
             agrees = self._agrees(instant, orbit)
         if orbit is None:
             return unsettled(self.flow, settling, agrees)
-        told = f"It settles to {orbit.message} within {settling.periods} drive periods."
+        told = f"It settles within {settling.periods} drive periods to {orbit.message}."
         if agrees is not None:
             told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
         return _settled(orbit, settling.periods, agrees, told)

@@ -1,0 +1,79 @@
+"""A simulated motion of a mechanism, as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.command_line.table import table
+
+if TYPE_CHECKING:
+    from trimmer.response.energy import MechanismEnergy
+    from trimmer.response.motion import MechanismMotion
+
+SHARE = 0.1
+"""Part of the duration, at the end of the motion, that the summary describes."""
+POINTS = 20_001
+
+
+def as_text(motion: MechanismMotion) -> str:
+    """Return a summary of a motion: outcome, events of each part, outputs at the end, energy."""
+    counts = Counter((event.part, event.kind.value) for event in motion.events)
+    lines = [
+        f"Motion of {motion.duration:.6g} s: {motion.message}",
+        *(f"  {part}: {number} x {kind}" for (part, kind), number in sorted(counts.items())),
+    ]
+    if not counts:
+        lines.append("  no event: the motion is linear")
+    lines.append(f"The last {SHARE:.0%} of it, half of peak to peak:")
+    lines += table(("output", "m"), [(name, f"{value:.6g}") for name, value in _ranges(motion).items()])
+    return "\n".join([*lines, *_energy_text(motion.energy)])
+
+
+def as_json(motion: MechanismMotion) -> str:
+    """Return a motion as JSON: outcome, every event, outputs at the end, energy; SI units."""
+    energy = motion.energy
+    content: dict[str, Any] = {
+        "duration": motion.duration,
+        "outcome": motion.outcome.word,
+        "success": motion.success,
+        "message": motion.message,
+        "events": [{"time": each.time, "kind": each.kind.word, "part": each.part} for each in motion.events],
+        "last_amplitudes": _ranges(motion),
+        "energy": {
+            "kinetic": list(energy.kinetic),
+            "stored": list(energy.stored),
+            "pins": dict(energy.pins),
+            "forces": dict(energy.forces),
+            "dampers": dict(energy.dampers),
+            "contacts": dict(energy.contacts),
+            "frictions": dict(energy.frictions),
+            "residual": energy.residual,
+        },
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _ranges(motion: MechanismMotion) -> dict[str, float]:
+    times = np.linspace((1.0 - SHARE) * motion.duration, motion.duration, POINTS)
+    return {name: 0.5 * float(np.ptp(motion.output(name, times))) for name in motion.mechanism.outputs}
+
+
+def _energy_text(energy: MechanismEnergy) -> list[str]:
+    works = [(f"work of {name}", value) for name, value in {**energy.pins, **energy.forces}.items()]
+    losses = [
+        *((f"lost in damper {name}", value) for name, value in energy.dampers.items()),
+        *((f"lost in contact {name}", value) for name, value in energy.contacts.items()),
+        *((f"lost in friction {name}", value) for name, value in energy.frictions.items()),
+    ]
+    gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]
+    rows = [*works, *losses, ("gained by bodies and springs", gained)]
+    closing = f"It closes to {energy.residual:.1e} of its largest term."
+    return [
+        "Energy over the whole motion:",
+        *table(("", "J"), [(name, f"{value:.6g}") for name, value in rows]),
+        closing,
+    ]

@@ -1,0 +1,94 @@
+"""``trimmer respond``: what a mechanism settles to."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
+from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.parser import OptionError, refuse_unused, tell
+from trimmer.command_line.signal_options import positive_whole
+from trimmer.command_line.state_option import add_state_option, chosen_state
+
+if TYPE_CHECKING:
+    from trimmer.response.response import Response
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_mechanism_options(parser)
+    add_state_option(parser)
+    parser.add_argument(
+        "--starts",
+        type=positive_whole,
+        default=1,
+        metavar="N",
+        help="number of starts; those after the first one are random (default: 1)",
+    )
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    parser.add_argument(
+        "--periods",
+        type=positive_whole,
+        default=1000,
+        metavar="N",
+        help="drive periods to wait for a motion to settle (default: 1000)",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    parser.add_argument(
+        "--plot",
+        type=file_to_write,
+        metavar="FILE",
+        help="draw the motion with contact and stick, phase plane and Poincaré section into an .svg, .png or "
+        ".pdf file",
+    )
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.respond_text import as_json, as_text
+    from trimmer.response.respond import respond
+
+    if arguments.starts == 1:
+        refuse_unused(arguments, ["seed"], "--starts")
+    if arguments.seed < 0:
+        raise OptionError(f"--seed {arguments.seed}: must not be negative")
+    check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
+    mechanism = chosen_mechanism(arguments)
+    response = respond(
+        mechanism,
+        state=chosen_state(arguments.state, mechanism),
+        starts=arguments.starts,
+        most_periods=arguments.periods,
+        seed=arguments.seed,
+    )
+    drawn = _draw(arguments, response)
+    show(as_json(response) if arguments.json else as_text(response), arguments.plot if drawn else None)
+    return 0
+
+
+def _draw(arguments: Namespace, response: Response) -> bool:
+    """Draw the picture that is wanted; says whether there was anything to draw."""
+    if arguments.plot is None:
+        return False
+    if response.motion.orbit is None and response.motion.window is None:
+        tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
+        return False
+    from trimmer.drawing.response import draw_response
+    from trimmer.files import write_atomically
+
+    picture = draw_response(response, arguments.plot.suffix[1:].lower())
+    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+    return True
+
+
+COMMAND = Command(
+    "respond", "what a mechanism settles to: repeating, on a torus or chaotic", _configure, _run
+)
+"""The subcommand ``trimmer respond``."""

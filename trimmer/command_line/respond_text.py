@@ -1,0 +1,122 @@
+"""What a mechanism settles to, as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.table import table
+from trimmer.response.response_json import response_json
+
+if TYPE_CHECKING:
+    from trimmer.response.estimate import Estimate
+    from trimmer.response.measures import Measures
+    from trimmer.response.response import Response, SettledMotion
+
+LARGE_LINES = 6
+"""Lines of a spectrum that are shown, the largest ones."""
+SMALL = 1e-9
+"""Share of the largest line below which one is rounding."""
+
+
+def as_text(response: Response) -> str:
+    """Return what a mechanism settles to: first what it is, then tables of what it does."""
+    lines = [response.message]
+    for number, motion in enumerate(response.motions, start=1):
+        if len(response.motions) > 1:
+            mirrored = ", the mirror image of one before" if motion.mirrored else ""
+            lines += ["", f"Motion {number}, {motion.share:.0%} of the starts{mirrored}"]
+            lines += [motion.message] if number > 1 else []
+        lines += _motion(motion)
+    if response.starts > 1:
+        lines += ["", _box(response)]
+    return "\n".join(lines)
+
+
+def as_json(response: Response) -> str:
+    """Return what a mechanism settles to as JSON: full precision, SI units."""
+    return json.dumps(response_json(response), indent=2, allow_nan=False)
+
+
+def _box(response: Response) -> str:
+    reach = ", ".join(
+        f"{name} {displacement:.3g} m and {speed:.3g} m/s"
+        for name, (displacement, speed) in response.box.items()
+    )
+    return f"Random starts lie within {reach} on either side of rest (seed {response.seed})."
+
+
+def _motion(motion: SettledMotion) -> Iterator[str]:
+    if motion.orbit is None and motion.window is None:
+        return
+    yield from _facts(motion)
+    driven = motion.orbit is None or motion.orbit.periods > 0
+    of = "p/k of the drive" if driven else "multiples of its own frequency"
+    heads = ("output", "peak to peak, m", "rms, m", f"lines as {of}: amplitude, m")
+    rows = [
+        (name, f"{motion.peak_to_peak[name]:.9g}", _number(rms), _lines(motion, name))
+        for name, rms in motion.rms.items()
+    ]
+    yield from table(heads, rows)
+    accelerations = [(name, _number(each)) for name, each in motion.rms_acceleration.items()]
+    yield from table(("body", "rms acceleration, m/s²"), accelerations)
+    if motion.orbit is not None:
+        yield from _parts(motion.orbit.measures)
+
+
+def _facts(motion: SettledMotion) -> Iterator[str]:
+    if motion.orbit is not None:
+        largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
+        per = "drive period" if motion.orbit.periods else "period"
+        yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {largest:.6g}"
+    elif motion.window is not None:
+        yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
+
+
+def _number(estimate: Estimate) -> str:
+    if estimate.uncertainty == 0:
+        return f"{estimate.value:.9g}"
+    low, high = estimate.interval
+    return f"{estimate.value:.6g} (95 %: {low:.6g} to {high:.6g})"
+
+
+def _lines(motion: SettledMotion, name: str) -> str:
+    """Return the largest lines of an output, in order of frequency."""
+    if motion.orbit is not None:
+        lines = motion.orbit.measures.outputs[name].lines
+    else:
+        lines = [(place + 1, 1, size) for place, size in enumerate(motion.harmonics[name].tolist())]
+    largest = max((size for *_, size in lines), default=0.0)
+    shown = sorted(lines, key=lambda line: -line[2])[:LARGE_LINES]
+    kept = sorted(line for line in shown if line[2] > SMALL * largest)
+    return ", ".join(f"{_ratio(p, k)}: {size:.6g}" for p, k, size in kept) or "none"
+
+
+def _ratio(p: int, k: int) -> str:
+    return f"{p // k}" if p % k == 0 else f"{p}/{k}"
+
+
+def _parts(measures: Measures) -> Iterator[str]:
+    if measures.contacts:
+        yield from table(
+            ("contact", "impacts per period", "largest speed, m/s", "largest force, N", "time in contact"),
+            [
+                (
+                    name,
+                    f"{each.impacts:g}",
+                    f"{each.impact_speed:.6g}",
+                    f"{each.largest_force:.6g}",
+                    f"{each.share:.2%}",
+                )
+                for name, each in measures.contacts.items()
+            ],
+        )
+    if measures.frictions:
+        yield from table(
+            ("friction", "work per period, J", "power, W", "time in stick"),
+            [
+                (name, f"{each.work:.6g}", f"{each.power:.6g}", f"{each.stick:.2%}")
+                for name, each in measures.frictions.items()
+            ],
+        )

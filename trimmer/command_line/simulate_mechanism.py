@@ -1,0 +1,82 @@
+"""``trimmer simulate FILE``: the exact motion of a mechanism."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.mechanism_options import chosen_mechanism
+from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.state_option import add_state_option, chosen_state
+
+if TYPE_CHECKING:
+    from trimmer.response.motion import MechanismMotion
+    from trimmer.signals.signal import Signal
+
+OF_LOOPS: tuple[str, ...] = ("element", "gap", "time_constant", "force", "parameters", "output", "channels")
+OF_LOOPS += ("drive", "amplitude", "impulse")
+"""Options that say what a loop is; a mechanism says it in its file."""
+
+
+def add_mechanism(parser: ArgumentParser) -> None:
+    """Add the file of a mechanism, which may be left out, and what is set in it."""
+    parser.add_argument(
+        "file",
+        type=file_to_read,
+        nargs="?",
+        metavar="FILE",
+        help="mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves",
+    )
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="PLACE=VALUE",
+        help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
+    )
+    add_state_option(parser)
+
+
+def refuse_options_of_the_other(arguments: Namespace) -> None:
+    """Refuse options of loops with a mechanism, and options of mechanisms without one.
+
+    Raises:
+        OptionError: if there is one.
+    """
+    if arguments.file is None:
+        for name in ("set", "state"):
+            if getattr(arguments, name):
+                raise OptionError(
+                    f"{as_option(name)} has no effect without the file of a mechanism: add that"
+                )
+        return
+    given = [name for name in OF_LOOPS if is_given(arguments, name)]
+    given += ["friction"] if arguments.friction else []
+    if given:
+        raise OptionError(
+            f"{as_option(given[0])} is for the loops of the thesis; a mechanism says it in its file: set the "
+            "number there, or with --set"
+        )
+
+
+def mechanism_motion(arguments: Namespace) -> MechanismMotion:
+    """Return the motion of the mechanism that the options choose."""
+    from trimmer.response.simulate import simulate
+
+    mechanism = chosen_mechanism(arguments)
+    state = chosen_state(arguments.state, mechanism)
+    return simulate(mechanism, arguments.duration, state=state)
+
+
+def mechanism_signals(motion: MechanismMotion, sample_rate: float) -> list[Signal]:
+    """Sample the outputs, or the displacements of the bodies if there are none, m."""
+    import numpy as np
+
+    from trimmer.signals.signal import Signal
+
+    times = np.arange(int(motion.duration * sample_rate)) / sample_rate
+    outputs, bodies = motion.mechanism.outputs, motion.mechanism.bodies
+    named = [(name, motion.output(name, times)) for name in outputs]
+    named = named or [(name, motion.displacement(name, times)) for name in bodies]
+    return [Signal(values, sample_rate, name, "m") for name, values in named]
