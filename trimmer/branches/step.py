@@ -20,7 +20,7 @@ STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
-OPPOSITE = -0.5
+OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
 

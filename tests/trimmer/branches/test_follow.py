@@ -17,6 +17,7 @@ from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.response.forced_orbit import forced_orbit
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = 2.0 * math.pi
@@ -167,7 +168,7 @@ def _on(gap: float) -> np.ndarray:
     return branch.points[-1].state
 
 
-@pytest.mark.parametrize("factor", [1e-3, 1e3])
+@pytest.mark.parametrize("factor", [1e-3, pytest.param(1e3, marks=pytest.mark.slow)])
 def test_scaled_masses_and_forces_make_no_difference(factor: float) -> None:
     mechanism = Mechanism.from_toml(EXAMPLES / "two-mass-stop.toml")
     scaled = replace(
@@ -228,3 +229,17 @@ def test_mirror_symmetry() -> None:
         frictions={**mechanism.frictions, "rubbing": Friction(("belt", "motor"), 0.1)},
     )
     assert not is_mirror_symmetric(belt)
+
+
+def test_points_are_the_orbits_that_shooting_finds() -> None:
+    branch = follow(twin(), "frequency", 112.0, 120.0, settings=ALONE)
+    for orbit in branch.points[5::25]:
+        mechanism = twin().with_value("frequency", orbit.value)
+        bodies = len(mechanism.bodies)
+        start = {
+            name: (float(orbit.state[at]), float(orbit.state[bodies + at]))
+            for at, name in enumerate(mechanism.bodies)
+        }
+        shot = forced_orbit(mechanism, guess=start)
+        assert shot.success
+        assert abs(shot.multipliers) == pytest.approx(abs(orbit.multipliers), rel=1e-6, abs=1e-9)
