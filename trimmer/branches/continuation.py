@@ -35,6 +35,8 @@ AFTER_CORNER = 1e-3
 """Length of the step after a corner."""
 LEAST_SIZE = 1e-2
 """Least scale of a state, relative to the largest that it had on the branch."""
+AT_END = 1e-12
+"""Distance from an end of the interval, as a share of it, within which a value is that end."""
 SILENCE = 2.0
 """Time before a progress bar shows, s."""
 SAME = 1e-6
@@ -57,6 +59,10 @@ class Interval:
     def span(self) -> float:
         """Length."""
         return abs(self.stop - self.start)
+
+    def holds(self, value: float) -> bool:
+        """Say whether a value lies inside, and not exactly at an end, such as a gap of 0."""
+        return min(abs(value - self.start), abs(value - self.stop)) > AT_END * self.span
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -157,7 +163,7 @@ def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint
             break
         made, problem = taken
         record.points.append(_branch_point(made.front))
-        record.special += made.special
+        record.special += [each for each in made.special if limits.interval.holds(each.value)]
         record.switches += [(problem, each) for each in made.switches]
     branches = tuple(_parted(record, limits, switches)) if switches else ()
     return Branch(
