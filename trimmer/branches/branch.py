@@ -21,6 +21,7 @@ class BranchEnd(Choice):
     LEFT_AT_STOP = "it leaves the interval at the other end"
     CLOSED = "it closes on itself"
     REJOINED = "it joins the branch with half the period, or the symmetric one"
+    TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
     STEP_TOO_SMALL = "no orbit was found near the last one"
     MOST_POINTS = "it has as many points as were asked for at most"
     NO_START = "no orbit was found at the start"

@@ -13,7 +13,7 @@ from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import turned
+from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -201,7 +201,7 @@ def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | Bra
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
-            yield BranchEnd.STEP_TOO_SMALL
+            yield BranchEnd.TORN if is_torn(front) else BranchEnd.STEP_TOO_SMALL
             return
         if made.ended is BranchEnd.REJOINED:
             yield made.ended

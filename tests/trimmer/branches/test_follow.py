@@ -243,3 +243,12 @@ def test_points_are_the_orbits_that_shooting_finds() -> None:
         shot = forced_orbit(mechanism, guess=start)
         assert shot.success
         assert abs(shot.multipliers) == pytest.approx(abs(orbit.multipliers), rel=1e-6, abs=1e-9)
+
+
+def test_static_friction_that_gives_way_ends_the_branch() -> None:
+    # Static friction above the kinetic one makes the motion jump where stick is lost.
+    mechanism = Mechanism.from_toml(EXAMPLES / "foil-shaver.toml")
+    branch = follow(mechanism, "frequency", 150.0, 152.0, settings=ALONE)
+    assert branch.reason is BranchEnd.TORN
+    assert branch.points[-1].value == pytest.approx(151.11742835, rel=1e-9)
+    assert "static friction" in branch.message
