@@ -12,7 +12,7 @@ from tqdm import tqdm
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
 from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
@@ -101,6 +101,8 @@ def continuation(
     begin = finite_number("start", start)
     limits = _Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
     front = _first_front(map, np.asarray(state, dtype=float), begin, limits.interval)
+    if isinstance(front, BranchEnd):
+        return Branch((), (), front, f"{front.value}, at {begin:.10g}")
     if front is None:
         message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
@@ -124,7 +126,7 @@ class _Limits:
     settings: FollowSettings
 
 
-def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | None:
+def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | BranchEnd | None:
     problem = Problem(map, interval.span, np.ones(len(state)))
     guess = problem.place(problem.position(begin, state))
     if guess is None:
@@ -139,7 +141,7 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     place = problem.adopted(place)
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
-        return None
+        return BranchEnd.NOT_ISOLATED
     return begun(problem, place, tangent)
 
 
@@ -201,7 +203,7 @@ def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | Bra
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
-            yield BranchEnd.TORN if is_torn(front) else BranchEnd.STEP_TOO_SMALL
+            yield _obstacle(front)
             return
         if made.ended is BranchEnd.REJOINED:
             yield made.ended
@@ -214,6 +216,14 @@ def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | Bra
             yield made.ended
             return
         front = made.front
+
+
+def _obstacle(front: Front) -> BranchEnd:
+    """Say why no orbit was found beyond a front."""
+    if is_torn(front):
+        return BranchEnd.TORN
+    neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL
+    return BranchEnd.NOT_ISOLATED if neutral else BranchEnd.STEP_TOO_SMALL
 
 
 def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:

@@ -252,3 +252,18 @@ def test_static_friction_that_gives_way_ends_the_branch() -> None:
     assert branch.reason is BranchEnd.TORN
     assert branch.points[-1].value == pytest.approx(151.11742835, rel=1e-9)
     assert "static friction" in branch.message
+
+
+def test_what_sticks_all_the_time_is_said() -> None:
+    # The body is held by friction alone and never moves; it could do so anywhere.
+    mechanism = Mechanism(
+        bodies={"body": Body(1.0), "held": Body(1.0)},
+        frequency=1.0,
+        links={"spring": Link(("ground", "body"), 10.0, 1.0), "weak": Link(("body", "held"), 0.1)},
+        frictions={"rubbing": Friction(("ground", "held"), 5.0)},
+        forces={"drive": Force("body", constant=0.5, amplitude=1.0)},
+    )
+    branch = follow(mechanism, "frequency", 1.0, 1.2, settings=ALONE)
+    assert branch.reason is BranchEnd.NOT_ISOLATED
+    assert not branch.success
+    assert "sticks all the time" in branch.message
