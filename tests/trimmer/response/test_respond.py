@@ -96,6 +96,7 @@ def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
     assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
     assert response.motion.peak_to_peak["body"] == 0
     assert response.motion.orbit.instant.state[0] == 0.3
+    assert "a neutral motion" in response.message
 
 
 def test_starts_find_several_motions_and_their_shares() -> None:
