@@ -102,7 +102,7 @@ class _Search:
         orbit, seen = settling.until_settled(self.most_periods), None
         if orbit is None and settling.can_go_on:
             seen = look_closely(self.flow, settling.instant)
-            if seen.contracts:
+            if seen is not None and seen.contracts:
                 orbit = settling.until_settled(MORE * self.most_periods)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
         if orbit is None:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
@@ -27,6 +26,8 @@ RESOLVED = 0.05
 """Largest modulus of an exponent per drive period, errors included, that is taken for zero."""
 ORDERLY = 0.2
 """Largest result of the 0-1 test of a motion on a torus."""
+STEADY = 0.1
+"""Share by which the swing of a motion on a torus may differ between the halves of the window."""
 NEIGHBOUR = 1e-9
 """Distance of the motion that is followed beside the first one, as a share of the sizes."""
 LEAVES = 1e3
@@ -49,15 +50,18 @@ def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
     return SettledMotion(seen.kind, None, seen.window, periods, agrees, 1, 1.0, False, told)
 
 
-def look_closely(flow: ExactFlow, instant: Instant) -> Seen:
-    """Watch a motion until it is known what it is, or for some windows."""
+def look_closely(flow: ExactFlow, instant: Instant) -> Seen | None:
+    """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
     window = watch(flow, instant, WINDOW)
+    if window is None:
+        return None
     seen = Seen(flow, window, _neighbour_leaves(flow, window))
     for _ in range(MOST_WINDOWS - 1):
         decided = seen.kind is not MotionKind.UNDECIDED or seen.contracts
-        if decided or seen.window.ending is not Ending.REACHED_END:
+        more = None if decided else watch(flow, seen.window.end, WINDOW)
+        if more is None:
             break
-        seen = replace(seen, window=joined(seen.window, watch(flow, seen.window.end, WINDOW)))
+        seen = replace(seen, window=joined(seen.window, more))
     return seen
 
 
@@ -89,7 +93,18 @@ class Seen:
         if largest.value - error > 0:
             return MotionKind.CHAOTIC if self.leaves else MotionKind.UNDECIDED
         zero = abs(largest.value) <= error and abs(largest.value) + error < RESOLVED
-        return MotionKind.TORUS if zero and not self.leaves and self.orderly else MotionKind.UNDECIDED
+        return (
+            MotionKind.TORUS
+            if zero and not self.leaves and self.steady and self.orderly
+            else MotionKind.UNDECIDED
+        )
+
+    @property
+    def steady(self) -> bool:
+        """Whether the states swing as much in the second half of the window as in the first."""
+        states = self.window.states
+        first, second = (np.ptp(half, axis=0) for half in np.array_split(states, 2))
+        return bool((abs(first - second) <= STEADY * np.maximum(first, second)).all())
 
     @property
     def orderly(self) -> bool:
