@@ -13,6 +13,15 @@ from .balance.limit_cycle import LimitCycle as LimitCycle
 from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
+from .branches.branch import BranchEnd as BranchEnd
+from .branches.follow import BalancedOrbit as BalancedOrbit
+from .branches.follow import FollowedBranch as FollowedBranch
+from .branches.follow import FollowedOrbit as FollowedOrbit
+from .branches.follow import follow as follow
+from .branches.outputs import OutputMeasure as OutputMeasure
+from .branches.settings import FollowSettings as FollowSettings
+from .branches.special import SpecialKind as SpecialKind
+from .branches.special import SpecialPoint as SpecialPoint
 from .choices import Choice as Choice
 from .choices import ChoiceError as ChoiceError
 from .displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD

@@ -13,6 +13,7 @@ from importlib.metadata import EntryPoint, entry_points
 import trimmer
 from trimmer.command_line import (
     derive,
+    follow,
     identify,
     limit_cycles,
     linear,
@@ -103,7 +104,7 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(respond.COMMAND, motion_maps.COMMAND),
+        *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.command_line.table import table
+from trimmer.maps.cells import described
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -26,7 +27,7 @@ def as_text(result: MotionMap, searched: str) -> str:
     units = mechanism.places
     for place, values in zip(result.places, result.values, strict=True):
         lines.append(f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {len(values)} values")
-    counts = Counter(_name(cell.motions[0].kind.value, cell.motions[0].period_count) for cell in result.cells)
+    counts = Counter(described(cell.motions[0]) for cell in result.cells)
     rows = [(name, str(count), f"{count / cells:.1%}") for name, count in counts.most_common()]
     lines += table(("motion", "cells", "share"), rows)
     lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
@@ -40,10 +41,6 @@ def as_text(result: MotionMap, searched: str) -> str:
     if len(result.failures) > _MOST_FAILURES:
         lines.append(f"and {len(result.failures) - _MOST_FAILURES} more failed, which --json lists")
     return "\n".join([*lines, f"searched: {searched}"])
-
-
-def _name(kind: str, count: int) -> str:
-    return f"period {count}" if count else kind
 
 
 def _ranges(result: MotionMap) -> list[tuple[str, ...]]:

@@ -10,11 +10,11 @@ from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
-    file_to_read,
     file_to_write,
     show,
 )
 from trimmer.command_line.map_options import EXAMPLE, FORM, varied_values
+from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
 from trimmer.command_line.parser import OptionError, as_option, refuse_unused, tell
 from trimmer.files import MAP
 
@@ -26,20 +26,13 @@ INTERRUPTED = 130
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument("file", type=file_to_read, metavar="FILE", help="TOML file of the mechanism")
+    add_mechanism_options(parser)
     parser.add_argument(
         "--vary",
         action="append",
         default=[],
         metavar=FORM,
         help=f"vary a number from A to B in N values, as in {EXAMPLE}; once for a line, twice for a map",
-    )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="PLACE=VALUE",
-        help="set another number first, as in frictions.blade.force=1 (repeatable)",
     )
     _add_search_options(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
@@ -81,7 +74,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.maps.motion_map import MapInterruptedError
 
     _check(arguments)
-    mechanism = _mechanism(arguments)
+    mechanism = chosen_mechanism(arguments)
     values = varied_values(mechanism, arguments.vary)
     try:
         result, searched = _map(arguments, mechanism, values)
@@ -107,16 +100,6 @@ def _check(arguments: Namespace) -> None:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
     targets = {"plot": PICTURES, "output": {"": MAP}}
     check_targets(arguments, targets, {"file": "the file of the mechanism"})
-
-
-def _mechanism(arguments: Namespace) -> Mechanism:
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.places import assignment
-
-    mechanism = Mechanism.from_toml(arguments.file)
-    for text in arguments.set:
-        mechanism = mechanism.with_value(*assignment(text))
-    return mechanism
 
 
 def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[float]]) -> tuple[MotionMap, str]:

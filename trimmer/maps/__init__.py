@@ -1,8 +1,8 @@
 """Maps of motions: what a mechanism settles to, over two of its numbers or over two initial values.
 
-``settle`` follows one motion until it has settled, ``closing`` finds the exact orbit near it, and
-``measures`` measures it; ``cells`` makes of this the work of a cell. ``inputs`` checks what a map is made
-from, ``runner`` does cells in several processes, and ``checkpoint`` keeps them in a file. ``motion_map`` puts
-these together into a ``result``, ``basin`` varies the start instead of the mechanism, and ``coexistence``
-looks for motions that no start of the map led to. ``drawing`` draws them.
+``settle`` follows one motion until it has settled, ``same`` tells orbits apart, and ``measures`` measures
+them; ``cells`` makes of this the work of a cell. ``inputs`` checks what a map is made from, ``runner`` does
+cells in several processes, and ``checkpoint`` keeps them in a file. ``motion_map`` puts these together into a
+``result``, ``basin`` varies the start instead of the mechanism, and ``coexistence`` looks for motions that no
+start of the map led to. ``drawing`` draws them.
 """

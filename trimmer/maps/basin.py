@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.maps.cells import CellMotion, same_motion
+from trimmer.maps.cells import CellMotion, described, same_motion
 from trimmer.maps.inputs import MapError
-from trimmer.maps.kinds import MotionKind
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,16 +64,16 @@ class Basin:
 
     def _name(self, number: int) -> str:
         motion = self.motions[number]
-        what = f"period {motion.period_count}" if motion.period_count else motion.kind.value
-        return f"{number + 1}: {what}"
+        return f"{number + 1}: {described(motion)}"
 
 
 def _colour(motions: tuple[CellMotion, ...], number: int) -> str:
-    from trimmer.maps.drawing import OTHER_COLOURS
+    from trimmer.maps.drawing import category
 
-    kind = motions[number].kind
+    if motions[number].kind is not MotionKind.PERIODIC:
+        return category(motions[number])[1]
     before = sum(motion.kind is MotionKind.PERIODIC for motion in motions[:number])
-    return OTHER_COLOURS.get(kind) or COLOURS[before % len(COLOURS)]
+    return COLOURS[before % len(COLOURS)]
 
 
 def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any) -> Basin:

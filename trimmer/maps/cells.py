@@ -12,21 +12,20 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
-from trimmer.maps.closing import closed_near
 from trimmer.maps.inputs import Settings, varied
-from trimmer.maps.kinds import MotionKind
 from trimmer.maps.measures import Measures, of_orbit, of_window
-from trimmer.maps.settle import Settled, same_orbit, settle, sizes_of
+from trimmer.maps.same import same_orbit
+from trimmer.maps.settle import Settled, orbit_near, settle
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
 
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
-NEIGHBOUR = 0.5
-"""Change of a state, relative to the sizes, from the orbit of a cell to that of the next one."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +58,7 @@ class CellMotion:
             not repeat only the last one.
         measures: Over the period, or over the last ``WINDOW`` drive periods; None where the motion failed.
         starts: How many starts of the cell led to it.
-        failure: Why the motion ended before its time; empty if it did not.
+        failure: Why the motion ended before its time, or the cell could not be begun; empty if neither.
     """
 
     kind: MotionKind
@@ -129,20 +128,20 @@ class CellWork:
 
 
 def _settled(flow: ExactFlow, start: Instant, settings: Settings) -> Settled:
-    return settle(flow, start, settings.most_periods, settings.most_period_count)
+    return settle(flow, start, settings.most_periods)
 
 
 def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
     """Return the stable orbit near that of another cell, or what a start on that leads to."""
     start = flow.at(states[0])
-    orbit = closed_near(flow, start, len(states), sizes_of(states), NEIGHBOUR)
-    if orbit is not None and orbit.largest < 1.0:
-        return Settled(MotionKind.PERIODIC, 0, orbit.begin, orbit, orbit.period_count)
+    orbit = orbit_near(flow, start, len(states))
+    if orbit is not None and orbit.stable:
+        return Settled(MotionKind.PERIODIC, 0, orbit.instant, orbit)
     return _settled(flow, start, settings)
 
 
 def _failed(error: Exception) -> CellMotion:
-    return CellMotion(MotionKind.FAILED, failure=str(error) or type(error).__name__)
+    return CellMotion(MotionKind.UNDECIDED, failure=str(error) or type(error).__name__)
 
 
 def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
@@ -177,24 +176,35 @@ def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
 
 
 def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
-    if settled.kind is MotionKind.FAILED:
+    if settled.ending is not Ending.REACHED_END:
         return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
-    orbit, count = settled.orbit, settled.period_count
-    course = flow.course(settled.end, count or WINDOW) if orbit is None else orbit.course
+    if settled.orbit is not None:
+        return _repeating(flow, settled.orbit, settled.periods)
+    course = flow.course(settled.end, WINDOW)
     if course.ending is not Ending.REACHED_END:
-        return CellMotion(MotionKind.FAILED, periods=settled.periods, failure=course.ending.value)
-    states = settled.end.state[None] if orbit is None else orbit.states
-    if orbit is None and count:
-        states = flow.strobe(settled.end, count).states[:-1]
+        return CellMotion(settled.kind, periods=settled.periods, failure=course.ending.value)
     return CellMotion(
         settled.kind,
-        count,
-        settled.periods,
-        None if orbit is None else orbit.largest,
-        settled.lyapunov,
-        tuple(map(tuple, states.tolist())),
-        of_orbit(flow, course, count) if count else of_window(flow, course, WINDOW),
+        periods=settled.periods,
+        lyapunov=settled.lyapunov,
+        states=_tuples(settled.end.state[None]),
+        measures=of_window(flow, course, WINDOW),
     )
+
+
+def _repeating(flow: ExactFlow, orbit: MechanismOrbit, periods: int) -> CellMotion:
+    return CellMotion(
+        MotionKind.PERIODIC,
+        orbit.period_count,
+        periods,
+        float(abs(orbit.multipliers).max()),
+        states=_tuples(orbit.strobed[: orbit.period_count]),
+        measures=of_orbit(flow, orbit.course, orbit.periods),
+    )
+
+
+def _tuples(states: Reals) -> tuple[tuple[float, ...], ...]:
+    return tuple(map(tuple, states.tolist()))
 
 
 def _add(motions: list[CellMotion], motion: CellMotion) -> None:
@@ -204,6 +214,14 @@ def _add(motions: list[CellMotion], motion: CellMotion) -> None:
             motions[place] = replace(other, starts=other.starts + motion.starts)
             return
     motions.append(motion)
+
+
+def described(motion: CellMotion) -> str:
+    """Return what a motion is, in plain words, such as ``period 3`` or ``not settled``."""
+    if motion.failure:
+        return "failed"
+    words = {MotionKind.TORUS: "torus", MotionKind.CHAOTIC: "chaotic", MotionKind.UNDECIDED: "not settled"}
+    return words.get(motion.kind) or f"period {motion.period_count}"
 
 
 def same_motion(first: CellMotion, second: CellMotion) -> bool:

@@ -14,11 +14,11 @@ from tqdm import tqdm
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, same_motion
-from trimmer.maps.kinds import MotionKind
 from trimmer.maps.motion_map import FEW, SILENCE
 from trimmer.maps.result import MotionMap
 from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
-from trimmer.maps.settle import sizes_of
+from trimmer.maps.same import same_orbit
+from trimmer.response.response import MotionKind
 
 CONTINUED = 0.1
 """Difference of two orbits, relative to their sizes, up to which one is taken for the other carried on."""
@@ -140,12 +140,7 @@ def _is_carried_on(orbit: CellMotion, other: CellMotion) -> bool:
     """Return whether two orbits of neighbouring cells look like one that is carried on."""
     if other.kind is not MotionKind.PERIODIC or other.period_count != orbit.period_count:
         return False
-    ours, theirs = np.array(orbit.states), np.array(other.states)
-    sizes = np.maximum(sizes_of(ours), sizes_of(theirs))
-    return any(
-        bool((abs(np.roll(ours, turns, axis=0) - theirs) <= CONTINUED * sizes).all())
-        for turns in range(len(ours))
-    )
+    return same_orbit(np.array(orbit.states), np.array(other.states), CONTINUED)
 
 
 def _new(known: tuple[CellMotion, ...], found: tuple[CellMotion, ...]) -> tuple[CellMotion, ...]:

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import EngFormatter
 
-from trimmer.maps.kinds import MotionKind
+from trimmer.maps.cells import described
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,29 +26,24 @@ if TYPE_CHECKING:
 PERIOD_COLOURS = ("#56B4E9", "#0072B2", "#009E73", "#F0E442", "#E69F00", "#D55E00")
 """Of motions of period 1, 2, ...: the colours of Okabe and Ito, which colour-blind readers tell apart."""
 LONGER_COLOUR = "#CC79A7"
-OTHER_COLOURS = {
-    MotionKind.TORUS: "#777777",
-    MotionKind.CHAOTIC: "#222222",
-    MotionKind.UNDECIDED: "#CCCCCC",
-    MotionKind.FAILED: "#FFFFFF",
-}
+OTHER_COLOURS = {"torus": "#777777", "chaotic": "#222222", "not settled": "#CCCCCC", "failed": "#FFFFFF"}
 CURVE_STYLES: tuple[Literal["-", "--", "-.", ":"], ...] = ("-", "--", "-.", ":")
 
 
 def category(motion: CellMotion) -> tuple[str, str]:
     """Return what a motion is in plain words, and its colour."""
-    if motion.kind is not MotionKind.PERIODIC:
-        return motion.kind.value, OTHER_COLOURS[motion.kind]
+    name = described(motion)
+    if name in OTHER_COLOURS:
+        return name, OTHER_COLOURS[name]
     if motion.period_count <= len(PERIOD_COLOURS):
-        return f"period {motion.period_count}", PERIOD_COLOURS[motion.period_count - 1]
+        return name, PERIOD_COLOURS[motion.period_count - 1]
     return f"period {len(PERIOD_COLOURS) + 1} or more", LONGER_COLOUR
 
 
 def categories() -> list[tuple[str, str]]:
     """Return all categories with their colours, in the order of the legend."""
     periods = [(f"period {count}", colour) for count, colour in enumerate(PERIOD_COLOURS, start=1)]
-    others = [(kind.value, colour) for kind, colour in OTHER_COLOURS.items()]
-    return [*periods, (f"period {len(PERIOD_COLOURS) + 1} or more", LONGER_COLOUR), *others]
+    return [*periods, (f"period {len(PERIOD_COLOURS) + 1} or more", LONGER_COLOUR), *OTHER_COLOURS.items()]
 
 
 def draw_map(axes: Axes, result: MotionMap, curves: Iterable[tuple[str, ArrayLike]] = ()) -> None:

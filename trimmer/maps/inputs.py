@@ -34,13 +34,11 @@ class Settings:
 
     Attributes:
         most_periods: Drive periods to wait at most.
-        most_period_count: Largest number of drive periods after which a motion may repeat.
         starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
         seed: Seed of the random starts; each cell has its own numbers.
     """
 
     most_periods: int = 300
-    most_period_count: int = 24
     starts: int = 1
     seed: int = 0
 

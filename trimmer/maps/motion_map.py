@@ -35,7 +35,6 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     values: Mapping[str, ArrayLike],
     *,
     most_periods: int = 300,
-    most_period_count: int = 24,
     starts: int = 1,
     seed: int = 0,
     runner: Runner | None = None,
@@ -54,7 +53,6 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
         mechanism: The mechanism; it has a frequency.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
         most_periods: Drive periods to wait at most in each cell.
-        most_period_count: Largest number of drive periods after which a motion may repeat.
         starts: Starts of each cell; those after the first are random.
         seed: Seed of the random starts; each cell has its own numbers.
         runner: Who does the work; by default processes on all cores, for a few cells this one.
@@ -75,7 +73,6 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     """
     settings = Settings(
         whole_number("most_periods", most_periods, 2),
-        whole_number("most_period_count", most_period_count, 1),
         whole_number("starts", starts, 1),
         whole_number("seed", seed, 0),
     )

@@ -174,7 +174,6 @@ def test_a_single_reversal_counts_once():
     assert set(kinds) == {EventKind.SLIDING_REVERSED}
 
 
-@pytest.mark.xfail(reason="some reversals count as stick that begins and ends at one instant", strict=True)
 def test_a_reversal_beside_a_contact_counts_once():
     """The third body reverses on the first while a stop holds it on the second, at 2.192 periods."""
     mechanism = Mechanism(

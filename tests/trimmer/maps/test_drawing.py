@@ -9,9 +9,9 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.drawing import categories, category
 from trimmer.maps.inputs import MapInputs, Settings
-from trimmer.maps.kinds import MotionKind
 from trimmer.maps.measures import Measures
 from trimmer.maps.result import MotionMap
+from trimmer.response.response import MotionKind
 
 KINDS = [(MotionKind.PERIODIC, 1), (MotionKind.PERIODIC, 2), (MotionKind.CHAOTIC, 0)]
 MEASURES = Measures({"x": 1.0}, {"mass": 1.0}, {}, 1.0, 1.0, 1.0)

@@ -16,7 +16,7 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play
 
 def measures_of(mechanism: Mechanism, measures=of_orbit):
     flow = ExactFlow(mechanism)
-    orbit = settle(flow, flow.rest(), 400, 24).orbit
+    orbit = settle(flow, flow.rest(), 400).orbit
     assert orbit is not None
     return measures(flow, orbit.course, orbit.period_count)
 
@@ -67,7 +67,7 @@ def test_even_samples_of_a_window_are_near_the_exact_measures() -> None:
 
 def test_impacts_and_their_speed_are_those_of_the_events() -> None:
     flow = ExactFlow(TWIN.with_value("frictions.blade.force", 1.0))
-    orbit = settle(flow, flow.rest(), 300, 24).orbit
+    orbit = settle(flow, flow.rest(), 300).orbit
     assert orbit is not None
     made = [time for time, _, kind in orbit.course.events if kind == 1]
     states = orbit.course.states(np.array(made))
