@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.errors import MapError
 from trimmer.maps.cells import CellMotion, described, same_motion
-from trimmer.maps.inputs import MapError
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.place_text import parse_place, place_text

@@ -6,9 +6,8 @@ from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.contact.flow import ExactFlow
-from trimmer.errors import MechanismError
+from trimmer.errors import MapError, MechanismError
 from trimmer.maps.basin import basin
-from trimmer.maps.inputs import MapError
 from trimmer.maps.runner import SerialRunner
 
 SERIAL = SerialRunner()

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer.errors import MechanismError, TrimmerError
+from trimmer.errors import MapError, MechanismError, TrimmerError
 from trimmer.maps.cells import CellWork
-from trimmer.maps.inputs import MapError, Settings, checked_inputs
+from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.mechanism import Mechanism
