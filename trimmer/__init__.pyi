@@ -13,6 +13,15 @@ from .balance.limit_cycle import LimitCycle as LimitCycle
 from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
+from .branches.branch import BranchEnd as BranchEnd
+from .branches.follow import BalancedOrbit as BalancedOrbit
+from .branches.follow import FollowedBranch as FollowedBranch
+from .branches.follow import FollowedOrbit as FollowedOrbit
+from .branches.follow import follow as follow
+from .branches.outputs import OutputMeasure as OutputMeasure
+from .branches.settings import FollowSettings as FollowSettings
+from .branches.special import SpecialKind as SpecialKind
+from .branches.special import SpecialPoint as SpecialPoint
 from .choices import Choice as Choice
 from .choices import ChoiceError as ChoiceError
 from .displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD
@@ -97,6 +106,7 @@ from .motion.loops import OpenLoop as OpenLoop
 from .motion.motion import Event as Event
 from .motion.motion import Motion as Motion
 from .motion.motion import Outcome as Outcome
+from .motion.simulation import SimulationInterrupted as SimulationInterrupted
 from .motion.switched_component import EventKind as EventKind
 from .motion.trimmer_loop import BodyFriction as BodyFriction
 from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
@@ -107,6 +117,7 @@ from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
 from .orbits.search import OrbitSearched as OrbitSearched
+from .orbits.search import OrbitSearchInterrupted as OrbitSearchInterrupted
 from .orbits.search import PeriodicOrbits as PeriodicOrbits
 from .orbits.search import RelaySearch as RelaySearch
 from .orbits.search import Simulations as Simulations

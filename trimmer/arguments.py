@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 _LONGEST = 200
+_LARGEST_COUNT = 2**62
+"""Largest whole number; beyond it, no number of things fits into an integer of the computer."""
 
 
 def shown(value: object) -> str:
@@ -113,7 +115,7 @@ def whole_number(name: str, value: object, least: int | None = None) -> int:
 
     Raises:
         WrongTypeError: if it is no integer.
-        ValueError: if it is less than the least one.
+        ValueError: if it is less than the least one, or more than 2^62.
     """
     wanted = "a whole number" if least is None else f"a whole number from {least} on"
     try:
@@ -122,9 +124,22 @@ def whole_number(name: str, value: object, least: int | None = None) -> int:
         number = None
     if number is None:
         raise WrongTypeError(f"{name} must be {wanted}, not {shown(value)}")
+    if number > _LARGEST_COUNT:
+        raise ValueError(f"{name} must be at most {_LARGEST_COUNT}, not {shown(value)}")
     if least is not None and number < least:
         raise ValueError(f"{name} must be {wanted}, not {value!r}")
     return number
+
+
+def truth_value(name: str, value: object) -> bool:
+    """Return True or False, as a bool.
+
+    Raises:
+        WrongTypeError: if it is neither; a text would be taken for True otherwise.
+    """
+    scalar = value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
+    require_instance(name, scalar, bool, "True or False")
+    return bool(scalar)
 
 
 def file_path(name: str, path: object) -> Path:

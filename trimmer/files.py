@@ -12,6 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from trimmer.arguments import file_path, require_instance, truth_value
 from trimmer.errors import TrimmerError
 
 STANDARD_INPUT = Path("-")
@@ -74,7 +75,7 @@ def read_content(path: Path) -> bytes:
     return sys.stdin.buffer.read()
 
 
-def write_atomically(path: Path, content: bytes | str, *, overwrite: bool = False) -> None:
+def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool = False) -> None:
     """Write a file so that a reader finds the old content or the new one, never a part of it.
 
     The content goes to a temporary file in the same folder, which then takes the place of ``path``. Parent
@@ -90,12 +91,15 @@ def write_atomically(path: Path, content: bytes | str, *, overwrite: bool = Fals
         overwrite: Replace a file of any kind.
 
     Raises:
+        WrongTypeError: if an argument is of another type.
         FileWriteError: if ``path`` is a folder, a disk or a socket, or a file of another kind, or its folder
             cannot be made or written to. What was at ``path`` before is untouched and no temporary file is
             left behind.
         BrokenPipeError: if ``path`` is standard output, and nobody reads it any more.
     """
-    data = content.encode("utf-8") if isinstance(content, str) else content
+    path, overwrite = file_path("path", path), truth_value("overwrite", overwrite)
+    require_instance("content", content, (str, bytes, bytearray, memoryview), "text or bytes")
+    data = content.encode("utf-8") if isinstance(content, str) else bytes(content)
     if is_standard_output(path):
         _write_to_standard_output(data)
         return

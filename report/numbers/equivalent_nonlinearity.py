@@ -102,7 +102,7 @@ def solve_equivalent(
 ) -> EquivalentNumbers:
     """Solve each variant; ``ends`` are the unstable and stable limit cycle without friction, per gap."""
     system, both, k2 = numbers.displacement_only, numbers.both_channels, numbers.parameters.k2
-    listing = tuple(limit_cycles(system, listing_element(FORCE)))
+    listing = limit_cycles(system, listing_element(FORCE))
     by_force = (limit_cycles(system, listing_element(force)) for force in FORCES)
     channels = InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_AND_VELOCITY
     in_place, in_place_both = (
@@ -110,17 +110,17 @@ def solve_equivalent(
         for channel, pair in zip(channels, (ends, ends_both), strict=True)
     )
     return EquivalentNumbers(
-        rounded=tuple(limit_cycles(rounded, listing_element(FORCE))),
-        rounded_less_force=tuple(limit_cycles(rounded, listing_element(OTHER_FORCE))),
+        rounded=limit_cycles(rounded, listing_element(FORCE)),
+        rounded_less_force=limit_cycles(rounded, listing_element(OTHER_FORCE)),
         listing=listing,
-        listing_both_channels=tuple(limit_cycles(both, listing_element(FORCE))),
-        other_gap=tuple(limit_cycles(system, listing_element(OTHER_FORCE, LARGER_GAP))),
+        listing_both_channels=limit_cycles(both, listing_element(FORCE)),
+        other_gap=limit_cycles(system, listing_element(OTHER_FORCE, LARGER_GAP)),
         by_force=tuple(cycle for cycles in by_force for cycle in cycles if cycle.stable),
         own_frequency=_own_frequency(system, listing[0]),
         as_printed=_newton(system, lambda a, _: printed_function(a, FORCE), *START_OF_EQUATION),
-        sign_turned=tuple(limit_cycles(system, right_element(FORCE, DRIVE_OMEGA))),
-        over_stiffness=tuple(limit_cycles(system, right_element(FORCE, k2))),
-        over_stiffness_both_channels=tuple(limit_cycles(both, right_element(FORCE, k2))),
+        sign_turned=limit_cycles(system, right_element(FORCE, DRIVE_OMEGA)),
+        over_stiffness=limit_cycles(system, right_element(FORCE, k2)),
+        over_stiffness_both_channels=limit_cycles(both, right_element(FORCE, k2)),
         in_place=in_place,
         in_place_both_channels=in_place_both,
     )

@@ -73,7 +73,7 @@ def solve_limit_cycles(numbers: LinearNumbers) -> LimitCycleNumbers:
 
 
 def _viscous(system: control.TransferFunction, time_constant: float) -> tuple[LimitCycle, ...]:
-    return tuple(limit_cycles(system, ViscousBacklash(1.0, time_constant)))
+    return limit_cycles(system, ViscousBacklash(1.0, time_constant))
 
 
 def _largest(system: control.TransferFunction, viscous: tuple[tuple[LimitCycle, ...], ...]) -> LimitCycle:

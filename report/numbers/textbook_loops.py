@@ -40,7 +40,7 @@ class TextbookLoop:
 
     def limit_cycles(self) -> tuple[LimitCycle, ...]:
         """Return all that harmonic balance predicts, in order of frequency."""
-        return tuple(limit_cycles(self.plant, self.element))
+        return limit_cycles(self.plant, self.element)
 
     def inverse_element(self, amplitude: float | Reals) -> Complexes:
         """Return -1/N at amplitudes, in the plane of G."""

@@ -18,7 +18,7 @@ def once_around(force: BruteForce, system: System, state: np.ndarray, periods: i
 
 
 def monodromy(
-    force: BruteForce, system: System, state: np.ndarray, periods: int = 1, step: float = 1e-4
+    force: BruteForce, system: System, state: np.ndarray, periods: int = 1, step: float = 1e-5
 ) -> np.ndarray:
     """Return the Jacobian of the period map in units of usual sizes.
 
@@ -29,7 +29,7 @@ def monodromy(
         system: What moves.
         state: A point of the orbit at time 0.
         periods: Drive periods of the orbit.
-        step: Of the differences, in usual sizes.
+        step: Of the differences, in usual sizes; too large a one meets another sequence of events.
     """
     usual = system.usual[: system.rows.state_size]
     mode = Judge(system).decide(extend(system, state, 0.0)).mode

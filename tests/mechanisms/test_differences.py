@@ -15,7 +15,7 @@ from tests.mechanisms.dynamics import System
 
 def test_a_linear_oscillator():
     system = System(cases.driven_oscillator({}, {}))
-    found = multipliers(monodromy(BruteForce(), system, start_state(system)))
+    found = multipliers(monodromy(BruteForce(), system, start_state(system), step=1e-2))
     exponent = complex(-0.125, math.sqrt(4 - 0.125**2))
     exact = np.exp(exponent * 2 * math.pi / 3)
     np.testing.assert_allclose(found[np.argmin(found.imag)], exact, atol=1e-9)

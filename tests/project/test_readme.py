@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import pytest
@@ -26,11 +27,16 @@ def test_python_examples_print_what_is_shown(readme: str, capsys: pytest.Capture
 
 
 def test_command_line_examples_run(
-    readme: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    readme: str,
+    project_folder: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Run in this process: what every command imports takes longer than what it does."""
     lines = re.findall(r"^    (trimmer .*)$", readme, flags=re.MULTILINE)
-    assert len(lines) == 9
+    assert len(lines) == 13
+    shutil.copytree(project_folder / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)
     for line in lines:
         assert main(shlex.split(line)[1:]) == 0, f"{line}: {capsys.readouterr().err}"

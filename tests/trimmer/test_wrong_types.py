@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import traceback
 from fractions import Fraction
 from pathlib import Path
@@ -21,9 +23,11 @@ from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
     OpenLoop,
+    OrbitSearch,
     Relay,
     ScaledElement,
     Signal,
+    Simulations,
     SumOfElements,
     Tolerance,
     TrimmerError,
@@ -66,6 +70,7 @@ from trimmer import (
     time_response,
     transfer_function,
     undamped_modes,
+    write_atomically,
     write_signal,
     write_wav,
 )
@@ -82,15 +87,16 @@ SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = Signal(SAMPLES, 1000.0)
 SPECTRUM = amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = CoulombFriction(1.0)
+SEARCH = OrbitSearch(Simulations.NEVER)
 
 ANYTHING = {"text": "1.0", "an object": object(), "a class": FrictionBacklash, "complex": 1j}
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
 
 CALLS = {
-    identify_time_constant: {"G": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
-    harmonic_leakage: {"G": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
-    harmonic_balance: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
-    limit_cycles: {"G": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    identify_time_constant: {"system": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
+    harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
+    harmonic_balance: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
+    limit_cycles: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
     CoulombFriction: {"force": 1.0},
     Relay: {"level": 1.0},
     ViscousFriction: {"damping": 1.0},
@@ -115,7 +121,7 @@ CALLS = {
     bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
     filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
     local_slope: {"system": SYSTEM, "omega": 1.0},
-    linear_model: {"parameters": THESIS},
+    linear_model: {"parameters": THESIS, "output": "q2"},
     pin_model: {"parameters": THESIS},
     transfer_function: {"parameters": THESIS},
     modes: {"parameters": THESIS},
@@ -136,37 +142,57 @@ CALLS = {
     MOTION.state: {"times": 0.0},
     forced_orbit: {"loop": TRIMMER, "settling": 8},
     multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
-    periodic_orbits: {"system": SYSTEM, "element": PLAY},
+    periodic_orbits: {"system": SYSTEM, "element": PLAY, "guesses": (CYCLE,), "search": SEARCH},
+    OrbitSearch: {"simulations": "never", "starts": 1, "seed": 1, "steps": 1, "half_periods": (1.0, 2.0)},
+    write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
     TrimmerParameters.from_toml: {"path": "nothing.toml"},
     Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
     | {"interpolated": 0},
-    write_signal: {"path": "a.csv", "signal": SIGNAL},
-    write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0},
+    write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
+    write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0, "peak": 0.9, "overwrite": True},
     read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": CsvLayout()},
     analyse_signal: {"signal": SIGNAL, "drive_frequency": 100.0, "natural_frequencies": (10.0,), "limit": 3}
-    | {"limit_cycle_frequencies": (10.0,)},
+    | {"limit_cycle_frequencies": (10.0,), "closed_loop": True},
     classify: {
         "peaks": (),
         "bin_width": 1.0,
         "natural_frequencies": (1.0,),
         "limit_cycle_frequencies": (1.0,),
     }
-    | {"tolerance": Tolerance()},
+    | {"tolerance": Tolerance(), "closed_loop": True},
     fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0, "count": 2},
     peaks: {"spectrum": SPECTRUM, "limit": 3},
     amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
     Tolerance: {"bins": 1.0, "model": 0.1},
 }
 NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
-NONE_WILL_DO |= {"settling", "drive", "element", "sample_rate", "omega"}
+NONE_WILL_DO |= {"settling", "drive", "element", "sample_rate", "omega", "guesses", "search", "half_periods"}
 """Arguments that may be left out, somewhere."""
-ALSO_NAMED = {"G": "system", "values": "samples", "signal": "samples", "bins": "tolerance in bins"}
+ALSO_NAMED = {"values": "samples", "signal": "samples", "bins": "tolerance in bins"}
 ALSO_NAMED |= {
     "model": "model tolerance",
     "bin_width": "bin width",
     "drive_frequency": "frequency of the drive",
 }
-ANY_TEXT = {"path", "name", "unit"}
+ANY_TEXT = {"path", "name", "unit", "content"}
+NONSENSE = [
+    None,
+    "nonsense",
+    math.nan,
+    math.inf,
+    [],
+    (),
+    0,
+    -1,
+    1.5,
+    True,
+    [1, "a"],
+    [None],
+    {},
+    object(),
+    1j,
+]
+NONSENSE += [np.full(3, np.nan), np.array([]), b"x", 10**400, [[1.0], [1.0, 2.0]], float, [math.nan]]
 CASES = [
     pytest.param(call, argument, value, id=f"{call.__qualname__}-{argument}-{kind}")
     for call, arguments in CALLS.items()
@@ -175,7 +201,7 @@ CASES = [
     if not (kind == "none" and argument in NONE_WILL_DO)
     and not (kind == "text" and argument in ANY_TEXT)
     and not (kind == "a loop" and argument == "loop")
-    and argument != "between"
+    and argument not in ("between", "output")  # what is wrong there is called a displacement
 ]
 
 
@@ -191,6 +217,19 @@ def test_a_wrong_type_is_named(call, argument: str, value: object, tmp_path, mon
     message = str(caught.value)
     assert argument in message or ALSO_NAMED.get(argument, argument) in message
     assert isinstance(caught.value, TrimmerError | ValueError)
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("call", CALLS, ids=lambda call: call.__qualname__)
+def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for argument, value in itertools.product(CALLS[call], NONSENSE):
+        try:
+            call(**{**CALLS[call], argument: value})
+        except (TrimmerError, ValueError) as error:
+            last = traceback.extract_tb(error.__traceback__)[-1]
+            assert Path(last.filename).is_relative_to(PACKAGE), (argument, value)
+            assert str(last.line).startswith("raise "), (argument, value)
 
 
 @pytest.mark.parametrize(

@@ -126,7 +126,7 @@ class Identification:
 
 
 def identify_time_constant(
-    G: control.lti.LTI, gap: float, frequency: float, *, frequency_uncertainty: float = 0.0
+    system: control.lti.LTI, gap: float, frequency: float, *, frequency_uncertainty: float = 0.0
 ) -> Identification:
     """Find all M/D >= 0 for which a limit cycle has a given frequency (equation 5.11 of the thesis).
 
@@ -137,7 +137,7 @@ def identify_time_constant(
     wrong may fit no load at all. The bands are given, and with an uncertainty an interval of M/D.
 
     Args:
-        G: A rational, proper, continuous-time system with one input and one output.
+        system: G, a rational, proper, continuous-time system with one input and one output.
         gap: Total clearance, > 0, m.
         frequency: Frequency of the limit cycle, Hz.
         frequency_uncertainty: How far the frequency may be off, either way, Hz; >= 0 and less than the
@@ -152,7 +152,7 @@ def identify_time_constant(
         ValueError: if the gap or the frequency is not positive and finite, or the uncertainty out of its
             range.
     """
-    response = inverse_response(G)
+    response = inverse_response(system)
     frequency = positive_number("frequency", frequency, "Hz")
     spread = real_number("frequency_uncertainty", frequency_uncertainty, "Hz")
     if not 0 <= spread < frequency:
@@ -165,7 +165,7 @@ def identify_time_constant(
         return _time_constants(response, gap, trial)
 
     found = at(frequency)
-    bands = feasible_bands(G, gap, lambda trial: bool(at(trial)))
+    bands = feasible_bands(system, gap, lambda trial: bool(at(trial)))
     return Identification(
         frequency=frequency,
         frequency_uncertainty=spread,

@@ -9,20 +9,19 @@ import numpy as np
 
 from trimmer.arguments import require_instance, require_instances, whole_number
 from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.loop import require_element
-from trimmer.linear.frequency_response import require_siso, response_at
+from trimmer.balance.loop_first import takes_a_loop
+from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
-    import control
-
-    from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
 
 HARMONICS = (3, 5, 7)
 """The first harmonics above the fundamental that an odd element has."""
 
 
+@takes_a_loop
 def harmonic_leakage(
-    G: control.lti.LTI, element: Element, cycle: LimitCycle, harmonics: Sequence[int] = HARMONICS
+    loop: ClosedLoop, cycle: LimitCycle, harmonics: Sequence[int] = HARMONICS
 ) -> tuple[float, ...]:
     """Compare each harmonic that comes back to the element's input with the fundamental there.
 
@@ -30,8 +29,7 @@ def harmonic_leakage(
     thesis weighted with the element's own harmonic); it is small where the filtering hypothesis holds.
 
     Args:
-        G: The linear system of the loop.
-        element: The nonlinear element.
+        loop: The closed loop; or ``system, element`` in its place.
         cycle: A limit cycle of that loop.
         harmonics: Numbers n >= 1.
 
@@ -39,19 +37,18 @@ def harmonic_leakage(
         One ratio per harmonic, without unit.
 
     Raises:
+        WrongTypeError: if neither a closed loop nor a system and an element are given.
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.
         ValueError: if a harmonic is not an integer >= 1.
     """
-    require_siso(G)
-    require_element(element)
     require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
     numbers = require_instances("harmonics", harmonics, object, "a whole number")
     for place, number in enumerate(numbers):
         whole_number(f"harmonics[{place}]", number, 1)
 
     def returned(harmonic: int) -> float:
-        gain = element.describing_function(cycle.amplitude, cycle.omega, harmonic)
-        return float(np.abs(gain * response_at(G, harmonic * cycle.omega)))
+        gain = loop.element.describing_function(cycle.amplitude, cycle.omega, harmonic)
+        return float(np.abs(gain * response_at(loop.system, harmonic * cycle.omega)))
 
     fundamental = returned(1)
     return tuple(returned(harmonic) / fundamental for harmonic in numbers)

@@ -17,29 +17,29 @@ from trimmer.balance.limit_cycle import (
     UndecidedRegion,
     doubts_of_search,
 )
-from trimmer.balance.loop import loop_equation, require_element
+from trimmer.balance.loop import loop_equation
+from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
 
 if TYPE_CHECKING:
-    import control
-
     from trimmer.balance.cells import Cells
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
     from trimmer.balance.search import Searched
-    from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
+
+CALLER = 3
+"""Level of the stack on which a warning of a function that takes a loop names its caller's line."""
 
 
+@takes_a_loop
 def limit_cycles(
-    G: control.lti.LTI,
-    element: Element,
-    omega_range: tuple[float, float] | None = None,
-    frozen_omega: float | None = None,
-) -> list[LimitCycle]:
+    loop: ClosedLoop, omega_range: tuple[float, float] | None = None, frozen_omega: float | None = None
+) -> tuple[LimitCycle, ...]:
     """Find all limit cycles that harmonic balance predicts.
 
     Arguments and errors are those of ``harmonic_balance``.
@@ -53,21 +53,19 @@ def limit_cycles(
             that was not given. The winding number, which takes as long as the search, is not computed; see
             ``harmonic_balance`` for that.
     """
-    loop, outcome = _solve(G, element, omega_range, frozen_omega)
-    undecided = undecided_regions(outcome.result.undecided, loop.curve)
+    equation, outcome = _solve(loop, omega_range, frozen_omega)
+    undecided = undecided_regions(outcome.result.undecided, equation.curve)
     doubts = list(doubts_of_search(undecided, outcome.smallest_gain))
     if omega_range is None and not outcome.outside_excluded:
         doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
     for doubt in doubts:
-        warnings.warn(doubt, UndecidedWarning, stacklevel=2)
-    return list(limit_cycles_at(loop, outcome.result.u, outcome.result.x))
+        warnings.warn(doubt, UndecidedWarning, stacklevel=CALLER)
+    return limit_cycles_at(equation, outcome.result.u, outcome.result.x)
 
 
+@takes_a_loop
 def harmonic_balance(
-    G: control.lti.LTI,
-    element: Element,
-    omega_range: tuple[float, float] | None = None,
-    frozen_omega: float | None = None,
+    loop: ClosedLoop, omega_range: tuple[float, float] | None = None, frozen_omega: float | None = None
 ) -> HarmonicBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
@@ -91,14 +89,15 @@ def harmonic_balance(
     N get parallel there faster than linearly, as without damping; give the range that matters then.
 
     Args:
-        G: A rational, proper, continuous-time system with one input and one output; it may be unstable. A
-            delay must be approximated, as by ``control.pade``.
-        element: The nonlinear element, in negative feedback.
+        loop: The closed loop; or ``system, element`` in its place. The system is rational, proper, continuous
+            in time, with one input and one output; it may be unstable. A delay must be approximated, as by
+            ``control.pade``.
         omega_range: Lowest and highest angular frequency, rad/s, to search; all if not given.
         frozen_omega: Angular frequency, rad/s, at which N is evaluated whatever the frequency of the loop; as
             the thesis does with an N that depends on frequency.
 
     Raises:
+        WrongTypeError: if neither a closed loop nor a system and an element are given.
         UnsupportedSystemError: if G is not such a system, has a coefficient that is infinite or NaN, or has
             no dynamics; or if viscous friction cancels its highest derivative.
         FrequencyRangeError: if the range is not 0 < lowest < highest < inf.
@@ -107,18 +106,18 @@ def harmonic_balance(
             unbounded yet not proportional to 1/A.
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
-    loop, outcome = _solve(G, element, omega_range, frozen_omega)
-    cycles = limit_cycles_at(loop, outcome.result.u, outcome.result.x)
+    equation, outcome = _solve(loop, omega_range, frozen_omega)
+    cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
         outside_excluded=outcome.outside_excluded,
         boxes=outcome.result.examined,
-        undecided=undecided_regions(outcome.result.undecided, loop.curve),
+        undecided=undecided_regions(outcome.result.undecided, equation.curve),
         smallest_gain=outcome.smallest_gain,
-        winding_number=winding_number(loop, outcome.omegas),
+        winding_number=winding_number(equation, outcome.omegas),
         index_sum=sum(cycle.index for cycle in cycles),
-        zero_on_axis=_has_zero_on_axis(loop.response, outcome.omegas),
+        zero_on_axis=_has_zero_on_axis(equation.response, outcome.omegas),
     )
     return HarmonicBalance(cycles, certificate)
 
@@ -129,19 +128,17 @@ def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) ->
 
 
 def _solve(
-    G: control.lti.LTI,
-    element: Element,
-    omega_range: tuple[float, float] | None,
-    frozen_omega: float | None,
+    loop: ClosedLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
 ) -> tuple[LoopEquation, Searched]:
     given = None if omega_range is None else _checked_range(omega_range)
+    element = loop.element
     if frozen_omega is not None:
         _require_positive(frozen_omega)
-        require_element(element)
         element = element.at(frozen_omega)
-    loop = loop_equation(G, element)
-    unbounded = bool(np.isinf(loop.curve.edge(np.zeros(1))).any())
-    return loop, (solve_proportional if unbounded else solve_bounded)(loop.response, loop.curve, given)
+    equation = loop_equation(loop.system, element)
+    unbounded = bool(np.isinf(equation.curve.edge(np.zeros(1))).any())
+    solve = solve_proportional if unbounded else solve_bounded
+    return equation, solve(equation.response, equation.curve, given)
 
 
 def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:

@@ -16,8 +16,7 @@ from trimmer.command_line.file_options import (
 from trimmer.command_line.loop_options import (
     add_element_options,
     add_loop_options,
-    chosen_element,
-    linear_part,
+    closed_loop,
 )
 from trimmer.command_line.parser import OptionError
 
@@ -48,15 +47,14 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.locus_picture import draw
     from trimmer.files import write_atomically
 
-    element = chosen_element(arguments)
+    loop = closed_loop(arguments)
     omegas = _omega_range(arguments)
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
-    G = linear_part(arguments)
-    balance = harmonic_balance(G, element, omegas)
+    balance = harmonic_balance(loop, omegas)
     if arguments.plot is not None:
-        picture = draw(G, element, balance, arguments.plot.suffix[1:].lower())
+        picture = draw(loop, balance, arguments.plot.suffix[1:].lower())
         write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
-    show((as_json if arguments.json else as_text)(G, element, balance), arguments.plot)
+    show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
 
 

@@ -13,26 +13,24 @@ from trimmer.command_line.json_values import finite
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
-    import control
-
     from trimmer.balance.feasible_frequencies import FeasibleBand
     from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-    from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
 
 _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
 
 
-def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
+def as_text(loop: ClosedLoop, balance: HarmonicBalance) -> str:
     """Return limit cycles as a table, followed by the certificate.
 
     Amplitudes are in the unit of the element's input, frequencies in rad/s and Hz, angles in degrees.
     """
     rows = [
-        (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(G, element, cycle)))
+        (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(loop, cycle)))
         for cycle in balance.limit_cycles
     ]
-    lines = [f"Limit cycles of {element!r}", *table(_HEADS, rows)]
+    lines = [f"Limit cycles of {loop.element!r}", *table(_HEADS, rows)]
     lines += certificate_as_text(balance.certificate)
     if any(cycle.near_tangency for cycle in balance.limit_cycles):
         lines.append(
@@ -41,15 +39,15 @@ def as_text(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> s
     return "\n".join(lines)
 
 
-def as_json(G: control.lti.LTI, element: Element, balance: HarmonicBalance) -> str:
+def as_json(loop: ClosedLoop, balance: HarmonicBalance) -> str:
     """Return limit cycles as JSON: full precision, SI units; what is infinite is null."""
     content = {
-        "element": repr(element),
+        "element": repr(loop.element),
         "limit_cycles": [
             {
                 **_cycle(cycle),
                 "harmonic_leakage": dict(
-                    zip(map(str, HARMONICS), harmonic_leakage(G, element, cycle), strict=True)
+                    zip(map(str, HARMONICS), harmonic_leakage(loop, cycle), strict=True)
                 ),
             }
             for cycle in balance.limit_cycles

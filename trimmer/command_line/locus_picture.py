@@ -12,12 +12,12 @@ from matplotlib.figure import Figure
 from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
-    import control
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Complexes
     from trimmer.balance.limit_cycle import HarmonicBalance
     from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
 
 _POINTS = 4000
 _SIZE = (6.4, 5.0)
@@ -25,26 +25,25 @@ _DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 """Metadata without a date, so that the same picture has the same bytes."""
 
 
-def draw(G: control.lti.LTI, element: Element, balance: HarmonicBalance, file_format: str) -> bytes:
+def draw(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
     """Draw G and -1/N, mark the limit cycles, and return the content of the file.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
 
     Args:
-        G: The linear system, one input and one output.
-        element: The nonlinear element.
+        loop: The closed loop.
         balance: Limit cycles; its certificate gives the range of frequencies, rad/s.
         file_format: One of ``FORMATS``.
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
     omega = np.geomspace(*balance.certificate.omegas, _POINTS)
-    response = response_at(G, omega)
+    response = response_at(loop.system, omega)
     axes.plot(response.real, response.imag, label="G(jω)")
-    for label, curve in _element_curves(element, balance):
+    for label, curve in _element_curves(loop.element, balance):
         axes.plot(curve.real, curve.imag, label=label)
     for cycle in balance.limit_cycles:
-        point = complex(response_at(G, cycle.omega))
+        point = complex(response_at(loop.system, cycle.omega))
         kind = "stable" if cycle.stable else "unstable"
         text = f"{cycle.frequency:.4g} Hz, {cycle.amplitude:.4g} ({kind})"
         axes.plot(

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import control
 
     from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
     from trimmer.parameters import TrimmerParameters
 
 CHANNELS = ("displacement", "both")
@@ -113,6 +114,31 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
     parser.add_argument(
         "--force", type=float, metavar="N", help="Coulomb friction, or level of the relay, N (coulomb, relay)"
     )
+
+
+def closed_loop(arguments: Namespace) -> ClosedLoop:
+    """Return the closed loop of the linear part and the element that the options choose.
+
+    Raises:
+        OptionError: if an option of the element is missing, or has no use or an unusable value.
+        TrimmerError: if the output or the parameter file cannot be used.
+    """
+    from trimmer.motion.loops import ClosedLoop
+
+    element = chosen_element(arguments)
+    return ClosedLoop(linear_part(arguments), element)
+
+
+def unusable(arguments: Namespace, error: ValueError) -> OptionError:
+    """Return what is wrong with options whose loop cannot be followed, from the error that says so."""
+    from trimmer.errors import IllPosedLoopError
+
+    if isinstance(error, IllPosedLoopError) and (arguments.element, arguments.channels) == (
+        "coulomb",
+        "both",
+    ):
+        return OptionError("--element coulomb needs two more poles than zeros: add --channels displacement")
+    return OptionError(str(error))
 
 
 def linear_part(arguments: Namespace) -> control.StateSpace:

@@ -13,6 +13,7 @@ from importlib.metadata import EntryPoint, entry_points
 import trimmer
 from trimmer.command_line import (
     derive,
+    follow,
     identify,
     limit_cycles,
     linear,
@@ -24,13 +25,12 @@ from trimmer.command_line import (
     spectrum,
 )
 from trimmer.command_line.command import Command
-from trimmer.command_line.parser import WRONG_USE, Parser, drop, tell
+from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
-INTERRUPTED = 130
 EXIT_CODES = (
     "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
     "used; 3 a simulation that ended before its time; 130 interrupted."
@@ -77,6 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         drop(sys.stdout)
         return WRONG_USE
     except KeyboardInterrupt:
+        tell("interrupted before the result was complete")
         return INTERRUPTED
 
 
@@ -103,7 +104,7 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(respond.COMMAND, motion_maps.COMMAND),
+        *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))

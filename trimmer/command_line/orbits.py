@@ -9,10 +9,10 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.loop_options import (
     add_element_options,
     add_loop_options,
-    chosen_element,
-    linear_part,
+    closed_loop,
+    unusable,
 )
-from trimmer.command_line.parser import OptionError
+from trimmer.command_line.parser import INTERRUPTED, tell
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -26,18 +26,24 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.orbits_text import as_json, as_text
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
+    from trimmer.orbits.search import OrbitSearchInterrupted
 
-    element, system = chosen_element(arguments), linear_part(arguments)
-    predictions = harmonic_balance(system, element)
+    loop = closed_loop(arguments)
+    predictions = harmonic_balance(loop)
+    interrupted = False
     with warnings.catch_warnings():
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(system, element, predictions)
+            orbits = periodic_orbits(loop, predictions)
+        except OrbitSearchInterrupted as interrupt:
+            orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
-            raise OptionError(str(error)) from error
-    print((as_json if arguments.json else as_text)(element, predictions, orbits))
-    return 0
+            raise unusable(arguments, error) from error
+    print((as_json if arguments.json else as_text)(loop.element, predictions, orbits))
+    if interrupted:
+        tell("interrupted; what was found until then is printed")
+    return INTERRUPTED if interrupted else 0
 
 
 COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)

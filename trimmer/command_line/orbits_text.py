@@ -47,6 +47,7 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
         ],
         "certificate": certificate_as_json(predictions.certificate),
         "search": orbits.search.sentence,
+        "success": orbits.success,
     }
     return json.dumps(content, indent=2, allow_nan=False)
 

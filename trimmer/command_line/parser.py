@@ -14,6 +14,8 @@ from trimmer.errors import TrimmerError
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
+INTERRUPTED = 130
+"""Exit code after an interrupt, as a shell gives it."""
 
 _GIVEN = "given"
 _NEGATIVE_NUMBER = re.compile(

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
+from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import OptionError, refuse_unused, require_positive, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
 from trimmer.command_line.simulate_mechanism import (
     add_mechanism,
     mechanism_motion,
@@ -68,8 +69,10 @@ def _run(arguments: Namespace) -> int:
     show("\n".join([text, *(f"wrote {path}" for path in targets if not arguments.json)]), *targets)
     if motion.success:
         return 0
+    from trimmer.motion.motion import Outcome
+
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.message}")
-    return ENDED_EARLY
+    return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
 
 
 def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
@@ -83,12 +86,14 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     _check_targets(arguments)
     from trimmer.command_line import motion_text
-    from trimmer.motion.simulation import simulate_loop
+    from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 
     try:
         motion = simulate_loop(loop, arguments.duration, impulse=impulse)
+    except SimulationInterrupted as interrupt:
+        motion = interrupt.motion
     except ValueError as error:
-        raise OptionError(str(error)) from error
+        raise unusable(arguments, error) from error
     return motion, (motion_text.as_json if arguments.json else motion_text.as_text)(motion)
 
 

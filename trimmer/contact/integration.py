@@ -189,11 +189,14 @@ def _counted_kind(
     """Return what an event counts as; one that did not stick after all turns back, or goes on."""
     target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
     kind = tables.kind[mode, fired, 1 if jumped else 0]
-    begun = log.kind[row - 1] == STICK_BEGUN and log.part[row - 1] == owner
-    if begun and jumped and tables.action[mode, fired] == AT_LIMIT and log.start[row - 1] == log.start[row]:
-        log.kind[row - 1] = NOTHING
+    last = row - 1
+    while last > 0 and log.kind[last] == NOTHING and log.start[last] == log.start[row]:
+        last -= 1
+    begun = log.kind[last] == STICK_BEGUN and log.part[last] == owner
+    if begun and jumped and tables.action[mode, fired] == AT_LIMIT and log.start[last] == log.start[row]:
+        log.kind[last] = NOTHING
         counts[STICK_BEGUN] -= 1
-        before = tables.statuses[log.mode[row - 2], owner]
+        before = tables.statuses[log.mode[last - 1], owner]
         kind = NOTHING if before == tables.statuses[target, owner] else REVERSED
     return int(kind)
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import control
 import numpy as np
 
+from trimmer.arguments import require_instances
 from trimmer.choices import Choice
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
 from trimmer.generated import linear_trimmer
@@ -59,7 +60,8 @@ def linear_model(
         DisplacementError: if an output is no displacement.
         ValueError: if no output is given.
     """
-    listed = (output,) if isinstance(output, Displacement | str) else output
+    one = isinstance(output, Displacement | str)
+    listed = (output,) if one else require_instances("output", output, object, "a displacement")
     outputs = tuple(map(Displacement.parse, listed))
     if not outputs:
         raise ValueError("a linear model needs at least one output displacement")

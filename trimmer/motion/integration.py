@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from tqdm import tqdm
 
 from trimmer.motion.complementarity import complementary_mode
 from trimmer.motion.coupled_relays import attracting
@@ -13,11 +14,12 @@ from trimmer.motion.kernel import (
     FULL,
     LONGEST_CASCADE,
     MOST_STEPS,
+    STEP_LIMIT,
     UNKNOWN_MODE,
     integrate,
 )
 from trimmer.motion.relay_component import HELD
-from trimmer.motion.tables import TOGETHER, Log
+from trimmer.motion.tables import TOGETHER, Limits, Log, new_pause
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -25,6 +27,10 @@ if TYPE_CHECKING:
     from trimmer.motion.mode_tables import ModeTables
 
 
+AT_ONCE = 1_000_000
+"""Steps after which the compiled code comes back, so that an interrupt is heard; they take about a second."""
+SILENCE = 2.0
+"""Seconds before a progress bar shows."""
 MOST_TOGETHER = 16
 """Segments of one instant, at most, whose modes are decided together; other events may come in between."""
 
@@ -53,6 +59,8 @@ def integrate_on(
 ) -> tuple[int, Log, float]:
     """Integrate from the first segment of a log until a time, s.
 
+    After two seconds a progress bar shows on a terminal.
+
     Args:
         modes: The modes.
         log: From ``new_log``.
@@ -63,24 +71,59 @@ def integrate_on(
 
     Returns:
         Why it stopped (of ``trimmer.motion.kernel``), the log with all its segments, and the time reached, s.
+
+    Raises:
+        IntegrationInterrupted: on an interrupt (Ctrl-C); it holds the log until then.
     """
-    segment = 0
-    while True:
-        reason, segment, reached = integrate(
-            modes.tables, log, segment, end, most_segments, most_steps, longest_cascade
-        )
-        if reason == UNKNOWN_MODE:
-            modes.tabulate(int(log.mode[segment]))
-        elif reason == FULL:
-            log = _longer(log)
-        else:
-            following = None
-            if reason == CYCLING:
-                log = _longer(log) if segment + 2 >= log.start.size else log
-                following = _decide_together(modes, log, segment)
-            if following is None:
-                return reason, Log._make(column[: segment + 1].copy() for column in log), reached
-            segment = following
+    segment, left = 0, most_steps
+    pause, bar = new_pause(modes.tables), None
+    try:
+        while True:
+            limits = Limits(most_segments, min(left, AT_ONCE), longest_cascade)
+            reason, segment, reached = integrate(modes.tables, log, segment, end, limits, pause)
+            if reason == STEP_LIMIT and left > AT_ONCE:
+                left -= AT_ONCE
+                bar = _progress(end) if bar is None else bar
+                bar.update(reached - bar.n)
+                continue
+            left = most_steps
+            if reason == UNKNOWN_MODE:
+                modes.tabulate(int(log.mode[segment]))
+            elif reason == FULL:
+                log = _longer(log)
+            else:
+                following = None
+                if reason == CYCLING:
+                    log = _longer(log) if segment + 2 >= log.start.size else log
+                    following = _decide_together(modes, log, segment)
+                if following is None:
+                    return reason, _shortened(log, segment), reached
+                segment = following
+    except KeyboardInterrupt as interrupt:
+        until = _shortened(log, int(pause.segment[0]))
+        raise IntegrationInterrupted(until, float(pause.reached[0])) from interrupt
+    finally:
+        if bar is not None:
+            bar.close()
+
+
+class IntegrationInterrupted(KeyboardInterrupt):
+    """An interrupt (Ctrl-C) ended an integration: the log with its segments, and the time reached, s."""
+
+    def __init__(self, log: Log, reached: float) -> None:
+        super().__init__("the integration was interrupted")
+        self.log, self.reached = log, reached
+
+
+def _progress(end: float) -> tqdm:
+    return tqdm(
+        desc="simulate", total=end, unit="s", unit_scale=True, delay=SILENCE, leave=False, disable=None
+    )
+
+
+def _shortened(log: Log, last: int) -> Log:
+    """Return the log up to a segment."""
+    return Log._make(column[: last + 1].copy() for column in log)
 
 
 def _longer(log: Log) -> Log:
@@ -117,8 +160,9 @@ def _decide_together(modes: ModeTables, log: Log, last: int) -> int | None:
     if mode is None:
         return None
     held = [HELD if k in relays else one for k, one in enumerate(modes.component_modes(int(log.mode[last])))]
+    state = modes.at_rest(modes.mode(int(log.mode[last])), tuple(held)) @ log.state[last]
     for segment, number in ((kept + 1, modes.number(tuple(held))), (kept + 2, mode)):
-        log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, log.state[last]
+        log.start[segment], log.mode[segment], log.state[segment] = log.start[last], number, state
         log.event_function[segment], log.jumped[segment], log.touches[segment] = TOGETHER, False, 0
         if not modes.tables.known[number]:
             modes.tabulate(number)

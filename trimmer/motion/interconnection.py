@@ -108,8 +108,8 @@ class Interconnection:
                 )
             if component.continuous_rates and any(acts(self.C[k], self.B[:, j]) for j in jumping):
                 raise IllPosedLoopError(
-                    f"{label}: an output acts on the rate of its input at once; friction of a displacement "
-                    "needs two more poles than zeros between force and displacement"
+                    f"{label}: a force acts on its own rate at once; give a system with two more poles than "
+                    "zeros, such as a trimmer whose pin acts by its displacement alone"
                 )
 
     @property

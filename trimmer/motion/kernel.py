@@ -11,7 +11,7 @@ from trimmer.arrays import Integers
 from trimmer.motion.compilation import compiled, inlined, kept, sources
 from trimmer.motion.first_event import DEEPEST, first_event
 from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
-from trimmer.motion.tables import TOGETHER, Log, Tables, Work
+from trimmer.motion.tables import TOGETHER, Limits, Log, Pause, Tables, Work
 from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
@@ -30,53 +30,87 @@ LARGEST_COUNT = 2**62
 """Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 
 
-def _entry(sources: bytes) -> Callable[[Tables, Log, int, float, int, int, int], tuple[int, int, float]]:
+def _entry(sources: bytes) -> Callable[..., tuple[int, int, float]]:
     def entry(
-        tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
+        tables: Tables,
+        log: Log,
+        first: int,
+        end: float,
+        limits: Limits,
+        pause: Pause,
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _integrate(tables, log, first, end, most_segments, most_steps, longest)
+        return _integrate(tables, log, first, end, limits, pause)
 
     return kept(entry)
 
 
 @inlined
 def _integrate(
-    tables: Tables, log: Log, first: int, end: float, most_segments: int, most_steps: int, longest: int
+    tables: Tables, log: Log, first: int, end: float, limits: Limits, pause: Pause
 ) -> tuple[int, int, float]:
     work = _work(tables)
-    segment, cascade, steps_left = first, 0, most_steps
+    segment, cascade, steps_left = first, 0, limits.steps
     late = 0.0  # The exact time is by so much later than the rounded time in the log.
+    done = 0
     while True:
         mode, begin = log.mode[segment], log.start[segment]
+        if pause.valid[0]:
+            done, late = pause.steps[0], pause.late[0]
         if not tables.known[mode]:
+            _leave(pause, segment, 0, late, begin)
             return UNKNOWN_MODE, segment, begin
         copy(log.state[segment], work.state.size, work.state)
         recent = _know_zeros(tables, log, segment, work)
-        fired, steps, fraction, jumped, log.touches[segment] = _follow(
-            tables, work, mode, recent, (end - begin) - late, steps_left
+        touched = _taken_up(pause, log, segment, work)
+        fired, steps, fraction, jumped, touches = _follow(
+            tables, work, mode, recent, (end - begin) - late, done, done + steps_left
         )
+        log.touches[segment] = touched + touches
         elapsed = late + (steps + fraction) * tables.step[mode]
         time = begin + elapsed
         if fired == NO_EVENT:
             return REACHED_END, segment, end
+        if fired == TOO_MANY_STEPS:
+            _leave(pause, segment, steps, late, time)
+            copy(work.state, work.state.size, pause.state)
         if fired < 0:
             return (DIVERGED if fired == TOO_LARGE else STEP_LIMIT), segment, time
-        if segment + 1 >= most_segments:
+        if segment + 1 >= limits.segments:
             return EVENT_LIMIT, segment, time
         if segment + 1 >= log.start.size:
+            _leave(pause, segment, 0, late, begin)
             return FULL, segment, begin
         cascade = cascade + 1 if time == begin else 0
         late = _rounding(begin, elapsed, time)
-        steps_left -= steps
+        steps_left -= steps - done
+        done = 0
         segment += 1
         combine(work.state, tables.reset[mode, fired], work.state.size, log.state[segment])
         log.start[segment] = time
         log.mode[segment] = tables.target[mode, fired, 1 if jumped else 0]
         log.event_function[segment] = fired
         log.jumped[segment] = jumped
-        if cascade > longest:
+        if cascade > limits.cascade:
             return CYCLING, segment, time
+
+
+@inlined
+def _leave(pause: Pause, segment: int, steps: int, late: float, reached: float) -> None:
+    """Write where the integration is to go on."""
+    pause.segment[0], pause.steps[0], pause.valid[0] = segment, steps, True
+    pause.late[0], pause.reached[0] = late, reached
+
+
+@inlined
+def _taken_up(pause: Pause, log: Log, segment: int, work: Work) -> int:
+    """Go on from a pause, if there is one; return how many touches the segment had before it."""
+    touches = 0
+    if pause.valid[0] and pause.steps[0] > 0:
+        touches = log.touches[segment]
+        copy(pause.state, work.state.size, work.state)
+    pause.valid[0] = False
+    return touches
 
 
 @compiled
@@ -88,23 +122,26 @@ def _rounding(first: float, second: float, total: float) -> float:
 
 @inlined
 def _follow(
-    tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
+    tables: Tables, work: Work, mode: int, recent: int, duration: float, done: int, most_steps: int
 ) -> tuple[int, int, float, bool, int]:
     """Follow one segment for a duration, s; ``work.state`` becomes the state at its end.
 
-    ``recent`` is the component whose transition began it.
+    ``recent`` is the component whose transition began it, ``done`` the number of steps that ``work.state`` is
+    ahead of its start.
 
     Returns:
         The event function that ends it (or why there is none), whole steps until then, fraction of a step
         after them, whether it was negative at once, and how many times one touched zero without crossing.
     """
     state, touch, step = work.state, work.touch, tables.step[mode]
-    steps, touches = 0, 0
+    steps, touches = done, 0
     while True:
         if not within(state, LARGEST):
             return TOO_LARGE, max(steps - 1, 0), 0.0, False, touches
         left = duration / step - steps
         fired, fraction, jumped = first_event(tables, work, mode, steps == 0, recent)
+        if steps >= most_steps and left > 1.0 and (fired < 0 or fraction > left):
+            return TOO_MANY_STEPS, steps, 0.0, False, touches
         for event_function in range(tables.event_count[mode]):
             touches += touch[event_function] < min(fraction, left)
         if fired >= 0 and fraction <= left:
@@ -115,8 +152,6 @@ def _follow(
             return fired, steps, fraction, jumped, touches
         if left <= 1.0:
             return NO_EVENT, steps, left, False, touches
-        if steps >= most_steps:
-            return TOO_MANY_STEPS, steps, 0.0, False, touches
         combine(state, tables.whole[mode], state.size, work.following)
         copy(work.following, state.size, state)
         steps += 1
@@ -189,13 +224,7 @@ _compiled_march = _entry(sources())
 
 
 def integrate(
-    tables: Tables,
-    log: Log,
-    first: int,
-    end: float,
-    most_segments: int,
-    most_steps: int = MOST_STEPS,
-    longest_cascade: int = LONGEST_CASCADE,
+    tables: Tables, log: Log, first: int, end: float, limits: Limits, pause: Pause
 ) -> tuple[int, int, float]:
     """Integrate the motion from the segment ``first`` of the log until a time, s.
 
@@ -204,18 +233,18 @@ def integrate(
         log: Segments; those up to ``first`` are read, the others written.
         first: Number of the segment to begin with.
         end: Time at which to stop, s.
-        most_segments: Largest number of segments in the log.
-        most_steps: Largest number of steps.
-        longest_cascade: Largest number of events at one instant.
+        limits: Where to stop before.
+        pause: Where the integration stopped after the largest number of steps, to go on from there, or a new
+            one; it is written.
 
     Returns:
         Reason to stop, number of the last segment, and time reached, s. The integration can go on from there,
-        once the mode is tabulated or the log has more room.
+        once the mode is tabulated, the log has more room, or steps are left.
     """
     # Of one type each, since the function is compiled for every combination of types.
-    most = (
-        min(int(most_segments), LARGEST_COUNT),
-        min(int(most_steps), LARGEST_COUNT),
-        min(int(longest_cascade), LONGEST_CASCADE),
+    given = Limits(
+        min(int(limits.segments), LARGEST_COUNT),
+        min(int(limits.steps), LARGEST_COUNT),
+        min(int(limits.cascade), LONGEST_CASCADE),
     )
-    return _compiled_march(tables, log, int(first), float(end), *most)
+    return _compiled_march(tables, log, int(first), float(end), given, pause)

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
-from trimmer.motion.coupled_relays import CoupledRelays
+from trimmer.motion.coupled_relays import CoupledRelays, attracting
 from trimmer.motion.interconnection import Layout
 from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
 from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.stick import projection
 from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,
@@ -25,7 +26,7 @@ from trimmer.motion.taylor import (
 )
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Integers
+    from trimmer.arrays import Integers, Reals
     from trimmer.motion.interconnection import Interconnection
 
 
@@ -162,13 +163,35 @@ class ModeTables:
             first = self.layout.first_states[change.component]
             for each, row in enumerate(change.transition.resets):
                 reset[first + each] = row
-        tables.reset[number, place] = reset.T
+        targets = {change.component: change.transition.target for change in entry.reached}
+        later = tuple(targets.get(k, before) for k, before in enumerate(mode.component_modes))
+        tables.reset[number, place] = (reset @ self.at_rest(mode, later)).T
         for flavour, changes in enumerate((entry.reached, entry.jumped)):
             after = list(mode.component_modes)
             for change in changes:
                 after[change.component] = change.transition.target
             tables.target[number, place, flavour] = self.number(tuple(after))
             tables.zeros[number, place, flavour] = self._known_zeros(changes)
+
+    def at_rest(self, mode: SwitchedMode, after: tuple[int, ...]) -> Reals:
+        """Return the matrix, n x n, that makes exactly zero what is held in a mode, or after it.
+
+        Args:
+            mode: The mode.
+            after: The modes of the components afterwards.
+        """
+        held = [
+            k
+            for k, both in enumerate(zip(mode.component_modes, after, strict=True))
+            if self._is_relay(k) and HELD in both and attracting(self.system, k)
+        ]
+        size = self.layout.size
+        if not held:
+            return np.eye(size)
+        rows = [self.system.components[k].switching_function(mode.signals[k]) for k in held]
+        pushes = np.zeros((size, len(held)))
+        pushes[: self.layout.order] = self.system.B[:, held]
+        return projection(np.array(rows), pushes)
 
     def _is_relay(self, k: int) -> bool:
         return isinstance(self.system.components[k], RelayComponent)

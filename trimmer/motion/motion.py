@@ -38,6 +38,7 @@ class Outcome(Enum):
     CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
     EVENT_LIMIT = "reached the greatest number of events"
     DIVERGED = "a state grew beyond 1e150: the loop is unstable, and the motion is not followed further"
+    INTERRUPTED = "interrupted"
     STEP_LIMIT = "reached the greatest number of steps: the fastest mode is too fast for the duration"
 
 

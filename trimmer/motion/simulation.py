@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number
 from trimmer.motion.initial import initial_segment
-from trimmer.motion.integration import integrate_on, new_log
+from trimmer.motion.integration import IntegrationInterrupted, integrate_on, new_log
 from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
 from trimmer.motion.loops import require_loop
 from trimmer.motion.motion import Motion, Outcome
@@ -26,6 +26,18 @@ OUTCOMES = {
 }
 FIRST_ROWS = 1024
 """Segments of motion that the log has room for at first; it doubles when it is full."""
+
+
+class SimulationInterrupted(KeyboardInterrupt):
+    """An interrupt (Ctrl-C) ended a simulation.
+
+    Attributes:
+        motion: The motion until then.
+    """
+
+    def __init__(self, motion: Motion) -> None:
+        super().__init__(f"interrupted after {motion.duration:.6g} s of the motion")
+        self.motion = motion
 
 
 def simulate_loop(
@@ -69,6 +81,7 @@ def simulate_loop(
         ValueError: if an argument is out of range, a value of the system is not finite, or the loop is not
             well posed (``IllPosedLoopError``).
         UnsupportedMotionError: if the element or the system cannot be simulated.
+        SimulationInterrupted: on an interrupt (Ctrl-C); it holds the motion until then.
     """
     require_loop(loop)
     if not 0 < real_number("duration", duration, "s") < math.inf:
@@ -79,5 +92,9 @@ def simulate_loop(
     modes = loop.modes
     mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
     log = new_log(FIRST_ROWS, mode, state)
-    reason, log, reached = integrate_on(modes, log, duration, event_limit + 1, step_limit)
+    try:
+        reason, log, reached = integrate_on(modes, log, duration, event_limit + 1, step_limit)
+    except IntegrationInterrupted as interrupt:
+        motion = Motion(loop, float(interrupt.reached), Outcome.INTERRUPTED, interrupt.log)
+        raise SimulationInterrupted(motion) from interrupt
     return Motion(loop, float(reached), OUTCOMES[reason], log)

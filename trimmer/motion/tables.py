@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from trimmer.arrays import Flags, Integers, Reals
 
 TOGETHER = -2
@@ -77,6 +79,52 @@ class Log(NamedTuple):
     event_function: Integers
     jumped: Flags
     touches: Integers
+
+
+class Pause(NamedTuple):
+    """How far an integration has come; all are arrays, since compiled code writes them.
+
+    Attributes:
+        valid: Whether it goes on from here, and not from the start of a segment, shape (1,).
+        segment: Number of its last segment, shape (1,).
+        steps: Whole steps since the start of that segment, shape (1,).
+        late: By how much the exact start of the segment is later than in the log, s, shape (1,).
+        reached: Time reached, s, shape (1,).
+        state: Extended state there, shape (n,).
+    """
+
+    valid: Flags
+    segment: Integers
+    steps: Integers
+    late: Reals
+    reached: Reals
+    state: Reals
+
+
+def new_pause(tables: Tables) -> Pause:
+    """Return the pause of an integration that is to begin at the start of a segment."""
+    return Pause(
+        valid=np.zeros(1, dtype=np.bool_),
+        segment=np.zeros(1, dtype=np.int64),
+        steps=np.zeros(1, dtype=np.int64),
+        late=np.zeros(1),
+        reached=np.zeros(1),
+        state=np.zeros(tables.whole.shape[1]),
+    )
+
+
+class Limits(NamedTuple):
+    """Where an integration stops before its end.
+
+    Attributes:
+        segments: Largest number of segments in the log.
+        steps: Largest number of steps.
+        cascade: Largest number of events at one instant.
+    """
+
+    segments: int
+    steps: int
+    cascade: int
 
 
 class Work(NamedTuple):

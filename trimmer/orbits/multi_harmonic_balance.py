@@ -12,9 +12,8 @@ import scipy.optimize
 
 from trimmer.arguments import require_instance, require_instances, whole_number
 from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.loop import require_element
+from trimmer.balance.loop_first import takes_a_loop
 from trimmer.errors import OrbitNotFoundError
-from trimmer.linear.frequency_response import require_siso
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
 
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
 
 
 BALANCED = 1e-9
@@ -54,9 +54,10 @@ class BalancedHarmonics:
         return self.omega / (2.0 * math.pi)
 
 
+@takes_a_loop
 def multi_harmonic_balance(
-    system: control.LTI, element: Element, cycle: LimitCycle, orders: Sequence[int] = (1, 3, 5, 7, 9)
-) -> list[BalancedHarmonics]:
+    loop: ClosedLoop, cycle: LimitCycle, orders: Sequence[int] = (1, 3, 5, 7, 9)
+) -> tuple[BalancedHarmonics, ...]:
     """Solve c_n + G(jn omega) U_n(c) = 0 for odd n up to each order, each from the solution before.
 
     U_n is the n-th harmonic of the element's steady output for the whole input, not for its first harmonic
@@ -64,8 +65,7 @@ def multi_harmonic_balance(
     exact periodic orbit (Mees 1972).
 
     Args:
-        system: G, one input and one output.
-        element: The nonlinear element.
+        loop: The closed loop; or ``system, element`` in its place.
         cycle: The limit cycle that the describing function predicts.
         orders: Odd numbers that rise.
 
@@ -73,17 +73,18 @@ def multi_harmonic_balance(
         One solution per order.
 
     Raises:
+        WrongTypeError: if neither a closed loop nor a system and an element are given.
         ValueError: if the orders are not odd, positive and rising.
         OrbitNotFoundError: if there is no solution near the one before.
     """
-    require_siso(system)
-    require_element(element)
     require_instance("cycle", cycle, LimitCycle, "a trimmer.LimitCycle")
-    for place, order in enumerate(require_instances("orders", orders, object, "a whole number")):
+    orders = [
         whole_number(f"orders[{place}]", order)
+        for place, order in enumerate(require_instances("orders", orders, object, "a whole number"))
+    ]
     if not orders or any(order < 1 or order % 2 == 0 for order in orders) or sorted(set(orders)) != [*orders]:
         raise ValueError(f"orders must be odd, positive and rising, not {tuple(orders)!r}")
-    return list(solutions(system, element, (cycle.amplitude, cycle.omega), orders))
+    return tuple(solutions(loop.system, loop.element, (cycle.amplitude, cycle.omega), orders))
 
 
 def solutions(

@@ -12,6 +12,7 @@ from trimmer.motion.loop_signal import LoopSignal, row_in_modes
 from trimmer.orbits.measures import harmonics
 from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
+from trimmer.orbits.shooting import CLOSED
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -84,6 +85,18 @@ class PeriodicOrbit:
         A multiplier that is 1 to rounding neither grows nor decays; with one the answer is False.
         """
         return bool((abs(self.nontrivial_multipliers) < 1.0 - NEUTRAL).all())
+
+    @property
+    def success(self) -> bool:
+        """Whether the state returns to rounding, as that of every orbit does that a search gives."""
+        return self.residual <= CLOSED
+
+    @property
+    def message(self) -> str:
+        """What came out, in words."""
+        kind = "stable" if self.stable else "not stable"
+        returns = f"returns after {self.period:.6g} s" if self.success else "does not return"
+        return f"the state {returns}, with a miss of {self.residual:.1e} of its size; {kind}"
 
     @property
     def switching_times(self) -> Reals:

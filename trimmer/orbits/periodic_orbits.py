@@ -10,30 +10,35 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arguments import positive_number, require_instance, require_instances, shown
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-from trimmer.balance.solve import limit_cycles
-from trimmer.errors import OrbitNotFoundWarning
-from trimmer.motion.loops import ClosedLoop
+from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.solve import CALLER, limit_cycles
+from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.relay_orbits import relay_orbits
-from trimmer.orbits.search import OrbitSearch, OrbitSearched, PeriodicOrbits, Simulations
+from trimmer.orbits.search import (
+    OrbitSearch,
+    OrbitSearched,
+    OrbitSearchInterrupted,
+    PeriodicOrbits,
+    Simulations,
+)
 from trimmer.orbits.settling import settled_orbits
 from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
-    import control
-
-    from trimmer.elements.element import Element
+    from trimmer.motion.loops import ClosedLoop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.orbits.search import RelaySearch, SimulationSearch
 
 
+@takes_a_loop
 def periodic_orbits(
-    system: control.LTI,
-    element: Element,
+    loop: ClosedLoop,
     guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None = None,
     search: OrbitSearch | None = None,
 ) -> PeriodicOrbits:
@@ -50,8 +55,8 @@ def periodic_orbits(
     or a guess leads to no orbit. The answer tells what was searched.
 
     Args:
-        system: G, strictly proper, one input and one output, continuous in time.
-        element: The nonlinear element.
+        loop: The closed loop; or ``system, element`` in its place. The system is strictly proper, with one
+            input and one output, and continuous in time.
         guesses: All limit cycles that harmonic balance predicts, as it gives them or, if none are given, as
             ``limit_cycles`` does; or else limit cycles and pairs of amplitude (in the unit of the element's
             input) and omega (rad/s).
@@ -63,28 +68,31 @@ def periodic_orbits(
         mirror image stands for that, too. Its ``search`` is what was searched.
 
     Raises:
+        WrongTypeError: if neither a closed loop nor a system and an element are given.
         ValueError: if a guess is not positive and finite, or the loop is not well posed.
         UnsupportedMotionError: if the element or the system cannot be simulated.
+
+        OrbitSearchInterrupted: if an interrupt (Ctrl-C) ended the simulations; it holds what was found until
+            then.
 
     Warns:
         OrbitNotFoundWarning: for each guess from which no orbit was found; often there is none.
     """
-    loop = ClosedLoop(system, element)
+    if search is not None:
+        require_instance("search", search, OrbitSearch, "a trimmer.OrbitSearch")
     orbits: list[PeriodicOrbit] = []
     predicted = guesses is None or isinstance(guesses, HarmonicBalance)
-    tried = _guesses(system, element, guesses)
+    tried = _guesses(loop, guesses)
     failed = 0
     for guess in tried:
-        amplitude, omega = (
-            (guess.amplitude, guess.omega) if isinstance(guess, LimitCycle) else _checked(*guess)
-        )
+        amplitude, omega = (guess.amplitude, guess.omega) if isinstance(guess, LimitCycle) else guess
         orbit = _near(loop, amplitude, omega, guess if isinstance(guess, LimitCycle) else None)
         if orbit is None:
             failed += 1
             warnings.warn(
                 f"no periodic orbit was found from the amplitude {amplitude:.6g} and omega {omega:.6g} rad/s",
                 OrbitNotFoundWarning,
-                stacklevel=2,
+                stacklevel=CALLER,
             )
         else:
             _add(orbits, [orbit])
@@ -92,17 +100,26 @@ def periodic_orbits(
     relay, simulated = _wider(loop, settings, orbits, failed > 0 or not tried)
     by_amplitude = sorted(orbits, key=lambda orbit: -orbit.amplitude)
     searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
-    return PeriodicOrbits(tuple(by_amplitude), searched)
+    found = PeriodicOrbits(tuple(by_amplitude), searched)
+    if simulated is not None and simulated.interrupted:
+        raise OrbitSearchInterrupted(found)
+    return found
 
 
 def _guesses(
-    system: control.LTI,
-    element: Element,
+    loop: ClosedLoop,
     guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None,
 ) -> Sequence[LimitCycle | tuple[float, float]]:
     if guesses is None:
-        return limit_cycles(system, element)
-    return guesses.limit_cycles if isinstance(guesses, HarmonicBalance) else guesses
+        return limit_cycles(loop)
+    if isinstance(guesses, HarmonicBalance):
+        return guesses.limit_cycles
+    each = "a limit cycle or a pair of amplitude and omega"
+    listed = require_instances("guesses", guesses, object, each)
+    return [
+        guess if isinstance(guess, LimitCycle) else _checked(f"guesses[{place}]", guess)
+        for place, guess in enumerate(listed)
+    ]
 
 
 def _wider(
@@ -135,11 +152,18 @@ def _add(orbits: list[PeriodicOrbit], found: list[PeriodicOrbit]) -> None:
             orbits.append(orbit)
 
 
-def _checked(amplitude: float, omega: float) -> tuple[float, float]:
-    for name, value in (("amplitude", amplitude), ("omega", omega)):
-        if not (math.isfinite(value) and value > 0):
-            raise ValueError(f"{name} of a guess must be positive and finite, not {value!r}")
-    return amplitude, omega
+def _checked(name: str, guess: object) -> tuple[float, float]:
+    """Return a guess as amplitude and omega."""
+    if isinstance(guess, str) or not isinstance(guess, Sequence) or len(guess) != 2:
+        raise WrongTypeError(
+            f"{name} must be a limit cycle or a pair of amplitude and omega (rad/s), not {shown(guess)}"
+        )
+    amplitude, omega = guess
+    return _positive("amplitude", amplitude), _positive("omega", omega)
+
+
+def _positive(name: str, value: object) -> float:
+    return positive_number(f"{name} of a guess", value)
 
 
 def _near(

@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import TYPE_CHECKING, overload
 
+from trimmer.arguments import real_values, whole_number
+from trimmer.choices import Choice
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 if TYPE_CHECKING:
     from trimmer.orbits.half_period import Interval
 
 
-class Simulations(Enum):
+class Simulations(Choice):
     """When long simulations from many initial states are to look for stable orbits."""
 
     NEVER = "never"
@@ -27,7 +28,7 @@ class OrbitSearch:
     """What is to be searched beside the neighbourhood of guesses.
 
     Attributes:
-        simulations: When to simulate.
+        simulations: When to simulate; a member, or its word, such as ``always``.
         starts: Initial states to simulate from.
         seed: Of the generator that draws them; the same seed gives the same states.
         steps: Steps of a simulation, each as long as the fastest mode allows, after which it is given up; a
@@ -36,7 +37,8 @@ class OrbitSearch:
             looked for; chosen from poles and zeros if not given.
 
     Raises:
-        ValueError: if a number is out of range.
+        ChoiceError: if ``simulations`` is none of its words.
+        ValueError: if a number is out of range, or none.
     """
 
     simulations: Simulations = Simulations.WHERE_PREDICTIONS_FAIL
@@ -46,17 +48,20 @@ class OrbitSearch:
     half_periods: Interval | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "simulations", Simulations.chosen(self.simulations, "simulations"))
         for name, least in (("starts", 1), ("seed", 0), ("steps", 1)):
-            value = getattr(self, name)
-            if not (value >= least and value % 1 == 0):
+            value = whole_number(name, getattr(self, name))
+            if value < least:
                 raise ValueError(f"{name} must be a whole number of at least {least}, not {value!r}")
-        if self.half_periods is not None:
-            shortest, longest = self.half_periods
-            if not 0 < shortest < longest < math.inf:
-                raise ValueError(
-                    "half_periods must be (shortest, longest) with 0 < shortest < longest < inf, s, "
-                    f"not {self.half_periods!r}"
-                )
+        if self.half_periods is None:
+            return
+        limits = real_values("half_periods", self.half_periods)
+        shortest, longest = limits.tolist() if limits.shape == (2,) else (math.nan, math.nan)
+        if not 0 < shortest < longest < math.inf:
+            raise ValueError(
+                "half_periods must be (shortest, longest) with 0 < shortest < longest < inf, s, "
+                f"not {self.half_periods!r}"
+            )
 
 
 @dataclass(frozen=True)
@@ -97,13 +102,14 @@ class SimulationSearch:
     """Long simulations.
 
     Attributes:
-        starts: Initial states.
+        starts: Initial states that motions were followed from.
         seed: Of the generator that drew them.
         settled: How many motions settled on an orbit.
         at_rest: How many ended without further events.
         diverged: How many grew without bound.
         accumulated: How many stopped as their events accumulate, which most often is rest, too.
         left: How many did none of this within the steps and events allowed.
+        planned: Initial states that were asked for; more than ``starts`` if the search was interrupted.
     """
 
     starts: int
@@ -113,6 +119,12 @@ class SimulationSearch:
     diverged: int
     accumulated: int
     left: int
+    planned: int
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether the search ended before its time."""
+        return self.starts < self.planned
 
     @property
     def sentence(self) -> str:
@@ -125,7 +137,8 @@ class SimulationSearch:
             (self.left, "did not settle in time"),
         )
         sentence = ", ".join(f"{count} {what}" for count, what in ends if count)
-        return f"stable orbits by simulation from {self.starts} initial states (seed {self.seed}: {sentence})"
+        starts = f"{self.starts} of {self.planned}" if self.interrupted else f"{self.starts}"
+        return f"stable orbits by simulation from {starts} initial states (seed {self.seed}: {sentence})"
 
 
 @dataclass(frozen=True)
@@ -147,6 +160,18 @@ class OrbitSearched:
     simulations: SimulationSearch | None
 
     @property
+    def doubts(self) -> tuple[str, ...]:
+        """What the search left open, in sentences without a full stop; nothing if it went to its end."""
+        relay, simulations = self.relay, self.simulations
+        doubts = (
+            (self.failed, f"{_counted(self.failed, self._start)} led to no orbit"),
+            (relay and len(relay.undecided), "part of the interval of half periods is undecided"),
+            (simulations and simulations.left, "some simulations did not settle in time"),
+            (simulations and simulations.interrupted, "the search was interrupted"),
+        )
+        return tuple(doubt for count, doubt in doubts if count)
+
+    @property
     def sentence(self) -> str:
         """What was searched and what was not, in words."""
         searched = [self._near_guesses]
@@ -154,12 +179,15 @@ class OrbitSearched:
         return f"searched: {'; '.join(searched)}. Not searched: {', '.join(self._not_searched)}."
 
     @property
+    def _start(self) -> str:
+        return "prediction of harmonic balance" if self.predicted else "guess"
+
+    @property
     def _near_guesses(self) -> str:
-        what = "prediction of harmonic balance" if self.predicted else "guess"
         if not self.guesses:
             return "harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
         led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
-        return f"near {_counted(self.guesses, what)} ({led})"
+        return f"near {_counted(self.guesses, self._start)} ({led})"
 
     @property
     def _not_searched(self) -> list[str]:
@@ -198,6 +226,17 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
     def __iter__(self) -> Iterator[PeriodicOrbit]:
         return iter(self.orbits)
 
+    @property
+    def success(self) -> bool:
+        """Whether the search went to its end: each guess led to an orbit, and nothing beside them is open."""
+        return not self.search.doubts
+
+    @property
+    def message(self) -> str:
+        """What came out, in words."""
+        found = f"{_counted(len(self), 'periodic orbit')} found"
+        return "; ".join([found, *self.search.doubts, self.search.sentence])
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sequence) and list(self) == list(other)
 
@@ -205,7 +244,19 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
         return hash(self.orbits)
 
 
+class OrbitSearchInterrupted(KeyboardInterrupt):
+    """An interrupt (Ctrl-C) ended the search by simulation.
+
+    Attributes:
+        orbits: Those found until then; their ``message`` tells how far the search went.
+    """
+
+    def __init__(self, orbits: PeriodicOrbits) -> None:
+        super().__init__(orbits.message)
+        self.orbits = orbits
+
+
 def _counted(count: int, noun: str) -> str:
     plural = "guesses" if noun == "guess" else noun.replace("prediction", "predictions")
-    plural = "intervals" if noun == "interval" else plural
+    plural = f"{noun}s" if noun in ("interval", "periodic orbit") else plural
     return f"{count} {noun if count == 1 else plural}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -89,7 +90,8 @@ def settled_orbits(
 ) -> tuple[list[PeriodicOrbit], SimulationSearch]:
     """Simulate from many initial states and find the orbits that the motions settle on or pass by.
 
-    After two seconds a progress bar shows on a terminal; an interrupt ends the search at once.
+    After two seconds a progress bar shows on a terminal; an interrupt ends the search, and what was found
+    until then is returned.
 
     Args:
         loop: The closed loop.
@@ -102,9 +104,11 @@ def settled_orbits(
     orbits, endings = list(known), Counter[Ending]()
     starts = initial_states(loop, search.starts, search.seed)
     bar = tqdm(starts, desc="simulate", total=search.starts, delay=SILENCE, leave=False, disable=None)
-    for mode, state in bar:
-        endings[_follow(loop, mode, state, search.steps, orbits)] += 1
-    found = SimulationSearch(search.starts, search.seed, *(endings[each] for each in Ending))
+    with suppress(KeyboardInterrupt), bar:
+        for mode, state in bar:
+            endings[_follow(loop, mode, state, search.steps, orbits)] += 1
+    ends = [endings[each] for each in Ending]
+    found = SimulationSearch(sum(ends), search.seed, *[*ends, search.starts])
     return orbits[len(known) :], found
 
 

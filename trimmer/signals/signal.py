@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.arguments import real_number, whole_number
+from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.errors import TrimmerError
 
 if TYPE_CHECKING:
@@ -53,6 +53,8 @@ class Signal:
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", checked_samples(self.values))
         object.__setattr__(self, "sample_rate", checked_rate(self.sample_rate))
+        for name in ("name", "unit"):
+            require_instance(name, getattr(self, name), str, "a text")
         whole_number("interpolated", self.interpolated, 0)
         if not math.isfinite(real_number("start", self.start, "s")):
             raise SignalError(f"start is {self.start!r}: the time of the first sample must be finite")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import file_path
+from trimmer.arguments import file_path, real_number, truth_value
 from trimmer.choices import Choice
 from trimmer.files import write_atomically
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
@@ -116,7 +116,8 @@ def write_wav(
     values = checked_samples(signal)
     rate = checked_rate(sample_rate)
     bit_depth = BitDepth.chosen(bit_depth, "bit_depth")
-    if not 0 < peak <= 1:
+    overwrite = truth_value("overwrite", overwrite)
+    if not 0 < real_number("peak", peak) <= 1:
         raise SignalError(f"peak is {peak!r}: it must be above 0 and at most 1, which is full scale")
     wav_rate = _suited(rate)
     ratio = Fraction(wav_rate) / Fraction(rate)

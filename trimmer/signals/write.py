@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trimmer.arguments import file_path, require_instance, require_instances
+from trimmer.arguments import file_path, require_instance, require_instances, truth_value
 from trimmer.files import write_atomically
 from trimmer.signals.columns import TIME_NAMES
 from trimmer.signals.signal import Signal, SignalError
@@ -34,7 +34,7 @@ def write_signal(path: Path | str, signal: Signal, *others: Signal, overwrite: b
             their times are too large to distinguish neighbouring samples.
         FileWriteError: if the file cannot be written.
     """
-    target = file_path("path", path)
+    target, overwrite = file_path("path", path), truth_value("overwrite", overwrite)
     signals = (signal, *others)
     require_instance("signal", signal, Signal, "a trimmer.Signal")
     require_instances("others", others, Signal, "a trimmer.Signal")

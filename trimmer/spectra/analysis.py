@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from trimmer.arguments import real_number, require_instance
+from trimmer.arguments import real_number, require_instance, truth_value
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
@@ -15,6 +15,7 @@ from trimmer.spectra.classification import (
     classify,
     frequencies_of,
     fundamentals,
+    require_positive,
 )
 from trimmer.spectra.doubts import doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
@@ -82,7 +83,9 @@ def analyse_signal(
     predicted = frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies)
     known = frequencies_of("natural_frequencies", natural_frequencies)
     if drive_frequency is not None:
-        real_number("drive_frequency", drive_frequency, "Hz")
+        drive_frequency = real_number("drive_frequency", drive_frequency, "Hz")
+        require_positive("frequency of the drive", drive_frequency)
+    closed_loop = truth_value("closed_loop", closed_loop)
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
     origins = fundamentals(drive_frequency, known, () if left_out else predicted)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import final
 
-from trimmer.arguments import real_number, require_instance, require_instances, shown
+from trimmer.arguments import real_number, require_instance, require_instances, shown, truth_value
 from trimmer.errors import WrongTypeError
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.peaks import Peak
@@ -150,7 +150,13 @@ class ClassifiedPeak:
         return self.second is not None
 
 
-def _require_positive(name: str, value: float) -> None:
+def require_positive(name: str, value: float) -> None:
+    """Check that a frequency is positive and finite.
+
+    Raises:
+        SignalError: if it is not.
+        WrongTypeError: if it is no real number.
+    """
     if not 0 < real_number(f"the {name}", value) < math.inf:
         raise SignalError(f"the {name} must be positive and finite, not {value!r}")
 
@@ -173,7 +179,7 @@ class Tolerance:
     model: float = MODEL_TOLERANCE
 
     def __post_init__(self) -> None:
-        _require_positive("tolerance in bins", self.bins)
+        require_positive("tolerance in bins", self.bins)
         if not 0 <= real_number("the model tolerance", self.model) < 1:
             raise SignalError(f"the model tolerance must be 0 <= tolerance < 1, not {self.model!r}")
 
@@ -214,6 +220,7 @@ def classify(
         WrongTypeError: if an argument is of another type.
     """
     _check(peaks, bin_width, drive_frequency, natural_frequencies, limit_cycle_frequencies)
+    closed_loop = truth_value("closed_loop", closed_loop)
     require_instance("tolerance", tolerance, Tolerance, "a trimmer.Tolerance")
     modes: list[Origin] = [
         NaturalMode(number, frequency)
@@ -284,9 +291,9 @@ def _check(
     limit_cycle_frequencies: Sequence[float],
 ) -> None:
     require_instances("peaks", peaks, Peak, "a trimmer.Peak")
-    _require_positive("bin width", bin_width)
+    require_positive("bin width", bin_width)
     if drive_frequency is not None:
-        _require_positive("frequency of the drive", drive_frequency)
+        require_positive("frequency of the drive", drive_frequency)
     frequencies_of("natural_frequencies", natural_frequencies)
     for frequency in frequencies_of("limit_cycle_frequencies", limit_cycle_frequencies):
-        _require_positive("frequency of a limit cycle", frequency)
+        require_positive("frequency of a limit cycle", frequency)

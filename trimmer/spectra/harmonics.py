@@ -91,7 +91,7 @@ def fit_harmonics(
     """
     values = checked_samples(signal)
     rate = checked_rate(sample_rate)
-    real_number("drive_frequency", drive_frequency, "Hz")
+    drive_frequency = real_number("drive_frequency", drive_frequency, "Hz")
     if count is not None:
         whole_number("count", count, 0)
     window = Window.chosen(window, "window")

@@ -136,4 +136,4 @@ def test_over_the_stiffness_and_in_its_place_friction_ends_the_limit_cycle_at_ne
 ):
     k2, merger = 30e3, numbers.in_place.merger.force_per_gap
     assert len(limit_cycles(system, right_element(0.95 * merger * SMALL_GAP, k2))) == 2
-    assert limit_cycles(system, right_element(1.02 * merger * SMALL_GAP, k2)) == []
+    assert limit_cycles(system, right_element(1.02 * merger * SMALL_GAP, k2)) == ()

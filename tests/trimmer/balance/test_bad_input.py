@@ -89,8 +89,8 @@ def test_viscous_friction_that_leaves_no_proper_loop() -> None:
 
 
 def test_no_intersection_is_an_empty_list() -> None:
-    assert limit_cycles(0.1 / (s + 1) ** 3, FrictionBacklash(1.0)) == []
-    assert limit_cycles(1 / (s + 1), Relay(1.0)) == []
+    assert limit_cycles(0.1 / (s + 1) ** 3, FrictionBacklash(1.0)) == ()
+    assert limit_cycles(1 / (s + 1), Relay(1.0)) == ()
 
 
 def test_no_limit_cycle_lies_inside_a_dead_band() -> None:

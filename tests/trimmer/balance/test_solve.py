@@ -74,7 +74,7 @@ def test_relay_with_a_third_order_plant(G, omega: float, amplitude: float) -> No
 
 def test_coulomb_friction_is_where_j_g_is_negative() -> None:
     # N = 4j F/(pi A). With G = s/(s+1)^4, jG = -omega/(1 + j omega)^4 is negative at no omega > 0.
-    assert limit_cycles(s / (s + 1) ** 4, CoulombFriction(1.0)) == []
+    assert limit_cycles(s / (s + 1) ** 4, CoulombFriction(1.0)) == ()
     # With G = -1/(s+1)^2, jG = -j/(1 + j omega)^2 is -1/2 at omega = 1.
     (cycle,) = limit_cycles(-1 / (s + 1) ** 2, CoulombFriction(1.0))
     assert cycle.omega == pytest.approx(1.0, rel=1e-12)
@@ -168,8 +168,8 @@ def test_a_range_hides_what_is_outside() -> None:
 
 
 def test_no_intersection_is_an_empty_list() -> None:
-    assert limit_cycles(1 / (s + 1), FrictionBacklash(1.0)) == []
-    assert limit_cycles(1 / (s + 1) ** 2, Relay(1.0)) == []
+    assert limit_cycles(1 / (s + 1), FrictionBacklash(1.0)) == ()
+    assert limit_cycles(1 / (s + 1) ** 2, Relay(1.0)) == ()
 
 
 def test_an_unstable_plant_is_accepted() -> None:

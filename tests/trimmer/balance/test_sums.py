@@ -38,7 +38,7 @@ def test_coulomb_and_viscous_friction_by_hand() -> None:
     (cycle,) = limit_cycles(-1 / (s + 1) ** 2, ViscousFriction(0.4) + CoulombFriction(3.0))
     assert cycle.omega == pytest.approx(1.0, rel=1e-12)
     assert cycle.amplitude == pytest.approx(4 * 3 / (math.pi * 1.6), rel=1e-12)
-    assert limit_cycles(-1 / (s + 1) ** 2, ViscousFriction(2.1) + CoulombFriction(3.0)) == []
+    assert limit_cycles(-1 / (s + 1) ** 2, ViscousFriction(2.1) + CoulombFriction(3.0)) == ()
 
 
 @pytest.mark.parametrize("force", [1e-8, 1e-6, 3e-5])

@@ -62,11 +62,8 @@ def test_a_random_mechanism(seed):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(330))
-def test_many_random_mechanisms(seed, request):
-    mechanism = random_mechanism(seed)
-    if len(mechanism.frictions) > 1:  # about a third of these fail: test_frictions_at_once says why
-        request.applymarker(pytest.mark.xfail(reason="frictions that change at once", strict=False))
-    compare(mechanism, 3)
+def test_many_random_mechanisms(seed):
+    compare(random_mechanism(seed), 3)
 
 
 @pytest.mark.parametrize("name", QUICK_TRICKY)

@@ -44,7 +44,7 @@ def hold_against_differences(seed: int, periods: int) -> None:
     left = list(differences)
     for value in exact:
         nearest = min(left, key=lambda other, value=value: abs(other - value))
-        assert abs(nearest - value) < 2e-5
+        assert abs(nearest - value) < 2e-6
         left.remove(nearest)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import FrozenInstanceError
 
 import control
@@ -10,6 +11,7 @@ import pytest
 import scipy.signal
 
 from trimmer import (
+    ChoiceError,
     FrictionBacklash,
     InertiaBacklash,
     OrbitNotFoundWarning,
@@ -175,3 +177,35 @@ def test_a_relay_that_comes_to_rest_is_told() -> None:
         "all orbits of the relay that return with their signs changed after one switch"
         in orbits.search.sentence
     )
+
+
+def test_orbits_say_whether_the_search_went_to_its_end() -> None:
+    orbits = periodic_orbits(pin_model(TrimmerParameters.thesis()), FrictionBacklash(4e-5))
+    assert orbits.success
+    assert orbits.message == f"2 periodic orbits found; {orbits.search.sentence}"
+    with pytest.warns(OrbitNotFoundWarning):
+        nothing = periodic_orbits(*BOUNCING, [(2.0, 9.0)])
+    assert not nothing.success
+    assert nothing.message.startswith(
+        "0 periodic orbits found; 1 guess led to no orbit; searched: near 1 guess"
+    )
+
+
+def test_an_orbit_says_how_well_it_returns() -> None:
+    stable, unstable = periodic_orbits(pin_model(TrimmerParameters.thesis()), FrictionBacklash(4e-5))
+    assert stable.success
+    assert unstable.success
+    assert re.fullmatch(
+        r"the state returns after 0\.00137327 s, with a miss of \d\.\de-\d\d of its size; stable",
+        stable.message,
+    )
+    assert unstable.message.endswith("; not stable")
+
+
+@pytest.mark.parametrize("word", ["never", "where-predictions-fail", "always"])
+def test_when_to_simulate_is_chosen_by_its_word(word: str) -> None:
+    assert OrbitSearch(word).simulations.word == word
+    with pytest.raises(
+        ChoiceError, match="simulations is 'nonsense': choose never, where-predictions-fail or al"
+    ):
+        OrbitSearch("nonsense")

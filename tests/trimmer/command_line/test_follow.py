@@ -1,0 +1,72 @@
+"""``trimmer follow``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.json_document import documented, keys
+from trimmer.command_line.main import main
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+TWIN = ["follow", str(EXAMPLES / "thesis-play.toml"), "--set", "frictions.blade.force=1"]
+BREAKING = [*TWIN, "--vary", "frequency", "--from", "120", "--to", "120.8 Hz"]
+
+
+def test_json_has_the_keys_of_the_document(capsys: pytest.CaptureFixture[str]) -> None:
+    varied = ["--vary", "frequency", "--from", "120.4", "--to", "120.56"]
+    assert main([*TWIN, *varied, "--points", "90", "--harmonics", "1", "--json"]) == 3
+    content = json.loads(capsys.readouterr().out)
+    assert content["reason"] == "most-points"
+    (special,) = content["special"]
+    assert special["kind"] == "symmetry-breaking"
+    assert special["value"] == pytest.approx(120.5173085846, rel=1e-10)
+    named_by_data = {"points[].outputs", "branches", "parted", "points[].multipliers"}
+    assert set(keys(content, named_by_data)) == documented("trimmer follow") - {"points[].balance"}
+    point = content["points"][0]
+    assert set(point["outputs"]["stroke"]) == {"peak_to_peak", "harmonics"}
+    assert content["branches"][0]["parted"]["kind"] == "symmetry-breaking"
+
+
+def test_text_tells_stretches_special_points_and_the_end(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*BREAKING, "--switches", "0"]) == 0
+    shown = capsys.readouterr().out
+    assert "Periodic motions over frequency (Hz)" in shown
+    assert "symmetry-breaking  120.517308585" in shown
+    assert "End: it leaves the interval at the other end, at 120.8" in shown
+
+
+def test_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "branch.svg"
+    assert main([*BREAKING, "--points", "5", "--switches", "0", "--plot", str(file)]) == 3
+    assert file.read_bytes().startswith(b"<?xml")
+    first = file.read_bytes()
+    assert main([*BREAKING, "--points", "5", "--switches", "0", "--plot", str(file)]) == 3
+    assert file.read_bytes() == first
+    capsys.readouterr()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--vary", "plays.bridge.gab", "--from", "0", "--to", "1"], "gab"),
+        (["--vary", "plays.bridge.gap", "--from", "3 kg", "--to", "1"], "kg"),
+        (["--vary", "plays.bridge.gap", "--from", "-1e-6", "--to", "1e-4"], "plays.bridge.gap"),
+        (["--vary", "frequency", "--from", "110", "--to", "110"], "interval"),
+    ],
+)
+def test_wrong_use(options: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*TWIN, *options]) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert error.count("\n") == 1
+
+
+def test_what_does_not_settle_ends_with_a_sentence(capsys: pytest.CaptureFixture[str]) -> None:
+    smooth = ["--set", "frictions.blade.force=0"]
+    file = str(EXAMPLES / "thesis-play.toml")
+    code = main(["follow", file, *smooth, "--vary", "frequency", "--from", "110", "--to", "120"])
+    assert code == 3
+    assert "has not settled within" in capsys.readouterr().err

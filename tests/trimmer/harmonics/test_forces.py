@@ -1,0 +1,129 @@
+"""Harmonics of forces against fine sums over time, and their derivatives against differences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from trimmer.harmonics.contact import Contact
+from trimmer.harmonics.crossings import crossings
+from trimmer.harmonics.forces import Harmonics
+from trimmer.harmonics.rubbing import friction_harmonics
+from trimmer.harmonics.waveform import Waveform
+from trimmer.mechanism.parts import ContactLaw, Play, Stop
+
+OMEGA = 2.0
+SAMPLES = 50_000
+BETWEEN = ("ground", "body")
+
+
+def waveform(seed: int, harmonics: int = 6) -> Waveform:
+    random = np.random.default_rng(seed)
+    orders = np.arange(harmonics + 1)
+    coefficients = random.normal(size=harmonics + 1) + 1j * random.normal(size=harmonics + 1)
+    coefficients /= (1.0 + orders) ** 1.5
+    coefficients[0] = 0.2 * coefficients[0].real
+    return Waveform(coefficients, OMEGA)
+
+
+def by_sums(force: np.ndarray, harmonics: int) -> np.ndarray:
+    coefficients = 2.0 * np.fft.rfft(force) / len(force)
+    coefficients[0] *= 0.5
+    return coefficients[: harmonics + 1]
+
+
+def by_time_steps(part: Play | Stop, distance: Waveform) -> np.ndarray:
+    """Follow the law of the relaxing contact in small steps over two periods; return the second."""
+    step = distance.period / SAMPLES
+    times = step * np.arange(SAMPLES)
+    s, rate = distance.at(times), distance.slope(times)
+    upper = 0.5 * part.gap if isinstance(part, Play) else part.gap
+    lower = -upper if isinstance(part, Play) else -np.inf
+    forces, z, decay = np.zeros(SAMPLES), 0.0, np.exp(-part.stiffness / part.damping * step)
+    for number in range(2 * SAMPLES):
+        at = number % SAMPLES
+        z = min(max(z * decay, s[at] - upper), s[at] - lower)
+        # Where the side of the slot is pushed it moves with the end, and the force must be a push.
+        held = s[at] - upper if s[at] - z >= upper else s[at] - lower if s[at] - z <= lower else None
+        force = 0.0 if held is None else part.stiffness * held + part.damping * rate[at]
+        pushes = held is not None and force * (1.0 if held == s[at] - upper else -1.0) > 0.0
+        forces[at] = force if pushes else 0.0
+    return forces
+
+
+PARTS = [
+    Play(BETWEEN, 3.0, 0.4, 0.5, ContactLaw.RELAXING),
+    Play(BETWEEN, 3.0, 0.4, 0.5, ContactLaw.TRUNCATED),
+    Play(BETWEEN, 3.0, 0.4, 0.5, ContactLaw.PULLING),
+    Play(BETWEEN, 3.0, 0.0, 0.5),
+    Stop(BETWEEN, 3.0, 0.4, 0.3, ContactLaw.RELAXING),
+    Stop(BETWEEN, 3.0, 0.0, -0.3),
+    Play(BETWEEN, 3.0, 0.4, 0.0, ContactLaw.PULLING),
+]
+
+
+def sampled_force(part: Play | Stop, distance: Waveform) -> np.ndarray:
+    if part.law is ContactLaw.RELAXING and part.damping > 0.0:
+        return by_time_steps(part, distance)
+    times = distance.period * np.arange(SAMPLES) / SAMPLES
+    s, rate = distance.at(times), distance.slope(times)
+    upper = 0.5 * part.gap if isinstance(part, Play) else part.gap
+    beyond = np.where(s > upper, s - upper, 0.0)
+    if isinstance(part, Play):
+        beyond = np.where(s < -upper, s + upper, beyond)
+    force = np.where(beyond != 0.0, part.stiffness * beyond + part.damping * rate, 0.0)
+    return force if part.law is ContactLaw.PULLING else np.where(force * beyond > 0.0, force, 0.0)
+
+
+@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_contact(part: Play | Stop, seed: int) -> None:
+    distance = waveform(seed)
+    expected = by_sums(sampled_force(part, distance), 6)
+    assert Contact(part, distance).harmonics().coefficients == pytest.approx(expected, abs=5e-4)
+
+
+@pytest.mark.parametrize("drift", [0.0, 0.7, 50.0])
+def test_friction(drift: float) -> None:
+    distance = waveform(3)
+    times = distance.period * np.arange(SAMPLES) / SAMPLES
+    expected = by_sums(1.5 * np.sign(distance.slope(times) + drift), 6)
+    # A sum errs by up to half a sample at each of at most twelve jumps of 3.
+    error = 2.0 * 12.0 * 1.5 / SAMPLES
+    assert friction_harmonics(distance, drift, 1.5).coefficients == pytest.approx(expected, abs=error)
+
+
+def differences(force: Callable[[Waveform], Harmonics], distance: Waveform, change: np.ndarray) -> np.ndarray:
+    step = 1e-7
+    ahead, behind = (
+        force(Waveform(distance.coefficients + sign * step * change, OMEGA)).coefficients for sign in (1, -1)
+    )
+    return np.asarray((ahead - behind) / (2.0 * step))
+
+
+@pytest.mark.parametrize("part", [part for part in PARTS if part.law is not ContactLaw.RELAXING])
+def test_derivative_of_contact(part: Play | Stop) -> None:
+    distance, change = waveform(4), waveform(5).coefficients
+    harmonics = Contact(part, distance).harmonics()
+    derivative = harmonics.direct @ change + harmonics.conjugate @ change.conj()
+    numeric = differences(lambda each: Contact(part, each).harmonics(), distance, change)
+    assert derivative == pytest.approx(numeric, abs=1e-6)
+
+
+def test_derivative_of_friction() -> None:
+    distance, change = waveform(4), waveform(5).coefficients
+    harmonics = friction_harmonics(distance, 0.3, 2.0)
+    derivative = harmonics.direct @ change + harmonics.conjugate @ change.conj()
+    numeric = differences(lambda each: friction_harmonics(each, 0.3, 2.0), distance, change)
+    assert derivative == pytest.approx(numeric, abs=1e-6)
+
+
+def test_crossings_that_nearly_meet() -> None:
+    for depth in (1e-3, 1e-6, 1e-9):
+        touching = Waveform(np.array([-1.0 + depth, 1.0 + 0.0j]), OMEGA)
+        found = crossings(touching, 0.5, 0.5 + touching.period)
+        half = np.arccos(1.0 - depth) / OMEGA
+        assert found == pytest.approx([touching.period - half, touching.period + half], rel=1e-9)
+    assert len(crossings(Waveform(np.array([-1.0 - 1e-9, 1.0 + 0.0j]), OMEGA), 0.5, 0.5 + np.pi)) == 0

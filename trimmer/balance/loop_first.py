@@ -1,0 +1,101 @@
+"""The loop as the first argument of a function, or a system and an element in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from inspect import signature
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, overload
+
+import control
+
+from trimmer.balance.loop import require_element
+from trimmer.elements.element import Element
+from trimmer.errors import WrongTypeError
+from trimmer.linear.frequency_response import require_siso
+from trimmer.motion.loops import ClosedLoop, Loop
+from trimmer.motion.trimmer_loop import TrimmerLoop
+
+if TYPE_CHECKING:
+    Rest = ParamSpec("Rest")
+    Result = TypeVar("Result", covariant=True)
+
+    class OfLoop(Protocol[Rest, Result]):
+        """A function of a loop: ``f(loop, ...)`` or ``f(system, element, ...)``."""
+
+        __name__: str
+        __qualname__: str
+
+        @overload
+        def __call__(
+            self, loop: ClosedLoop | TrimmerLoop, *rest: Rest.args, **named: Rest.kwargs
+        ) -> Result: ...
+        @overload
+        def __call__(
+            self, system: control.LTI, element: Element, *rest: Rest.args, **named: Rest.kwargs
+        ) -> Result: ...
+
+
+def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> OfLoop[Rest, Result]:
+    """Let a function of a closed loop also take a system and an element in its place.
+
+    A ``TrimmerLoop`` without drive and without frictions is a closed loop too.
+
+    The function it returns raises:
+        WrongTypeError: for a loop that is none of these, a loop beside an element, or a system without one.
+        UnsupportedSystemError: if the system has not one input and one output, or is not continuous in time.
+        UnsupportedElementError: if the element is none.
+    """
+
+    @wraps(function)
+    def of_either(*given: Any, **named: Any) -> Result:
+        loop, rest = _loop_and_rest(function.__name__, given, named)
+        return function(loop, *rest, **named)
+
+    # What help() shows is the form with the loop, not the names of system and element.
+    of_either.__signature__ = signature(function)  # type: ignore[attr-defined]
+    return of_either
+
+
+def _loop_and_rest(
+    name: str, given: tuple[Any, ...], named: dict[str, Any]
+) -> tuple[ClosedLoop, tuple[Any, ...]]:
+    """Return the loop that was given in either form, and the arguments after it; take it out of ``named``."""
+    if not given and not ("loop" in named or "system" in named):
+        raise WrongTypeError(f"{_wanted(name)}: neither is given")
+    if not given:
+        given = (named.pop("loop") if "loop" in named else named.pop("system"),)
+    first, *rest = given
+    if isinstance(first, Loop):
+        if {"system", "element"} & named.keys() or (rest and isinstance(rest[0], Element)):
+            raise WrongTypeError(f"{_wanted(name)}: a loop holds its system and its element already")
+        return _closed(first), tuple(rest)
+    if not rest and "element" not in named:
+        raise WrongTypeError(f"{_wanted(name)}: {type(first).__name__} is given without an element")
+    element = rest.pop(0) if rest else named.pop("element")
+    require_element(element)
+    require_siso(first)
+    return ClosedLoop(first, element), tuple(rest)
+
+
+def _wanted(name: str) -> str:
+    return f"{name} needs a loop, as ClosedLoop(system, element), or a system and an element"
+
+
+def _closed(loop: Loop) -> ClosedLoop:
+    """Return a loop as a closed one.
+
+    Raises:
+        WrongTypeError: if it has a drive, frictions between bodies, or no element.
+        UnsupportedSystemError: if its system has not one input and one output.
+    """
+    if isinstance(loop, ClosedLoop):
+        require_siso(loop.system)
+        return loop
+    reason = "it has a drive, so that forced_orbit finds its periodic motion"
+    if isinstance(loop, TrimmerLoop) and loop.drive is None:
+        if loop.element is not None and not loop.frictions:
+            return ClosedLoop(loop.model, loop.element)
+        reason = "it has frictions between bodies" if loop.frictions else "it has no element"
+    kind = type(loop).__name__
+    raise WrongTypeError(f"loop must be a closed one of a system and an element, not this {kind}: {reason}")

@@ -1,0 +1,99 @@
+"""Where the phases of the motion change along a branch: grazing, and the birth and death of stick."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.branches.arc import Arc
+from trimmer.branches.orbit import Place
+from trimmer.branches.period_map import Phase
+from trimmer.branches.special import SpecialKind, SpecialPoint
+
+MOST_BORDERS = 12
+"""Changes of phases on one step, beyond which the step is shortened."""
+MOST_BISECTIONS = 60
+CONTINUOUS = 1e-9
+"""Distance of the orbits on both sides of a border, beyond which the branch is torn."""
+
+
+@dataclass(frozen=True, eq=False)
+class Border:
+    """Two neighbouring orbits with different phases.
+
+    Attributes:
+        before: The one that comes first on the branch.
+        after: The other.
+    """
+
+    before: Place
+    after: Place
+
+
+def borders(arc: Arc, near: Place, far: Place) -> list[Border] | None:
+    """Find the changes of phases between two orbits of an arc, in their order.
+
+    Returns:
+        The borders; None if orbits between are not found, jump, or change their phases too often.
+    """
+    found: list[Border] = []
+    left = near
+    while left.signature != far.signature:
+        border = _first(arc, left, far) if len(found) < MOST_BORDERS else None
+        if border is None:
+            return None
+        found.append(border)
+        left = border.after
+    return found
+
+
+def _first(arc: Arc, left: Place, right: Place) -> Border | None:
+    """Find an orbit that leaves the phases of the left one, by bisection."""
+    signature = left.signature
+    for _ in range(MOST_BISECTIONS):
+        first, last = arc.distance(left), arc.distance(right)
+        if last - first <= arc.narrowest:
+            break
+        middle = arc.between(0.5 * (first + last), left, right)
+        if middle is None:
+            return None
+        if middle.signature == signature:
+            left = middle
+        else:
+            right = middle
+    torn = bool(abs(left.position - right.position).max() > CONTINUOUS)
+    return None if torn else Border(left, right)
+
+
+def special_points(arc: Arc, border: Border) -> list[SpecialPoint]:
+    """Return what a border is: a grazing, an onset of stick, or several of these at once."""
+    before, after = dict(border.before.signature), dict(border.after.signature)
+    changes = {key: after.get(key, 0) - before.get(key, 0) for key in {*before, *after}}
+    changed = {key: change for key, change in changes.items() if change}
+    found = []
+    for kind in (SpecialKind.GRAZING, SpecialKind.STICK):
+        of_kind = {key: change for key, change in changed.items() if _kind(key[1]) is kind}
+        if of_kind:
+            found.append(_special_point(arc, border, kind, of_kind))
+    return found
+
+
+def _kind(phase: Phase) -> SpecialKind:
+    return SpecialKind.STICK if phase is Phase.STICK else SpecialKind.GRAZING
+
+
+def _special_point(
+    arc: Arc, border: Border, kind: SpecialKind, changes: dict[tuple[str, Phase], int]
+) -> SpecialPoint:
+    position = border.before.position
+    parts = tuple(sorted({part for part, _ in changes}))
+    notes = [
+        f"{part}: {phase.value}, {change:+d}"
+        for (part, phase), change in sorted(changes.items(), key=lambda item: (item[0][0], item[0][1].name))
+    ]
+    outside = [int((abs(place.multipliers) > 1.0).sum()) for place in (border.before, border.after)]
+    if outside[0] != outside[1]:
+        notes.append(f"multipliers outside the unit circle jump from {outside[0]} to {outside[1]}")
+    value, state = arc.problem.value(position), arc.problem.state(position)
+    return SpecialPoint(kind, value, np.array(state), parts, "; ".join(notes))

@@ -1,0 +1,85 @@
+"""A branch of periodic orbits over one number."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.period_map import Signature
+from trimmer.branches.special import SpecialPoint
+from trimmer.choices import Choice
+
+NEUTRAL = 1e-9
+"""Distance from the unit circle that rounding can give a multiplier."""
+
+
+class BranchEnd(Choice):
+    """Why a branch ends."""
+
+    LEFT_AT_START = "it leaves the interval where it began"
+    LEFT_AT_STOP = "it leaves the interval at the other end"
+    CLOSED = "it closes on itself"
+    REJOINED = "it joins the branch with half the period, or the symmetric one"
+    STEP_TOO_SMALL = "no orbit was found near the last one"
+    MOST_POINTS = "it has as many points as were asked for at most"
+    NO_START = "no orbit was found at the start"
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the branch was followed to an end of the interval, around, or to one that it joins."""
+        return self not in (BranchEnd.STEP_TOO_SMALL, BranchEnd.MOST_POINTS, BranchEnd.NO_START)
+
+
+@dataclass(frozen=True, eq=False)
+class BranchPoint:
+    """An orbit on a branch.
+
+    Attributes:
+        value: Value of the number that is varied.
+        state: State at the beginning of the period, shape (n,).
+        multipliers: Floquet multipliers of the whole period by falling modulus, shape (n,).
+        tangent: Direction of the branch in state and value, shape (n + 1,); in the units of the file.
+        signature: The phases that begin during a passage.
+        events: Events during a period, a number.
+    """
+
+    value: float
+    state: Reals
+    multipliers: Complexes
+    tangent: Reals
+    signature: Signature
+    events: int
+
+    @cached_property
+    def stable(self) -> bool:
+        """Whether neighbouring motions approach it: all multipliers lie inside the unit circle."""
+        return bool((abs(self.multipliers) < 1.0 - NEUTRAL).all())
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """A branch of periodic orbits.
+
+    Attributes:
+        points: The orbits, in the order in which they were followed.
+        special: The special points, in the same order.
+        reason: Why the branch ends.
+        message: The same as a sentence, with the value at which it ends.
+        branches: Branches that part from this one at period doubling and symmetry breaking.
+        parted: The special point at which this one parts from another; None if it was begun by itself.
+        doublings: How often the passage was doubled since the map that was given.
+    """
+
+    points: tuple[BranchPoint, ...]
+    special: tuple[SpecialPoint, ...]
+    reason: BranchEnd
+    message: str
+    branches: tuple[Branch, ...] = ()
+    parted: SpecialPoint | None = None
+    doublings: int = 0
+
+    @property
+    def success(self) -> bool:
+        """Whether it was followed to an end of the interval, around, or to one that it joins."""
+        return self.reason.is_success

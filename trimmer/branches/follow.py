@@ -1,0 +1,265 @@
+"""Following the exact periodic motions of a mechanism over any of its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import real_array, require_instance, whole_number
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.continuation import continuation
+from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.mirror import is_mirror_symmetric
+from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
+from trimmer.branches.settings import DEFAULT, FollowSettings
+from trimmer.branches.settled import settled
+from trimmer.branches.special import SpecialPoint
+from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.harmonics.balance import harmonic_balance_of
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place, place_text
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+SYMMETRIC = 1e-6
+"""Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
+
+
+@dataclass(frozen=True, eq=False)
+class BalancedOrbit:
+    """The same orbit by multi-harmonic balance.
+
+    Attributes:
+        distance: Root mean square of the difference from the exact displacements, relative to those, of the
+            body where it is largest; a number.
+        converged: Whether the forces balance.
+    """
+
+    distance: float
+    converged: bool
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedOrbit:
+    """An exact periodic motion on a branch.
+
+    Attributes:
+        point: The orbit on the branch: value, state, multipliers, stability.
+        map: The map of its whole period.
+    """
+
+    point: BranchPoint
+    map: MechanismMap
+
+    @property
+    def value(self) -> float:
+        """Value of the number that is varied, in its unit."""
+        return self.point.value
+
+    @property
+    def state(self) -> Reals:
+        """State at the start of a drive period, shape (n,)."""
+        return self.point.state
+
+    @property
+    def stable(self) -> bool:
+        """Whether neighbouring motions approach it."""
+        return self.point.stable
+
+    @property
+    def multipliers(self) -> Complexes:
+        """Floquet multipliers by falling modulus, (n,)."""
+        return self.point.multipliers
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which it repeats."""
+        return self.map.periods
+
+    @property
+    def events_per_period(self) -> float:
+        """Events in a drive period, the mean over the orbit."""
+        return self.point.events / self.periods
+
+    @cached_property
+    def passage(self) -> MechanismPassage:
+        """The motion over its period."""
+        return self.map.passage(self.point.value, self.point.state)
+
+    @cached_property
+    def outputs(self) -> Mapping[str, OutputMeasure]:
+        """Peak to peak and harmonics of each output."""
+        return output_measures(self.map.mechanism, self.passage.course)
+
+    def balanced(self, harmonics: int) -> BalancedOrbit:
+        """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
+
+        Args:
+            harmonics: Harmonics of the drive up to which the forces balance.
+
+        Raises:
+            UnsupportedMotionError: if a spring leans on a pin that moves on.
+        """
+        course = self.passage.course
+        exact = body_coefficients(course, self.periods, self.periods * harmonics)
+        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
+        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
+        power = course.nodes.weights @ moved**2 / course.duration
+        # What the exact motion has beyond the last harmonic is a part of the difference.
+        beyond = np.maximum(power - _power(exact), 0.0)
+        apart = _power(balance.coefficients - exact) + beyond
+        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
+        return BalancedOrbit(distance, balance.converged)
+
+
+def _power(harmonics: Complexes) -> Reals:
+    """Return the mean square of displacements without their mean, (bodies,)."""
+    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
+    return power
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedBranch:
+    """A branch of exact periodic motions of a mechanism over one of its numbers.
+
+    Attributes:
+        map: The map of the whole period of its motions, with the mechanism and the place of the number.
+        points: The motions, in the order in which they were followed.
+        special: The special points, in the same order.
+        reason: Why the branch ends.
+        message: The same as a sentence.
+        branches: Branches that part from this one at period doubling and symmetry breaking.
+        parted: The special point at which this one parts from another; None if it was begun by itself.
+    """
+
+    map: MechanismMap
+    points: tuple[FollowedOrbit, ...]
+    special: tuple[SpecialPoint, ...]
+    reason: BranchEnd
+    message: str
+    branches: tuple[FollowedBranch, ...] = ()
+    parted: SpecialPoint | None = None
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which the motions repeat."""
+        return self.map.periods
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the number that is varied; Hz for a frequency."""
+        return self.map.mechanism.places[place_text(parse_place(self.map.place))]
+
+    def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
+        """Return peak to peak and harmonics of each output at a special point of the branch."""
+        course = self.map.passage(special.value, special.state).course
+        return output_measures(self.map.mechanism, course)
+
+    @property
+    def success(self) -> bool:
+        """Whether it was followed to an end of the interval, around, or to one that it joins."""
+        return self.reason.is_success
+
+
+def follow(
+    mechanism: Mechanism,
+    place: str,
+    start: float | str,
+    stop: float | str,
+    *,
+    periods: int | None = None,
+    state: ArrayLike | None = None,
+    settings: FollowSettings = DEFAULT,
+) -> FollowedBranch:
+    """Follow a branch of exact periodic motions of a driven mechanism over one of its numbers.
+
+    It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
+    leaving the interval at either end. A motion that is its own mirror image half a period later is followed
+    as such; of the two asymmetric branches that part from it, which are mirror images, one is followed.
+
+    Args:
+        mechanism: The mechanism; it has a frequency.
+        place: Dotted place of the number, such as ``frequency`` or ``plays.bridge.gap``.
+        start: First value in SI units (Hz for a frequency), or text with its unit.
+        stop: The other end of the interval.
+        periods: Drive periods after which the motion repeats; by default those after which it does.
+        state: State at the start of a drive period from which to begin instead, shape (n,); see
+            ``trimmer.contact.flow.ExactFlow.names`` for its entries.
+        settings: How to follow it.
+
+    Returns:
+        The branch. If the mechanism does not settle, it has no points and a message that says so.
+
+    Raises:
+        MechanismError: if there is no such number, or it cannot have these values.
+        UnsupportedMotionError: if the mechanism has no frequency.
+        WrongTypeError: if an argument has another type.
+        ValueError: if start and stop are equal, or a number is out of its range.
+
+    Sources:
+        Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer,
+        Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004.
+    """
+    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    if periods is not None:
+        whole_number("periods", periods, 1)
+    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
+    if place.endswith(".order"):
+        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+    at_start = mechanism.with_value(place, begin)
+    if at_start.frequency is None:
+        raise UnsupportedMotionError(
+            "the mechanism has no frequency, so that nothing says after which time its motion repeats; "
+            "give it a frequency, or simulate it"
+        )
+    map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
+    if state is None:
+        found = settled(at_start, settings.most_periods, periods)
+        if found is None:
+            message = _unsettled(begin, settings.most_periods)
+            return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
+        map, first = replace(map, periods=found.periods), found.state
+    else:
+        first = real_array("state", state)
+    map = replace(map, mirrored=_is_symmetric(map, begin, first))
+    return _followed(continuation(map, first, begin, end, settings), map)
+
+
+def _unsettled(begin: float, most_periods: int) -> str:
+    return (
+        f"from rest at {begin:.10g} the motion has not settled within {most_periods} drive periods; begin at "
+        "another value, give the number of periods after which it shall repeat, or wait longer"
+    )
+
+
+def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
+    """Say whether a motion is its own mirror image half a period later, as far as it is known."""
+    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
+        return False
+    half = replace(map, mirrored=True).passage(value, state)
+    sizes = np.where(half.sizes > 0.0, half.sizes, 1.0)
+    whole = map.passage(value, state)
+    unsettled = float(abs((whole.end - state) / sizes).max())
+    return float(abs((half.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
+
+
+def _followed(branch: Branch, map: MechanismMap) -> FollowedBranch:
+    whole = replace(map, mirrored=False)
+    return FollowedBranch(
+        map=whole,
+        points=tuple(FollowedOrbit(point, whole) for point in branch.points),
+        special=branch.special,
+        reason=branch.reason,
+        message=branch.message,
+        branches=tuple(
+            _followed(each, map.doubled() if each.doublings > branch.doublings else map)
+            for each in branch.branches
+        ),
+        parted=branch.parted,
+    )

@@ -1,0 +1,180 @@
+"""Newton's method for one orbit on a branch, in coordinates without units.
+
+With P the map of a period the unknowns are the state x and the number p, and the equations are P(p, x) = x
+and one plane that cuts the branch. P is only piecewise smooth, so each step must bring the miss down; a step
+that does not is halved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.period_map import Passage, PeriodMap, Phase
+from trimmer.errors import TrimmerError
+
+MOST_ITERATIONS = 14
+MOST_HALVINGS = 4
+CLOSED = 3e-12
+"""Miss of an orbit that counts as closed where rounding stops Newton, relative to the states' sizes."""
+EXACT = 1e-13
+"""Miss at which Newton's method stops, since only rounding is left."""
+ON_PLANE = 1e-14
+"""Distance from a plane within which a position lies on it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A state and a value, with the passage from there. Coordinates are relative to the scale of a problem.
+
+    Attributes:
+        problem: The problem.
+        position: State and value, shape (n + 1,).
+        passage: The motion over a period.
+    """
+
+    problem: Problem
+    position: Reals
+    passage: Passage
+
+    @cached_property
+    def miss(self) -> Reals:
+        """End minus state, shape (n,)."""
+        miss: Reals = self.passage.end / self.problem.sizes - self.position[:-1]
+        return miss
+
+    @cached_property
+    def error(self) -> float:
+        """Largest miss of an entry."""
+        return float(abs(self.miss).max())
+
+    @cached_property
+    def jacobian(self) -> Reals:
+        """Derivative of the end by the state, n x n."""
+        sizes = self.problem.sizes
+        jacobian: Reals = self.passage.jacobian * sizes / sizes[:, None]
+        return jacobian
+
+    @cached_property
+    def slope(self) -> Reals:
+        """Derivative of the miss by the position, n x (n + 1)."""
+        rate = self.passage.rate() / self.problem.sizes * self.problem.span
+        return np.column_stack([self.jacobian - np.eye(len(self.miss)), rate])
+
+    @cached_property
+    def multipliers(self) -> Complexes:
+        """Eigenvalues of the derivative of the passage's end by its state, shape (n,)."""
+        return np.asarray(np.linalg.eigvals(self.jacobian), dtype=np.complex128)
+
+    @cached_property
+    def signature(self) -> frozenset[tuple[tuple[str, Phase], int]]:
+        """The phases that begin during the passage, in a form to compare."""
+        return frozenset((key, count) for key, count in self.passage.signature.items() if count)
+
+    def tangent(self, reference: Reals) -> Reals | None:
+        """Return the unit tangent, shape (n + 1,), that points along a reference; None if there is no one."""
+        unit = np.zeros(len(reference))
+        unit[-1] = 1.0
+        try:
+            tangent = np.linalg.solve(np.vstack([self.slope, reference]), unit)
+        except (np.linalg.LinAlgError, TrimmerError):
+            return None
+        length = np.linalg.norm(tangent)
+        return tangent / length if np.isfinite(length) else None
+
+    def orientation(self, tangent: Reals) -> float:
+        """Return the determinant of slope and tangent.
+
+        Its sign is the same all along a branch, even where the slope jumps as at a grazing: the slopes on
+        both sides differ by a matrix of rank one that acts along the normal of the border. It changes where
+        another branch crosses.
+        """
+        return float(np.linalg.det(np.vstack([self.slope, tangent])))
+
+    def correction(self, normal: Reals, offset: float) -> Reals | None:
+        """Return Newton's step to the plane normal · position = offset, shape (n + 1,); None if singular.
+
+        On a plane of one value the derivative by the value is not needed, which costs as much as a passage.
+        """
+        ahead = offset - normal @ self.position
+        try:
+            if normal[:-1].any():
+                correction = np.linalg.solve(np.vstack([self.slope, normal]), np.append(-self.miss, ahead))
+            else:
+                step = ahead / normal[-1]
+                rest = -self.miss - (self.slope[:, -1] * step if abs(step) > ON_PLANE else 0.0)
+                correction = np.append(np.linalg.solve(self.jacobian - np.eye(len(rest)), rest), step)
+        except (np.linalg.LinAlgError, TrimmerError):
+            return None
+        return correction if np.isfinite(correction).all() else None
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """The orbits of a map, and the scale of their coordinates.
+
+    Attributes:
+        map: The map.
+        span: Length of the interval of values, in their unit; positive.
+        sizes: Scale of each entry of the state, shape (n,).
+    """
+
+    map: PeriodMap
+    span: float
+    sizes: Reals
+
+    def position(self, value: float, state: Reals) -> Reals:
+        """Return the coordinates of a state, shape (n,), and a value."""
+        return np.append(state / self.sizes, value / self.span)
+
+    def value(self, position: Reals) -> float:
+        """Return the value of coordinates, in its unit."""
+        return float(position[-1]) * self.span
+
+    def state(self, position: Reals) -> Reals:
+        """Return the state of coordinates, shape (n,), in its units."""
+        return position[:-1] * self.sizes
+
+    def place(self, position: Reals) -> Place | None:
+        """Follow the motion from coordinates; None if it cannot be followed."""
+        try:
+            passage = self.map.passage(self.value(position), self.state(position))
+        except TrimmerError:
+            return None
+        place = Place(self, position, passage)
+        return place if np.isfinite(place.jacobian).all() and np.isfinite(place.miss).all() else None
+
+    def adopted(self, place: Place) -> Place:
+        """Return a place of the same problem with other sizes of the states as one of this problem."""
+        position = place.position.copy()
+        position[:-1] *= place.problem.sizes / self.sizes
+        return Place(self, position, place.passage)
+
+    def correct(self, guess: Reals, normal: Reals, offset: float) -> Place | None:
+        """Solve for the orbit on the plane normal · position = offset; None if Newton's method fails."""
+        place = self.place(guess)
+        for _ in range(MOST_ITERATIONS):
+            if place is None or place.error <= EXACT:
+                return place
+            following = self._improved(place, normal, offset)
+            if following is None or following.error > 0.5 * place.error < 0.5 * CLOSED:
+                best = place if following is None or place.error < following.error else following
+                return best if best.error <= CLOSED else None
+            place = following
+        return place if place is not None and place.error <= CLOSED else None
+
+    def _improved(self, place: Place, normal: Reals, offset: float) -> Place | None:
+        """Take Newton's step, shortened as long as it does not bring the miss down; None if nothing does."""
+        correction = place.correction(normal, offset)
+        if correction is None:
+            return None
+        share = 1.0
+        for _ in range(MOST_HALVINGS if place.error > CLOSED else 1):
+            trial = self.place(place.position + share * correction)
+            if trial is not None and trial.error < place.error:
+                return trial
+            share *= 0.5
+        return None

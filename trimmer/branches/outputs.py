@@ -1,0 +1,65 @@
+"""Outputs of a periodic motion: peak to peak and harmonics of the drive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.response.extremes import extremes
+from trimmer.response.fourier import fourier
+from trimmer.response.motion_signals import output_rows, steady
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.flow import Course
+    from trimmer.mechanism.mechanism import Mechanism
+
+HARMONICS = 15
+
+
+@dataclass(frozen=True, eq=False)
+class OutputMeasure:
+    """What a displacement does over a period.
+
+    Attributes:
+        peak_to_peak: m.
+        harmonics: Amplitudes a_n, m, of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive.
+    """
+
+    peak_to_peak: float
+    harmonics: Reals
+
+
+def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMeasure]:
+    """Return the measures of all outputs by name.
+
+    Args:
+        mechanism: The mechanism.
+        course: Its motion over a whole number of drive periods, after which it repeats.
+    """
+    layout, found = course.modes.layout, {}
+    for name, row in output_rows(mechanism, layout).items():
+        lowest, highest = extremes(course, steady(row))
+        amplitudes = fourier(course, (course.nodes.states @ row)[:, None], layout.omega, HARMONICS)
+        found[name] = OutputMeasure(highest - lowest, np.abs(amplitudes[:, 0]))
+    return found
+
+
+def body_coefficients(course: Course, periods: int, count: int) -> Complexes:
+    """Return c_n, n = 0 ... count, of the displacements Re Σ c_n exp(i n omega t / periods) of the bodies.
+
+    Args:
+        course: The motion over a number of drive periods, after which it repeats.
+        periods: That number.
+        count: Number of multiples.
+
+    Returns:
+        Coefficients, m, shape (bodies, count + 1).
+    """
+    layout, nodes = course.modes.layout, course.nodes
+    displacements = nodes.states[:, : len(layout.bodies)]
+    mean = nodes.weights @ displacements / course.duration
+    waves = fourier(course, displacements, layout.omega / periods, count)
+    return np.column_stack([mean, waves.T])

@@ -1,0 +1,89 @@
+"""What a branch is followed of: the map of a state to the state a period later, over one number."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from trimmer.arrays import Reals
+from trimmer.choices import Choice
+
+
+class Phase(Choice):
+    """A phase of the motion of a part that can begin and end."""
+
+    UPPER = "contact on the upper side"
+    LOWER = "contact on the lower side"
+    EITHER = "contact on either side"
+    STICK = "stick"
+
+
+Signature = Mapping[tuple[str, Phase], int]
+"""How many phases of each kind begin in each part, by name, during a passage."""
+
+
+class Passage(Protocol):
+    """The motion from a state over one period.
+
+    Attributes:
+        end: State at the end, shape (n,).
+        jacobian: Derivative of ``end`` by the state, all changes of phase included, n x n.
+        sizes: Magnitude of each entry over the passage, positive where the entry ever moves, shape (n,).
+        signature: The phases that begin in it.
+        events: Number of events.
+        middle: End of its first half, if the passage is one of a doubled map, shape (n,); None otherwise.
+    """
+
+    @property
+    def end(self) -> Reals: ...  # noqa: D102
+
+    @property
+    def jacobian(self) -> Reals: ...  # noqa: D102
+
+    @property
+    def sizes(self) -> Reals: ...  # noqa: D102
+
+    @property
+    def signature(self) -> Signature: ...  # noqa: D102
+
+    @property
+    def events(self) -> int: ...  # noqa: D102
+
+    @property
+    def middle(self) -> Reals | None: ...  # noqa: D102
+
+    def rate(self) -> Reals:
+        """Return the derivative of ``end`` by the number that is varied, shape (n,)."""
+        ...
+
+
+class PeriodMap(Protocol):
+    """A continuous, piecewise smooth map of n states, whose fixed points are the orbits.
+
+    Attributes:
+        size: Number n of states.
+        mirrored: Whether a passage is half a period and its end is taken with changed signs, so that the
+            fixed points are the orbits with x(t + T/2) = -x(t).
+        doublings: How often it was doubled.
+    """
+
+    @property
+    def size(self) -> int: ...  # noqa: D102
+
+    @property
+    def mirrored(self) -> bool: ...  # noqa: D102
+
+    @property
+    def doublings(self) -> int: ...  # noqa: D102
+
+    def doubled(self) -> PeriodMap:
+        """Return the map of two passages; that of a mirrored map is a whole period without mirror."""
+        ...
+
+    def passage(self, value: float, state: Reals) -> Passage:
+        """Follow the motion from a state, shape (n,), with a value of the number that is varied.
+
+        Raises:
+            TrimmerError: if the motion cannot be followed.
+        """
+        ...

@@ -1,0 +1,52 @@
+"""Switching to a branch that parts from another at a period doubling or where symmetry is lost."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.branches.arc import Arc
+from trimmer.branches.bifurcations import Bifurcation
+from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.step import Front, begun
+
+DISTANCES = (1e-3, 1e-2, 1e-4)
+"""Distances from the bifurcation at which the first orbit of the other branch is sought, in their order."""
+ASIDE = 0.5
+"""Largest distance of that orbit from where it was sought, relative to the distance."""
+
+
+def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
+    """Return where branches that part at a bifurcation begin.
+
+    At a period doubling the branch of twice the period has the shape p - p0 = c a², x - x0 = a v with v the
+    critical eigenvector; a and -a are the same orbit half a period apart. A mirrored map loses its symmetry
+    in the same way: a and -a are mirror images. Where branches cross otherwise there is one on each side.
+    """
+    doubled = abs(bifurcation.place.multipliers + 1.0).min() < abs(bifurcation.place.multipliers - 1.0).min()
+    critical = _critical(bifurcation.place, -1.0 if doubled else 1.0)
+    if doubled:
+        problem = Problem(problem.map.doubled(), problem.span, problem.sizes)
+    directions = [critical] if doubled else [critical, -critical]
+    fronts = [_first(problem, bifurcation.place.position, each) for each in directions]
+    return [front for front in fronts if front is not None]
+
+
+def _critical(place: Place, multiplier: float) -> Reals:
+    """Return the unit direction, shape (n + 1,), of the eigenvector of the multiplier nearest to a number."""
+    matrix = place.jacobian - multiplier * np.eye(len(place.miss))
+    vector = np.linalg.svd(matrix)[2][-1]
+    return np.append(vector / np.linalg.norm(vector), 0.0)
+
+
+def _first(problem: Problem, origin: Reals, direction: Reals) -> Front | None:
+    arc = Arc(problem, origin, direction)
+    for distance in DISTANCES:
+        guess = origin + distance * direction
+        place = arc.at(distance, guess)
+        if place is None or np.linalg.norm(place.position - guess) > ASIDE * distance:
+            continue
+        tangent = place.tangent(direction)
+        if tangent is not None:
+            return begun(problem, place, tangent)
+    return None

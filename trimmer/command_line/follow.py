@@ -1,0 +1,116 @@
+"""``trimmer follow``: a branch of exact periodic motions of a mechanism over any of its numbers."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
+from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.parser import OptionError, tell
+from trimmer.command_line.signal_options import positive_whole
+
+if TYPE_CHECKING:
+    from trimmer.branches.follow import FollowedBranch
+
+ENDED_EARLY = 3
+"""Exit code of a branch that could not be followed to an end."""
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_mechanism_options(parser)
+    parser.add_argument(
+        "--vary",
+        required=True,
+        metavar="PLACE",
+        help="the number to vary, such as frequency or plays.bridge.gap",
+    )
+    parser.add_argument(
+        "--from",
+        required=True,
+        dest="start",
+        metavar="A",
+        help="first value, where it settles from rest, in SI units (Hz for a frequency) or with a unit",
+    )
+    parser.add_argument("--to", required=True, dest="stop", metavar="B", help="the other end of the interval")
+    parser.add_argument(
+        "--periods",
+        type=positive_whole,
+        metavar="K",
+        help="drive periods after which the motion repeats (default: those after which it does)",
+    )
+    parser.add_argument(
+        "--points",
+        type=positive_whole,
+        default=2000,
+        metavar="N",
+        help="most motions on each branch (default: 2000)",
+    )
+    parser.add_argument(
+        "--switches",
+        type=int,
+        choices=(0, 1, 2, 3, 4),
+        default=1,
+        help="how many times one after another to go over to a branch that parts (default: 1)",
+    )
+    parser.add_argument(
+        "--harmonics",
+        type=positive_whole,
+        metavar="N",
+        help="run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    parser.add_argument(
+        "--plot", type=file_to_write, metavar="FILE", help="draw the branch into an .svg, .png or .pdf file"
+    )
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.follow_text import as_json, as_text
+
+    check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
+    branch = _branch(arguments)
+    _draw(arguments, branch)
+    text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
+    show(text, arguments.plot)
+    if branch.success:
+        return 0
+    tell(branch.message)
+    return ENDED_EARLY
+
+
+def _branch(arguments: Namespace) -> FollowedBranch:
+    from trimmer.branches.follow import follow
+    from trimmer.branches.settings import FollowSettings
+    from trimmer.mechanism.places import assignment
+
+    (place, start), (_, stop) = (
+        assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
+    )
+    mechanism = chosen_mechanism(arguments)
+    try:
+        settings = FollowSettings(most_points=arguments.points, switches=arguments.switches)
+        return follow(mechanism, place, start, stop, periods=arguments.periods, settings=settings)
+    except ValueError as error:
+        raise OptionError(str(error)) from error
+
+
+def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
+    if arguments.plot is not None and branch.points:
+        from trimmer.command_line.branch_picture import draw
+        from trimmer.files import write_atomically
+
+        picture = draw(branch, arguments.plot.suffix[1:].lower())
+        write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+
+
+COMMAND = Command("follow", "exact periodic motions of a mechanism over any of its numbers", _configure, _run)
+"""The subcommand ``trimmer follow``."""

@@ -1,0 +1,120 @@
+"""A branch of periodic motions as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.json_values import pair
+from trimmer.command_line.table import table
+
+if TYPE_CHECKING:
+    from trimmer.branches.follow import FollowedBranch, FollowedOrbit
+    from trimmer.branches.special import SpecialPoint
+
+
+def as_text(branch: FollowedBranch, harmonics: int | None) -> str:
+    """Return a branch and those that part from it: stretches by stability, special points, how it ends.
+
+    Args:
+        branch: The branch.
+        harmonics: Harmonics of the multi-harmonic balance beside it; None for none.
+    """
+    return "\n".join(_lines(branch, harmonics, ""))
+
+
+def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
+    """Return a branch as JSON; arguments are those of ``as_text``."""
+    return json.dumps(_content(branch, harmonics), indent=2, allow_nan=False)
+
+
+def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:
+    begun = "Periodic motions" if branch.parted is None else f"From {branch.parted.kind.word} at"
+    at = "" if branch.parted is None else f" {branch.parted.value:.10g}"
+    many = "the drive's period" if branch.periods == 1 else f"{branch.periods} drive periods"
+    lines = [f"{begun}{at} over {branch.map.place} ({branch.unit}), {len(branch.points)} of {many}"]
+    lines += table(("from", "to", "stable", *_output_heads(branch)), _stretches(branch))
+    if branch.special:
+        heads = ("special", "value", "parts and what happens")
+        lines += ["Special points, in their order:", *table(heads, [_row(each) for each in branch.special])]
+    if harmonics is not None:
+        lines.append(_balance(branch, harmonics))
+    lines = [indent + line for line in [*lines, f"End: {branch.message}"]]
+    for other in branch.branches:
+        lines += _lines(other, harmonics, indent + "    ")
+    return lines
+
+
+def _output_heads(branch: FollowedBranch) -> list[str]:
+    return [f"{name}, peak to peak, m" for name in branch.map.mechanism.outputs]
+
+
+def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
+    """Return the stretches on which stability does not change, with the range of each output."""
+    rows = []
+    for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
+        points = list(group)
+        ranges = []
+        for name in branch.map.mechanism.outputs:
+            values = [point.outputs[name].peak_to_peak for point in points]
+            ranges.append(f"{min(values):.6g} to {max(values):.6g}")
+        ends = (f"{points[0].value:.8g}", f"{points[-1].value:.8g}")
+        rows.append((*ends, "yes" if stable else "no", *ranges))
+    return rows
+
+
+def _row(special: SpecialPoint) -> tuple[str, ...]:
+    return special.kind.word, f"{special.value:.12g}", special.note
+
+
+def _balance(branch: FollowedBranch, harmonics: int) -> str:
+    balances = [point.balanced(harmonics) for point in branch.points]
+    found = [each.distance for each in balances if each.converged]
+    if not found:
+        return f"Harmonic balance with {harmonics} harmonics converged at no point"
+    return (
+        f"Harmonic balance with {harmonics} harmonics: {len(found)} of {len(balances)} points, "
+        f"off by {min(found):.2g} to {max(found):.2g} (rms, relative)"
+    )
+
+
+def _content(branch: FollowedBranch, harmonics: int | None) -> dict[str, object]:
+    return {
+        "place": branch.map.place,
+        "unit": branch.unit,
+        "period_count": branch.periods,
+        "reason": branch.reason.word,
+        "success": branch.success,
+        "message": branch.message,
+        "parted": None if branch.parted is None else _special(branch.parted),
+        "points": [_point(point, harmonics) for point in branch.points],
+        "special": [_special(each) for each in branch.special],
+        "branches": [_content(other, harmonics) for other in branch.branches],
+    }
+
+
+def _special(special: SpecialPoint) -> dict[str, object]:
+    return {
+        "kind": special.kind.word,
+        "value": special.value,
+        "parts": list(special.parts),
+        "note": special.note,
+    }
+
+
+def _point(point: FollowedOrbit, harmonics: int | None) -> dict[str, object]:
+    balance = None if harmonics is None else point.balanced(harmonics)
+    return {
+        "value": point.value,
+        "stable": point.stable,
+        "multipliers": [pair(value) for value in point.multipliers.tolist()],
+        "events_per_period": point.events_per_period,
+        "outputs": {
+            name: {"peak_to_peak": measure.peak_to_peak, "harmonics": measure.harmonics.tolist()}
+            for name, measure in point.outputs.items()
+        },
+        "balance": None
+        if balance is None
+        else {"distance": balance.distance, "converged": balance.converged},
+    }

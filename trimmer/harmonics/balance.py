@@ -1,0 +1,197 @@
+"""Multi-harmonic balance of a driven mechanism, with forces integrated exactly between their events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.errors import UnsupportedMotionError
+from trimmer.harmonics.contact import Contact
+from trimmer.harmonics.forces import Harmonics
+from trimmer.harmonics.rubbing import friction_harmonics
+from trimmer.harmonics.waveform import Waveform
+from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Play, Stop
+
+MOST_ITERATIONS = 30
+MOST_HALVINGS = 8
+BALANCED = 1e-10
+"""Largest imbalance, relative to the largest force, that counts as a solution."""
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """A periodic motion whose forces balance in all harmonics up to an order.
+
+    Attributes:
+        coefficients: c_n of q = Re Σ c_n exp(i n omega t / periods) of each body, m, n from 0, shape
+            (bodies, periods order + 1).
+        periods: Drive periods after which it repeats.
+        residual: Largest imbalance of a harmonic, relative to the largest force.
+    """
+
+    coefficients: Complexes
+    periods: int
+    residual: float
+
+    @property
+    def converged(self) -> bool:
+        """Whether the forces balance to rounding."""
+        return self.residual <= BALANCED
+
+
+def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1) -> Balance:
+    """Balance the forces of a mechanism in all harmonics that a guess has.
+
+    Args:
+        mechanism: The mechanism; it has a frequency.
+        guess: Coefficients, m, shape (bodies, harmonics + 1), as those of the result.
+        periods: Drive periods after which the motion repeats.
+
+    Raises:
+        UnsupportedMotionError: if the mechanism has no frequency, or a spring leans on a pin that moves on.
+    """
+    equations = _Equations(mechanism, guess.shape[1], periods)
+    unknowns = _as_real(guess)
+    residual, slope = equations.imbalance(unknowns)
+    for _ in range(MOST_ITERATIONS):
+        if _largest(residual) <= 1e-14 * equations.scale:
+            break
+        correction = np.linalg.lstsq(slope, -residual, rcond=1e-15)[0]
+        share = 1.0
+        for _ in range(MOST_HALVINGS):
+            trial, trial_slope = equations.imbalance(unknowns + share * correction)
+            if _largest(trial) < _largest(residual):
+                break
+            share *= 0.5
+        else:
+            break
+        unknowns, residual, slope = unknowns + share * correction, trial, trial_slope
+    coefficients = _as_complex(unknowns, guess.shape)
+    return Balance(coefficients, periods, _largest(residual) / equations.scale)
+
+
+def _largest(values: Reals) -> float:
+    return float(abs(values).max())
+
+
+def _as_real(coefficients: Complexes) -> Reals:
+    return np.concatenate([coefficients.real.ravel(), coefficients.imag.ravel()])
+
+
+def _as_complex(values: Reals, shape: tuple[int, ...]) -> Complexes:
+    real, imaginary = np.split(values, 2)
+    coefficients: Complexes = (real + 1j * imaginary).reshape(shape)
+    return coefficients
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """M q'' + C q' + K q + Σ forces = what drives it, harmonic by harmonic."""
+
+    mechanism: Mechanism
+    count: int
+    periods: int
+
+    def __post_init__(self) -> None:
+        if self.mechanism.frequency is None:
+            raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
+        moving = [name for name, pin in self.mechanism.pins.items() if pin.velocity != 0.0]
+        for link in (*self.mechanism.links.values(), *self._contacts):
+            if link.stiffness > 0.0 and any(name in link.between for name in moving):
+                raise UnsupportedMotionError("a spring leans on a pin that moves on: its force never repeats")
+
+    @property
+    def _contacts(self) -> list[Play | Stop]:
+        return [*self.mechanism.plays.values(), *self.mechanism.stops.values()]
+
+    @cached_property
+    def omega(self) -> float:
+        return 2.0 * np.pi * float(self.mechanism.frequency or 0.0) / self.periods
+
+    @cached_property
+    def turning(self) -> Complexes:
+        return np.asarray(1j * self.omega * np.arange(self.count), dtype=np.complex128)
+
+    @cached_property
+    def pins(self) -> Complexes:
+        """Coefficients of the pins relative to their carriers, (pins, count)."""
+        waves = np.zeros((len(self.mechanism.pins), self.count), dtype=complex)
+        for row, pin in zip(waves, self.mechanism.pins.values(), strict=True):
+            row[0] = pin.offset
+            self._add_sine(row, pin.order, pin.amplitude, pin.phase)
+        return waves
+
+    def _add_sine(self, row: Complexes, order: int, amplitude: float, phase: float) -> None:
+        place = order * self.periods
+        if place < self.count:
+            row[place] += -1j * amplitude * np.exp(1j * phase)
+
+    @cached_property
+    def driving(self) -> Complexes:
+        """Coefficients of the forces on the bodies at rest, N, (bodies, count)."""
+        matrices, mechanism = linear_matrices(self.mechanism, viscous=True), self.mechanism
+        forces = np.zeros((len(mechanism.forces), self.count), dtype=complex)
+        for row, force in zip(forces, mechanism.forces.values(), strict=True):
+            row[0] = force.constant
+            rate = force.order * self.omega * self.periods
+            self._add_sine(row, force.order, force.amplitude + force.unbalance * rate**2, force.phase)
+        speeds = np.array([pin.velocity for pin in mechanism.pins.values()])
+        driving = matrices.forces @ forces + matrices.pin_displacement @ self.pins
+        driving = driving + matrices.pin_velocity @ (self.pins * self.turning)
+        driving[:, 0] += matrices.pin_velocity @ speeds
+        return np.asarray(driving, dtype=np.complex128)
+
+    @cached_property
+    def linear(self) -> Complexes:
+        """Dynamic stiffness of each harmonic, (count, bodies, bodies)."""
+        matrices, turning = linear_matrices(self.mechanism, viscous=True), self.turning[:, None, None]
+        return np.asarray(turning**2 * matrices.mass + turning * matrices.damping + matrices.stiffness)
+
+    @cached_property
+    def scale(self) -> float:
+        """Largest force that occurs, N."""
+        frictions = [friction.force for friction in self.mechanism.frictions.values()]
+        return max([float(abs(self.driving).max()), *frictions]) or 1.0
+
+    def imbalance(self, unknowns: Reals) -> tuple[Reals, Reals]:
+        """Return the imbalance, N, and its derivative."""
+        bodies = len(self.mechanism.bodies)
+        q = _as_complex(unknowns, (bodies, self.count))
+        residual = np.einsum("nij,jn->in", self.linear, q) - self.driving
+        direct = np.zeros((bodies, self.count, bodies, self.count), dtype=complex)
+        harmonics = np.arange(self.count)
+        direct[:, harmonics, :, harmonics] = self.linear
+        conjugate = np.zeros_like(direct)
+        for row, force in self._forces(q):
+            residual += np.multiply.outer(row, force.coefficients)
+            shape = np.multiply.outer(row, row)
+            direct += np.einsum("ij,nm->injm", shape, force.direct)
+            conjugate += np.einsum("ij,nm->injm", shape, force.conjugate)
+        size = bodies * self.count
+        plus = (direct + conjugate).reshape(size, size)
+        minus = 1j * (direct - conjugate).reshape(size, size)
+        slope = np.block([[plus.real, minus.real], [plus.imag, minus.imag]])
+        return _as_real(residual), slope
+
+    def _forces(self, q: Complexes) -> Iterator[tuple[Reals, Harmonics]]:
+        """Yield how a force that pulls two ends together acts against the bodies, and its harmonics."""
+        rows, bodies = displacement_rows(self.mechanism), len(self.mechanism.bodies)
+        moved = np.vstack([q, self.pins])
+        for part in self._contacts:
+            row = rows[part.between[1]] - rows[part.between[0]]
+            yield row[:bodies], Contact(part, Waveform(row @ moved, self.omega)).harmonics()
+        for friction in self.mechanism.frictions.values():
+            row = rows[friction.between[1]] - rows[friction.between[0]]
+            start, end = friction.between
+            drift = self._drift(end) - self._drift(start)
+            distance = Waveform(row @ moved, self.omega)
+            yield row[:bodies], friction_harmonics(distance, drift, friction.force)
+
+    def _drift(self, end: str) -> float:
+        return self.mechanism.pins[end].velocity if end in self.mechanism.pins else 0.0

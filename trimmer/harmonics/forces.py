@@ -1,0 +1,97 @@
+"""Coefficients of a force that is linear in a signal on some pieces of the period and zero elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.harmonics.waveform import Waveform
+
+
+@dataclass(frozen=True, eq=False)
+class Harmonics:
+    """Coefficients of a force, and how they change with those of the signal.
+
+    Attributes:
+        coefficients: As those of a waveform, N, shape (H + 1,).
+        direct: Derivative by the coefficients of the signal, (H + 1) x (H + 1).
+        conjugate: Derivative by their conjugates, (H + 1) x (H + 1).
+    """
+
+    coefficients: Complexes
+    direct: Complexes
+    conjugate: Complexes
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """Pieces of the period, (pieces,) each.
+
+    Attributes:
+        begin: Times at which they begin, s.
+        end: Times at which they end, s.
+        sign: Which of two linear functions acts on them, 1 or -1.
+    """
+
+    begin: Reals
+    end: Reals
+    sign: Reals
+
+
+def piecewise(signal: Waveform, factors: Complexes, constant: float, pieces: Pieces) -> Harmonics:
+    """Integrate Re Σ factors_m c_m exp(i m omega t) - sign constant over pieces.
+
+    Args:
+        signal: The signal with the coefficients c_m.
+        factors: Shape (H + 1,).
+        constant: In the unit of the force.
+        pieces: The pieces.
+    """
+    count = len(factors)
+    over = _exponentials(signal, pieces, np.ones(len(pieces.sign)))
+    signed = _exponentials(signal, pieces, pieces.sign)
+    rows, columns = np.ogrid[:count, :count]
+    # The middle of the table is exponent 0.
+    direct = over[2 * count + columns - rows] / signal.period
+    conjugate = over[2 * count - columns - rows] / signal.period
+    direct[0] *= 0.5
+    conjugate[0] *= 0.5
+    linear = factors * signal.coefficients
+    offsets = 2.0 * signed[2 * count - np.arange(count)] / signal.period
+    offsets[0] *= 0.5
+    coefficients = direct @ linear + conjugate @ linear.conj() - constant * offsets
+    coefficients[0] = coefficients[0].real
+    return Harmonics(coefficients, direct * factors, conjugate * factors.conj())
+
+
+def _exponentials(signal: Waveform, pieces: Pieces, weights: Reals) -> Complexes:
+    """Integrate exp(i p omega t) over weighted pieces for p = -2 (H + 1) ... 2 (H + 1)."""
+    count = 2 * len(signal.coefficients)
+    exponents = np.arange(-count, count + 1)
+    rates = 1j * signal.omega * np.where(exponents == 0, 1, exponents)
+    ends = np.exp(np.multiply.outer(rates, pieces.end)) - np.exp(np.multiply.outer(rates, pieces.begin))
+    integrals = (ends @ weights) / rates
+    integrals[count] = float(weights @ (pieces.end - pieces.begin))
+    return np.asarray(integrals, dtype=np.complex128)
+
+
+def with_moving_ends(
+    harmonics: Harmonics, signal: Waveform, times: Reals, amounts: Reals, weights: Complexes
+) -> Harmonics:
+    """Add what changes because the ends of pieces move, where the force jumps.
+
+    Args:
+        harmonics: Coefficients and derivatives with ends that stay.
+        signal: The signal.
+        times: Moments of jumps, s, (jumps,).
+        amounts: What a rise of the weighted signal by 1 adds to the impulse there, (jumps,).
+        weights: Factors of the signal's coefficients whose zero sets the moments, shape (H + 1,).
+    """
+    turns = np.exp(np.multiply.outer(times, signal.turning))
+    added = (2.0 / signal.period) * (turns.conj().T * amounts) @ (0.5 * turns * weights)
+    conjugate = (2.0 / signal.period) * (turns.conj().T * amounts) @ (0.5 * (turns * weights).conj())
+    added[0] *= 0.5
+    conjugate[0] *= 0.5
+    return Harmonics(harmonics.coefficients, harmonics.direct + added, harmonics.conjugate + conjugate)
