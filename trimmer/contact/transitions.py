@@ -69,7 +69,7 @@ def transition(
         The change, or None where several frictions are at rest and decide it together.
     """
     if function.action not in (ARRIVED, AT_LIMIT):
-        return _of_contact(machine, statuses, function)
+        return _of_contact(machine, statuses, function, jumped)
     contacts = len(machine.stiffness)
     others = [
         part for part in range(contacts, len(statuses)) if part != function.owner and statuses[part] == STICK
@@ -91,7 +91,9 @@ def _with(statuses: tuple[int, ...], part: int, status: int) -> tuple[int, ...]:
     return (*statuses[:part], status, *statuses[part + 1 :])
 
 
-def _of_contact(machine: Machine, statuses: tuple[int, ...], function: EventFunction) -> Transition:
+def _of_contact(
+    machine: Machine, statuses: tuple[int, ...], function: EventFunction, jumped: bool
+) -> Transition:
     contact = function.owner
     status, pulls = statuses[contact], machine.law[contact] == PULLS
     same_side = MADE_PLUS if status in (PLUS, RELEASED_PLUS) else MADE_MINUS
@@ -106,6 +108,7 @@ def _of_contact(machine: Machine, statuses: tuple[int, ...], function: EventFunc
     if pulls:
         return Transition(_with(statuses, contact, FREE), CONTACT_BROKEN, same_side, 1)
     if machine.law[contact] == RELAXES:
-        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, same_side, 2)
+        # The slot opens with no rate where the force has fallen to zero, but not where it is a pull at once.
+        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, same_side, 1 if jumped else 2)
     released = RELEASED_PLUS if status == PLUS else RELEASED_MINUS
     return Transition(_with(statuses, contact, released), CONTACT_BROKEN, RETURNED, 1)

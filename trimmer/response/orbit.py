@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-8
 """Distance of states as a share of their sizes below which a motion has returned before its time."""
+NEUTRAL = 1e-6
+"""By how much the modulus of a multiplier may differ from 1 and count as 1."""
 RETURNS = 64
 """Returns over which the growth of small distances is followed."""
 
@@ -77,6 +79,12 @@ class MechanismOrbit:
     def stable(self) -> bool:
         """Whether it was found, and small disturbances die out."""
         return self.success and bool((abs(self.nontrivial_multipliers) < 1).all())
+
+    @property
+    def neutral(self) -> bool:
+        """Whether it was found, and no small disturbance grows, but one stays, as where friction holds."""
+        largest = abs(self.nontrivial_multipliers).max(initial=0.0)
+        return self.success and bool(abs(largest - 1) <= NEUTRAL)
 
     @property
     def events_per_period(self) -> float:
@@ -145,7 +153,7 @@ def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
             message=f"no motion that returns after {time} was found; the closest misses by "
             f"{orbit.residual:.1e} of its size. Begin elsewhere, or with another number of periods",
         )
-    kind = "a stable" if orbit.stable else "an unstable"
+    kind = "a stable" if orbit.stable else "a neutral" if orbit.neutral else "an unstable"
     if not orbit.periods:
         told = f"{kind} motion that repeats after {orbit.period:.9g} s"
     elif orbit.period_count < orbit.periods:

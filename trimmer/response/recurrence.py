@@ -20,7 +20,7 @@ CLOSE = 0.2
 """Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing."""
 ROUNDING = 1e-9
 """Distance at which what is left is taken for rounding."""
-RETURNED = 1e-11
+RETURNED = 1e-10
 """Distance of a motion to itself that counts as none."""
 
 

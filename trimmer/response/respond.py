@@ -17,7 +17,7 @@ from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.starts import instant_of
-from trimmer.response.verdict import unsettled
+from trimmer.response.verdict import cut_short, look_closely, unsettled
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 MOST_PERIODS = 1000
 """Drive periods that are waited for a motion to settle, if no number is given."""
+MORE = 10
+"""By how much longer is waited where all small distances were seen to shrink."""
 LONG = 100
 """Drive periods of settling beyond which a neighbouring start is tried too."""
 NEIGHBOUR = 1e-6
@@ -97,12 +99,14 @@ class _Search:
         if not self.flow.period:
             return self._by_itself(instant)
         settling = Settling(self.flow, instant, self.known)
-        orbit = settling.until_settled(self.most_periods)
-        agrees = None
-        if settling.periods > LONG and self.flow.size:
-            agrees = self._agrees(instant, orbit)
+        orbit, seen = settling.until_settled(self.most_periods), None
+        if orbit is None and settling.can_go_on:
+            seen = look_closely(self.flow, settling.instant)
+            if seen is not None and seen.contracts:
+                orbit = settling.until_settled(MORE * self.most_periods)
+        agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
         if orbit is None:
-            return unsettled(self.flow, settling, agrees)
+            return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
         told = f"It settles within {settling.periods} drive periods to {orbit.message}."
         if agrees is not None:
             told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
@@ -117,13 +121,13 @@ class _Search:
             )
         return _settled(orbit, 0, None, f"It settles to {orbit.message}.")
 
-    def _agrees(self, instant: Instant, orbit: MechanismOrbit | None) -> bool:
+    def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
         moving = 2 * len(self.flow.modes.layout.bodies)
         state = instant.state.copy()
         state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
         settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
-        other = settling.until_settled(self.most_periods)
+        other = settling.until_settled(max(periods + LONG, self.most_periods))
         if orbit is None or other is None:
             return orbit is other
         return same_orbit(orbit, other)

@@ -28,8 +28,6 @@ MOST_REPEATS = 24
 """The largest number of drive periods after which a motion is taken to repeat."""
 PATIENCE = Patience(iterations=12, halvings=4, followed=0)
 """With which an orbit is looked for on the way."""
-NEUTRAL = 1e-6
-"""By how much the modulus of a multiplier may exceed 1 where the motion itself returns to rounding."""
 
 
 @dataclass(eq=False)
@@ -55,13 +53,18 @@ class Settling:
     def __post_init__(self) -> None:
         self.states = self.instant.state[None]
 
+    @property
+    def can_go_on(self) -> bool:
+        """Whether the motion can be followed further."""
+        return self.ending is Ending.REACHED_END
+
     def follow(self, periods: int) -> bool:
         """Go on; returns whether that was possible."""
         strobe = self.flow.strobe(self.instant, periods)
         self.instant, self.ending = strobe.end, strobe.ending
         self.states = np.concatenate([self.states, strobe.states[1:]])[-KEPT:]
         self.periods += len(strobe.states) - 1
-        return self.ending is Ending.REACHED_END
+        return self.can_go_on
 
     def until_settled(self, most_periods: int) -> MechanismOrbit | None:
         """Return the orbit that the motion settles to within some drive periods, None if it does not."""
@@ -96,7 +99,7 @@ class Settling:
             orbit = self._orbit(periods)
             if orbit is None:
                 continue
-            if has_returned(self.states, sizes, periods) and _neutral(orbit):
+            if (orbit.stable or orbit.neutral) and has_returned(self.states, sizes, periods):
                 return orbit
             if orbit.stable and not _listed(orbit, self.known):
                 self.known.append(orbit)
@@ -123,10 +126,6 @@ class Settling:
 def _counts(periods: int) -> Iterator[int]:
     yield periods
     yield from (each for each in range(periods - 1, 0, -1) if periods % each == 0)
-
-
-def _neutral(orbit: MechanismOrbit) -> bool:
-    return bool(abs(orbit.multipliers).max(initial=0.0) <= 1 + NEUTRAL)
 
 
 def _listed(orbit: MechanismOrbit, known: Sequence[MechanismOrbit]) -> bool:

@@ -27,6 +27,8 @@ ROUNDED = 1e-12
 """Miss below which a step that does not reduce it is not shortened: it is rounding."""
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
+STILL = 1e-1
+"""Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -51,7 +53,11 @@ class Shot:
     @cached_property
     def gap(self) -> Reals:
         """End less start as shares of the sizes, (n,)."""
-        difference: Reals = (self.course.end.state - self.course.begin.state) / self.sizes
+        # What is held is exact at the start, and drifts by rounding.
+        course, end = self.course, self.course.end
+        extended = np.concatenate([end.state, course.modes.layout.forcing_at(end.phase)])
+        held = course.modes[course.modes.number(end.statuses)].hold @ extended
+        difference: Reals = (held[: len(end.state)] - course.begin.state) / self.sizes
         return difference
 
     @property
@@ -149,11 +155,13 @@ def sizes_of(course: Course) -> Reals:
     count = len(layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
     sizes: Reals = abs(states).max(axis=0)
-    groups = [slice(0, count), slice(count, 2 * count), slice(2 * count, None)]
-    for group in groups:
-        largest = sizes[group].max(initial=0.0)
-        sizes[group] = np.maximum(sizes[group], SMALLEST_SHARE * largest)
-    sizes[groups[2]] = np.maximum(sizes[groups[2]], SMALLEST_SHARE * sizes[:count].max(initial=0.0))
+    displacements, velocities = slice(0, count), slice(count, 2 * count)
+    rate = 2 * np.pi / course.duration
+    longest = max(sizes[displacements].max(initial=0.0), STILL * sizes[velocities].max(initial=0.0) / rate)
+    fastest = max(sizes[velocities].max(initial=0.0), STILL * longest * rate)
+    scale = np.full(len(sizes), longest)
+    scale[velocities] = fastest
+    sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
     sizes[sizes == 0.0] = 1.0
     return sizes
 
@@ -193,7 +201,7 @@ def solve(
         if shot is None or shot.miss <= SETTLED:
             break
         following = _improved(problem, shot, patience.halvings)
-        if following is None and shot.miss > ROUNDED and followed < patience.followed:
+        if following is None and shot.miss > CLOSED and followed < patience.followed:
             followed += 1
             following = problem.corrected(shot, 1.0, (shot.gap * shot.sizes, 0.0))
         if following is None:

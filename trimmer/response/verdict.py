@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
+    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
     from trimmer.response.settling import Settling
 
@@ -26,6 +26,8 @@ RESOLVED = 0.05
 """Largest modulus of an exponent per drive period, errors included, that is taken for zero."""
 ORDERLY = 0.2
 """Largest result of the 0-1 test of a motion on a torus."""
+STEADY = 0.1
+"""Share by which the swing of a motion on a torus may differ between the halves of the window."""
 NEIGHBOUR = 1e-9
 """Distance of the motion that is followed beside the first one, as a share of the sizes."""
 LEAVES = 1e3
@@ -34,40 +36,75 @@ BESIDE = 256
 """Drive periods over which both are followed."""
 
 
-def unsettled(flow: ExactFlow, settling: Settling, agrees: bool | None) -> SettledMotion:
-    """Return what is known of a motion that has not settled."""
-    waited = settling.periods
-    if settling.ending is not Ending.REACHED_END:
-        told = f"It could be followed for {waited} drive periods only: {settling.ending.value}."
-        return SettledMotion(MotionKind.UNDECIDED, None, None, waited, agrees, 1, 1.0, False, told)
-    seen = _Seen(flow, watch(flow, settling.instant, WINDOW))
-    for _ in range(MOST_WINDOWS - 1):
-        if seen.kind is not MotionKind.UNDECIDED or seen.window.ending is not Ending.REACHED_END:
-            break
-        seen = _Seen(flow, joined(seen.window, watch(flow, seen.window.end, WINDOW)))
+def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
+    """Return what is known of a motion that could not be followed further."""
+    told = f"It could be followed for {settling.periods} drive periods only: {settling.ending.value}."
+    kind = MotionKind.UNDECIDED
+    return SettledMotion(kind, None, None, settling.periods, agrees, 1, 1.0, False, told)
+
+
+def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
+    """Return what is known of a motion that has not settled after a wait and was watched since."""
     periods = waited + seen.window.periods
     told = _told(seen, waited, agrees)
     return SettledMotion(seen.kind, None, seen.window, periods, agrees, 1, 1.0, False, told)
 
 
+def look_closely(flow: ExactFlow, instant: Instant) -> Seen | None:
+    """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
+    window = watch(flow, instant, WINDOW)
+    if window is None:
+        return None
+    seen = Seen(flow, window, _neighbour_leaves(flow, window))
+    for _ in range(MOST_WINDOWS - 1):
+        decided = seen.kind is not MotionKind.UNDECIDED or seen.contracts
+        more = None if decided else watch(flow, seen.window.end, WINDOW)
+        if more is None:
+            break
+        seen = replace(seen, window=joined(seen.window, more))
+    return seen
+
+
 @dataclass(frozen=True, eq=False)
-class _Seen:
+class Seen:
+    """What was seen of a motion that has not settled.
+
+    Attributes:
+        flow: The motion of the mechanism.
+        window: The motion over some drive periods.
+        leaves: Whether a neighbouring motion leaves it.
+    """
+
     flow: ExactFlow
     window: Window
+    leaves: bool
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "leaves", _neighbour_leaves(self.flow, self.window))
-
-    leaves: bool = False
+    @property
+    def contracts(self) -> bool:
+        """Whether all small distances shrink, so that it will settle."""
+        largest = self.window.exponents[0]
+        return not self.leaves and largest.value + ERRORS * largest.uncertainty < 0
 
     @property
     def kind(self) -> MotionKind:
+        """What it is, as far as the numbers carry it."""
         largest = self.window.exponents[0]
         error = ERRORS * largest.uncertainty
         if largest.value - error > 0:
             return MotionKind.CHAOTIC if self.leaves else MotionKind.UNDECIDED
         zero = abs(largest.value) <= error and abs(largest.value) + error < RESOLVED
-        return MotionKind.TORUS if zero and not self.leaves and self.orderly else MotionKind.UNDECIDED
+        return (
+            MotionKind.TORUS
+            if zero and not self.leaves and self.steady and self.orderly
+            else MotionKind.UNDECIDED
+        )
+
+    @property
+    def steady(self) -> bool:
+        """Whether the states swing as much in the second half of the window as in the first."""
+        states = self.window.states
+        first, second = (np.ptp(half, axis=0) for half in np.array_split(states, 2))
+        return bool((abs(first - second) <= STEADY * np.maximum(first, second)).all())
 
     @property
     def orderly(self) -> bool:
@@ -87,7 +124,7 @@ def _neighbour_leaves(flow: ExactFlow, window: Window) -> bool:
     return bool(apart.max() > LEAVES * NEIGHBOUR)
 
 
-def _told(seen: _Seen, waited: int, agrees: bool | None) -> str:
+def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
     largest = seen.window.exponents[0]
     exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per drive period"
     kinds = {

@@ -27,13 +27,15 @@ SAMPLES = 64
 """Samples in a drive period, for the spectrum."""
 SEGMENT = 128
 """Drive periods of a segment of the spectrum, at most."""
+TOGETHER = 8
+"""Drive periods that are taken together: a row of each series below."""
 SMALLEST = 1e-16
-"""Growth of a distance in a period below which it counts as lost."""
+"""Growth of a distance over a row below which it counts as lost."""
 
 
 @dataclass(frozen=True, eq=False)
 class Window:
-    """What was seen of a motion, period by period.
+    """What was seen of a motion, in rows of some drive periods each.
 
     Attributes:
         flow: The motion of the mechanism.
@@ -41,12 +43,12 @@ class Window:
         begin: Where the window begins.
         end: Where it ends.
         ending: Why, if it had to.
-        growth: Logarithms of the growth of two distances at right angles, per period, (periods, 2).
-        means, squares: Mean and mean square of each output, per period, m, m², (periods, outputs).
-        waves: Complex amplitudes of the harmonics, per period, m, (periods, HARMONICS, outputs).
-        ranges: Smallest and largest value of each output, per period, m, (periods, outputs, 2).
-        accelerations: Mean square of the acceleration of each body, per period, m²/s⁴, (periods, bodies).
-        events: Number of events per period, (periods,).
+        growth: Logarithms of the growth of two distances at right angles, per period, (rows, 2).
+        means, squares: Mean and mean square of each output, m, m², (rows, outputs).
+        waves: Complex amplitudes of the harmonics, m, (rows, HARMONICS, outputs).
+        ranges: Smallest and largest value of each output, m, (rows, outputs, 2).
+        accelerations: Mean square of the acceleration of each body, m²/s⁴, (rows, bodies).
+        events: Number of events per drive period, (rows,).
         states: At the start of each period, (periods, n).
         samples: Outputs at equal steps, m, (SAMPLES periods, outputs).
     """
@@ -69,7 +71,7 @@ class Window:
     @property
     def periods(self) -> int:
         """Its length in drive periods."""
-        return len(self.events)
+        return TOGETHER * len(self.events)
 
     @cached_property
     def exponents(self) -> tuple[Estimate, ...]:
@@ -121,8 +123,8 @@ class Window:
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
-def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window:
-    """Follow a motion over a window of drive periods."""
+def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window | None:
+    """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
     return _Watch(flow, instant).over(periods)
 
 
@@ -143,19 +145,22 @@ class _Watch:
         self.distances = np.linalg.qr(np.random.default_rng(0).normal(size=(flow.size, 2)))[0]
         self.seen: list[tuple[Any, ...]] = []
 
-    def over(self, periods: int) -> Window:
+    def over(self, periods: int) -> Window | None:
         begin, ending = self.instant, Ending.REACHED_END
-        for period in range(periods):
-            course = self.flow.course(self.instant, 1)
+        for row in range(-(-periods // TOGETHER)):
+            course = self.flow.course(self.instant, TOGETHER)
             ending = course.ending
             if ending is not Ending.REACHED_END:
                 break
-            if period == 0:
+            if row == 0:
                 self.sizes = sizes_of(course)
             self.seen.append(self._of(course))
             self.instant = course.end
+        if not self.seen:
+            return None
         columns = [np.array(column) for column in zip(*self.seen, strict=True)]
         columns[-1] = columns[-1].reshape(-1, len(self.rows))
+        columns[-2] = columns[-2].reshape(-1, self.flow.size)
         return Window(self.flow, self.sizes, begin, self.instant, ending, *columns)
 
     def _of(self, course: Course) -> tuple[Any, ...]:
@@ -167,20 +172,21 @@ class _Watch:
             / duration
             for body in range(len(course.modes.layout.bodies))
         ]
-        times = course.duration * np.arange(SAMPLES) / SAMPLES
+        count = SAMPLES * TOGETHER
+        sampled = course.states(course.duration * np.arange(count) / count)
         return (
             self._growth(course),
             nodes.weights @ signals / duration,
             nodes.weights @ signals**2 / duration,
-            fourier(course, signals, 2 * np.pi / duration, HARMONICS),
+            fourier(course, signals, 2 * np.pi * TOGETHER / duration, HARMONICS),
             np.array([extremes(course, steady(row)) for row in self.rows]).reshape(-1, 2),
             np.array(accelerations),
-            np.array(float(len(course.events))),
-            course.begin.state,
-            course.states(times) @ np.array(self.rows).T,
+            np.array(len(course.events) / TOGETHER),
+            sampled[::SAMPLES, : self.flow.size],
+            sampled @ np.array(self.rows).reshape(len(self.rows), -1).T,
         )
 
     def _growth(self, course: Course) -> Reals:
         at_end = course.tangents(self.sizes[:, None] * self.distances) / self.sizes[:, None]
         self.distances, triangle = np.linalg.qr(at_end)
-        return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)))
+        return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)) / TOGETHER)

@@ -18,8 +18,9 @@ from trimmer import (
     forced_orbit,
     linear_matrices,
 )
+from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
-from trimmer.mechanism import Body, Force, Link, Output, Pin
+from trimmer.mechanism import Body, Force, Link, Output, Pin, Play
 from trimmer.response.energy import energy_of
 
 LAWS = {ContactLaw.RELAXING: 2.933334121400e-3, ContactLaw.TRUNCATED: 2.933334121515e-3}
@@ -177,3 +178,17 @@ def test_harmonics_of_a_slow_wave_are_exact_at_any_order() -> None:
     omega = 20 * 2 * np.pi * 1e-3
     assert amplitudes[19] == pytest.approx(1 / abs(1 - omega**2 + 0.5j * omega), rel=1e-10)
     assert amplitudes[:19].max() < 1e-11
+
+
+def test_a_relaxing_spring_a_hair_beyond_its_slot_does_not_chatter() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        plays={"slot": Play(("ground", "body"), 1e4, 100.0, 0.2)},
+        forces={"push": Force("body", constant=500.0)},
+    )
+    flow = ExactFlow(mechanism)
+    # The spring is stretched, and the body moves back faster than it relaxes, but is pushed towards contact.
+    course = flow.course(flow.at(np.array([0.12 + 1e-10, -5.0, 0.02])), 1)
+    assert course.ending is Ending.REACHED_END
+    assert len(course.events) < 20

@@ -10,7 +10,7 @@ import pytest
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Mechanism, MechanismError, MotionKind, UnsupportedMotionError, WrongTypeError, respond
 from trimmer.contact.flow import ExactFlow
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.response_json import response_json
 
 KEYS = {"kind", "period_count", "lyapunov", "drive_periods", "events_per_period", "multipliers"}
@@ -96,6 +96,7 @@ def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
     assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
     assert response.motion.peak_to_peak["body"] == 0
     assert response.motion.orbit.instant.state[0] == 0.3
+    assert "a neutral motion" in response.message
 
 
 def test_starts_find_several_motions_and_their_shares() -> None:
@@ -149,3 +150,31 @@ def test_what_goes_on_for_ever_does_not_settle() -> None:
     )
     with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
         respond(winch)
+
+
+def test_what_grows_for_ever_is_no_torus() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0 / (2 * np.pi),
+        links={"spring": Link(("ground", "body"), 1.0)},
+        forces={"push": Force("body", amplitude=1.0)},
+        outputs={"body": Output({"body": 1.0})},
+    )
+    response = respond(mechanism, most_periods=64)
+    assert response.kind is MotionKind.UNDECIDED
+    assert not response.success
+
+
+def test_what_cannot_be_followed_is_said() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        links={"spring": Link(("ground", "body"), 1.0, 0.0)},
+        frictions={"push": Friction(("ground", "body"), 0.0)},
+        plays={"slot": Play(("ground", "body"), 1.0, 0.0, 0.1)},
+        start={"body": (1e160, 0.0)},
+    )
+    response = respond(mechanism)
+    assert response.kind is MotionKind.UNDECIDED
+    assert "could be followed for 0 drive periods only" in response.message
+    assert response_json(response)["outputs"] == {}

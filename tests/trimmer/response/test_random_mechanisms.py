@@ -1,0 +1,140 @@
+"""Random mechanisms: what they settle to, held against brute force, other units, and the order of parts."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.mechanisms.brute_force import BruteForce
+from tests.mechanisms.differences import once_around
+from tests.mechanisms.dynamics import System
+from tests.mechanisms.random_mechanisms import random_mechanism
+from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simulate
+from trimmer.mechanism import Force
+from trimmer.response.energy import energy_of
+from trimmer.response.response_json import response_json
+
+QUICK = (0, 4, 7, 11, 13, 15, 24, 25, 27, 29, 38, 43, 51, 54, 58)
+BRUTE = (4, 25, 98, 107)
+PERIODS = 200
+
+
+def check(seed: int) -> None:
+    """Check what a mechanism settles to by its own rules: return, energy, and where its motion goes."""
+    mechanism = random_mechanism(seed)
+    try:
+        response = respond(mechanism, most_periods=PERIODS)
+    except UnsupportedMotionError:
+        return
+    json.dumps(response_json(response), allow_nan=False)
+    motion = response.motion
+    assert simulate(mechanism, 5.3 / mechanism.frequency).energy.residual < 1e-10
+    if response.kind is MotionKind.PERIODIC:
+        orbit = motion.orbit
+        assert orbit.residual < 1e-10
+        assert orbit.stable or orbit.neutral
+        assert energy_of(mechanism, orbit.course).residual < 1e-8
+        later = orbit.flow.strobe(orbit.flow.rest(), motion.drive_periods + 100 * orbit.periods).states[-1]
+        closest = abs((orbit.strobed - later) / orbit.sizes).max(axis=1).min()
+        assert closest < max(1e-9, 2 * abs(orbit.nontrivial_multipliers).max() ** 100 * orbit.growth)
+    elif response.kind is MotionKind.CHAOTIC:
+        assert motion.lyapunov.value - 3 * motion.lyapunov.uncertainty > 0
+
+
+@pytest.mark.parametrize("seed", QUICK)
+def test_what_a_random_mechanism_settles_to(seed: int) -> None:
+    check(seed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(300))
+def test_what_many_random_mechanisms_settle_to(seed: int) -> None:
+    check(seed)
+
+
+@pytest.mark.parametrize("seed", BRUTE)
+def test_an_orbit_returns_by_brute_force(seed: int) -> None:
+    mechanism = random_mechanism(seed)
+    orbit = respond(mechanism, most_periods=PERIODS).motion.orbit
+    system = System(mechanism)
+    size, state = system.rows.state_size, orbit.instant.state
+    around = once_around(BruteForce(), system, state, orbit.periods).final
+    assert np.max(np.abs(around - state)[:size] / system.usual[:size]) < 1e-8
+
+
+def scaled(mechanism: Mechanism, length: float, force: float) -> Mechanism:
+    """Return a mechanism with all lengths and forces multiplied, and with them stiffness and so on."""
+    stiffness = force / length
+    bodies = {name: replace(body, mass=body.mass * stiffness) for name, body in mechanism.bodies.items()}
+    pins = {
+        name: replace(
+            pin, amplitude=pin.amplitude * length, offset=pin.offset * length, velocity=pin.velocity * length
+        )
+        for name, pin in mechanism.pins.items()
+    }
+    links = {
+        name: replace(link, stiffness=link.stiffness * stiffness, damping=link.damping * stiffness)
+        for name, link in mechanism.links.items()
+    }
+    plays, stops = (
+        {
+            name: replace(
+                part,
+                stiffness=part.stiffness * stiffness,
+                damping=part.damping * stiffness,
+                gap=part.gap * length,
+            )
+            for name, part in parts.items()
+        }
+        for parts in (mechanism.plays, mechanism.stops)
+    )
+    frictions = {
+        name: replace(
+            each,
+            force=each.force * force,
+            static=None if each.static is None else each.static * force,
+            viscous=each.viscous * stiffness,
+        )
+        for name, each in mechanism.frictions.items()
+    }
+    forces = {name: _scaled_force(each, force) for name, each in mechanism.forces.items()}
+    start = {name: (q * length, v * length) for name, (q, v) in mechanism.start.items()}
+    return replace(
+        mechanism, bodies=bodies, pins=pins, links=links, plays=plays, stops=stops, frictions=frictions,
+        forces=forces, start=start,
+    )  # fmt: skip
+
+
+def _scaled_force(part: Force, force: float) -> Force:
+    return replace(
+        part,
+        constant=part.constant * force,
+        amplitude=part.amplitude * force,
+        unbalance=part.unbalance * force,
+    )
+
+
+@pytest.mark.parametrize("seed", [4, 7, 25, 98])
+def test_responses_scale_with_lengths_and_forces(seed: int) -> None:
+    mechanism = random_mechanism(seed)
+    first = respond(mechanism, most_periods=PERIODS).motion.orbit
+    second = respond(scaled(mechanism, 8.0, 0.25), most_periods=PERIODS).motion.orbit
+    assert second.period_count == first.period_count
+    assert second.multipliers == pytest.approx(first.multipliers, rel=1e-6, abs=1e-9)
+    for name, acceleration in first.measures.rms_acceleration.items():
+        assert second.measures.rms_acceleration[name] == pytest.approx(8.0 * acceleration, rel=1e-9)
+    for name, friction in first.measures.frictions.items():
+        assert second.measures.frictions[name].work == pytest.approx(2.0 * friction.work, rel=1e-8, abs=1e-15)
+
+
+@pytest.mark.parametrize("seed", [4, 7, 25, 98])
+def test_the_order_of_bodies_does_not_matter(seed: int) -> None:
+    mechanism = random_mechanism(seed)
+    turned = replace(mechanism, bodies=dict(reversed(list(mechanism.bodies.items()))))
+    first, second = (respond(each, most_periods=PERIODS).motion for each in (mechanism, turned))
+    assert second.period_count == first.period_count
+    for name, acceleration in first.rms_acceleration.items():
+        assert second.rms_acceleration[name].value == pytest.approx(acceleration.value, rel=1e-9)
