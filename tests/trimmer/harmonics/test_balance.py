@@ -76,7 +76,7 @@ def test_sliding_friction_against_den_hartog() -> None:
         frictions={"rubbing": Friction(("ground", "body"), 0.2)},
     )
     amplitudes = []
-    for count in (20, 40):
+    for count in (30, 60):
         guess = np.zeros((1, count), dtype=complex)
         guess[0, 1] = -1.9j
         balance = harmonic_balance_of(mechanism, guess)
@@ -86,7 +86,7 @@ def test_sliding_friction_against_den_hartog() -> None:
         amplitudes.append(0.5 * np.ptp(motion.real))
     # The moment of reversal moves with the sum of 1/n² beyond the last harmonic.
     assert 2.0 * amplitudes[1] - amplitudes[0] == pytest.approx(1.927774517940, rel=1e-5)
-    assert amplitudes[1] == pytest.approx(1.927774517940, rel=1e-3)
+    assert amplitudes[1] == pytest.approx(1.927774517940, rel=5e-4)
 
 
 def test_what_cannot_be_balanced() -> None:
