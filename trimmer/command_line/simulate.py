@@ -6,12 +6,19 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import add_overwrite_option, check_targets, file_to_write, show
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_write,
+    show,
+)
 from trimmer.command_line.loop_options import unusable
 from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
 from trimmer.command_line.simulate_mechanism import (
     add_mechanism,
+    draw,
     mechanism_motion,
     mechanism_signals,
     refuse_options_of_the_other,
@@ -60,7 +67,7 @@ def _run(arguments: Namespace) -> int:
     refuse_options_of_the_other(arguments)
     _check_duration(arguments)
     motion, text = _moved(arguments)
-    targets = [path for path in (arguments.csv, arguments.wav) if path is not None]
+    targets = [path for path in (arguments.csv, arguments.wav, arguments.plot) if path is not None]
     try:
         _write(arguments, motion)
     except TrimmerError:
@@ -99,7 +106,7 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
 
 def _check_targets(arguments: Namespace) -> None:
     sources = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
-    check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}}, sources)
+    check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}, "plot": PICTURES}, sources)
 
 
 def _check_duration(arguments: Namespace) -> None:
@@ -118,9 +125,12 @@ def _check_duration(arguments: Namespace) -> None:
 
 def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Write the files that are wanted."""
+    from trimmer.motion.motion import Motion
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
 
+    if arguments.plot is not None and not isinstance(motion, Motion):
+        draw(arguments, motion)
     if arguments.csv is None and arguments.wav is None:
         return
     _note_aliasing(motion, arguments)

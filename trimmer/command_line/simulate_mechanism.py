@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import file_to_read, file_to_write
 from trimmer.command_line.mechanism_options import chosen_mechanism
 from trimmer.command_line.parser import OptionError, as_option, is_given
 from trimmer.command_line.state_option import add_state_option, chosen_state
@@ -36,6 +36,13 @@ def add_mechanism(parser: ArgumentParser) -> None:
         help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
     )
     add_state_option(parser)
+    parser.add_argument(
+        "--plot",
+        type=file_to_write,
+        metavar="FILE",
+        help="draw a mechanism's motion with contact and stick, and its phase plane, into an .svg, .png or "
+        ".pdf file",
+    )
 
 
 def refuse_options_of_the_other(arguments: Namespace) -> None:
@@ -45,7 +52,7 @@ def refuse_options_of_the_other(arguments: Namespace) -> None:
         OptionError: if there is one.
     """
     if arguments.file is None:
-        for name in ("set", "state"):
+        for name in ("set", "state", "plot"):
             if getattr(arguments, name):
                 raise OptionError(
                     f"{as_option(name)} has no effect without the file of a mechanism: add that"
@@ -67,6 +74,15 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
     mechanism = chosen_mechanism(arguments)
     state = chosen_state(arguments.state, mechanism)
     return simulate(mechanism, arguments.duration, state=state)
+
+
+def draw(arguments: Namespace, motion: MechanismMotion) -> None:
+    """Draw the picture that is wanted."""
+    from trimmer.drawing.simulated import draw_simulated
+    from trimmer.files import write_atomically
+
+    picture = draw_simulated(motion, arguments.plot.suffix[1:].lower())
+    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
 
 
 def mechanism_signals(motion: MechanismMotion, sample_rate: float) -> list[Signal]:

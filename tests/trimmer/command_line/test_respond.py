@@ -123,3 +123,14 @@ def test_a_mechanism_is_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "bridge:" in shown
     assert "lost in friction blade" in shown
     assert table.read_text().startswith("time [s],stroke [m]\n")
+
+
+def test_a_simulated_motion_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = tmp_path / "motion.svg"
+    assert main(["simulate", TWIN, "--duration", "0.05", "--plot", str(picture)]) == 0
+    assert capsys.readouterr().out.endswith(f"wrote {picture}\n")
+    assert picture.read_text().startswith("<?xml")
+    assert (
+        main(["simulate", "--element", "friction", "--gap", "1e-4", "--impulse", "1", "--plot", "a.svg"]) == 2
+    )
+    assert "--plot has no effect without the file of a mechanism" in capsys.readouterr().err
