@@ -43,6 +43,8 @@ NEGLIGIBLE_STRETCH = 2.0**-56
 """Share of the gap and of the stretch at release below which the spring behind a slot counts as relaxed."""
 AT_REST = 2.0**-44
 """Share of the moduli of its terms, and of its change over a step, below which a velocity is zero."""
+NEAR = 2.0
+"""Distance from contact, in stretches of a relaxing spring, within which it is not left out."""
 OUT_OF_BOUNDS, OUT_OF_STEPS = -2, -3
 """In place of the number of an event function: why a segment ends without event."""
 
@@ -115,6 +117,20 @@ def _set_margins(tables: Tables, mode: int, work: Work) -> None:
 
 
 @inlined
+def _is_near(tables: Tables, work: Work, mode: int) -> bool:
+    """Return whether a relaxing spring is so close to contact that it is of no use to leave it out."""
+    near = False
+    for function in range(tables.function_count[mode]):
+        owner = tables.owner[mode, function]
+        if 0 <= owner < work.margins.size and tables.relaxation[mode, owner] > 0.0:
+            distance = 0.0
+            for i in range(work.state.size):
+                distance += tables.taylor[mode, function, i, 0] * work.state[i]
+            near |= distance <= NEAR * abs(work.state[tables.relaxing_state[owner]])
+    return near
+
+
+@inlined
 def _follow(
     tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
 ) -> tuple[int, bool, float, int]:
@@ -125,12 +141,13 @@ def _follow(
         until then, s; the number of steps.
     """
     settled, elapsed, steps, fired, jumped = tables.settled[mode], 0.0, 0, NO_EVENT, False
+    near = settled != mode and _is_near(tables, work, mode)
     while True:
         if steps >= most_steps or not within(work.state, LARGEST):
             fired = OUT_OF_STEPS if steps >= most_steps else OUT_OF_BOUNDS
             break
         steps += 1
-        now, left = settled, duration - elapsed
+        now, left = mode if near else settled, duration - elapsed
         if settled != mode:
             _set_margins(tables, mode, work)
         while True:
@@ -144,6 +161,7 @@ def _follow(
         if fired == NO_EVENT:
             fraction = min(left / step, 1.0)
         _step(tables, work, mode, now, fraction)
+        near = near and _is_near(tables, work, mode)
         if fired == NO_EVENT and left <= step:
             elapsed = duration
             break
@@ -290,7 +308,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, Place, int, bool]]:
             reason = LOG_FULL
         return reason, place, fired, jumped
 
-    return kept(entry)
+    return kept(entry, allocates=False)
 
 
 _compiled_entry = _entry(sources())

@@ -40,7 +40,7 @@ def sources() -> bytes:
     return digest.digest()
 
 
-def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
+def kept(entry: Callable[..., Any], allocates: bool = True) -> Callable[..., Any]:
     """Compile a function when it is first called, and keep the result where a folder can be written.
 
     That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
@@ -49,10 +49,13 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
 
     Args:
         entry: An entry point, whose arguments have the same types in each call.
+        allocates: Whether it makes arrays. One that does not need not count references to those that it is
+            given, which takes most of the time where many of them are passed on.
     """
-    for_itself: Callable[..., Any] = numba.njit(entry)
+    options = {} if allocates else {"_nrt": False}
+    for_itself: Callable[..., Any] = numba.njit(**options)(entry)
     try:
-        machine: Callable[..., Any] = numba.njit(cache=True)(entry)
+        machine: Callable[..., Any] = numba.njit(cache=True, **options)(entry)
     except RuntimeError:  # There is no such folder.
         return for_itself
 
