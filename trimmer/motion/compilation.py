@@ -52,7 +52,7 @@ def kept(entry: Callable[..., Any], allocates: bool = True) -> Callable[..., Any
         allocates: Whether it makes arrays. One that does not need not count references to those that it is
             given, which takes most of the time where many of them are passed on.
     """
-    options = {} if allocates else {"_nrt": False}
+    options: dict[str, Any] = {} if allocates else {"_nrt": False}
     for_itself: Callable[..., Any] = numba.njit(**options)(entry)
     try:
         machine: Callable[..., Any] = numba.njit(cache=True, **options)(entry)

@@ -33,6 +33,7 @@ LARGEST_COUNT = 2**62
 def _entry(sources: bytes) -> Callable[..., tuple[int, int, float]]:
     def entry(
         tables: Tables,
+        work: Work,
         log: Log,
         first: int,
         end: float,
@@ -40,16 +41,15 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, int, float]]:
         pause: Pause,
     ) -> tuple[int, int, float]:
         sources  # noqa: B018
-        return _integrate(tables, log, first, end, limits, pause)
+        return _integrate(tables, work, log, first, end, limits, pause)
 
-    return kept(entry)
+    return kept(entry, allocates=False)
 
 
 @inlined
 def _integrate(
-    tables: Tables, log: Log, first: int, end: float, limits: Limits, pause: Pause
+    tables: Tables, work: Work, log: Log, first: int, end: float, limits: Limits, pause: Pause
 ) -> tuple[int, int, float]:
-    work = _work(tables)
     segment, cascade, steps_left = first, 0, limits.steps
     late = 0.0  # The exact time is by so much later than the rounded time in the log.
     done = 0
@@ -157,7 +157,6 @@ def _follow(
         steps += 1
 
 
-@compiled
 def _work(tables: Tables) -> Work:
     size, count = tables.whole.shape[1], DEGREE + 1
     event_functions = tables.event_rows.shape[1]
@@ -247,4 +246,4 @@ def integrate(
         min(int(limits.steps), LARGEST_COUNT),
         min(int(limits.cascade), LONGEST_CASCADE),
     )
-    return _compiled_march(tables, log, int(first), float(end), given, pause)
+    return _compiled_march(tables, _work(tables), log, int(first), float(end), given, pause)
