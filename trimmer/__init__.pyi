@@ -41,6 +41,8 @@ from .elements.viscous_friction import ViscousFriction as ViscousFriction
 from .errors import FrequencyRangeError as FrequencyRangeError
 from .errors import IllPosedLoopError as IllPosedLoopError
 from .errors import LinearElementError as LinearElementError
+from .errors import MapError as MapError
+from .errors import MapFileError as MapFileError
 from .errors import MechanismError as MechanismError
 from .errors import OrbitNotFoundError as OrbitNotFoundError
 from .errors import OrbitNotFoundWarning as OrbitNotFoundWarning
@@ -48,6 +50,7 @@ from .errors import TrimmerError as TrimmerError
 from .errors import UndecidedWarning as UndecidedWarning
 from .errors import UnsupportedElementError as UnsupportedElementError
 from .errors import UnsupportedMotionError as UnsupportedMotionError
+from .errors import WorkerError as WorkerError
 from .errors import WrongTypeError as WrongTypeError
 from .files import FileWriteError as FileWriteError
 from .files import write_atomically as write_atomically
@@ -81,6 +84,15 @@ from .linear.time_response import TimeResponse as TimeResponse
 from .linear.time_response import steady_state as steady_state
 from .linear.time_response import time_response as time_response
 from .linear.zero_pole_gain import ZeroPoleGain as ZeroPoleGain
+from .maps.basin import Basin as Basin
+from .maps.basin import basin as basin
+from .maps.coexistence import Coexistence as Coexistence
+from .maps.coexistence import coexisting_motions as coexisting_motions
+from .maps.motion_map import motion_map as motion_map
+from .maps.result import MotionMap as MotionMap
+from .maps.runner import ProcessRunner as ProcessRunner
+from .maps.runner import Runner as Runner
+from .maps.runner import SerialRunner as SerialRunner
 from .mechanism.matrices import LinearMatrices as LinearMatrices
 from .mechanism.matrices import linear_matrices as linear_matrices
 from .mechanism.mechanism import Mechanism as Mechanism

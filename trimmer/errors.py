@@ -52,3 +52,15 @@ class OrbitNotFoundError(TrimmerError, ValueError):
 
 class MechanismError(TrimmerError, ValueError):
     """A mechanism, or the file of one, cannot be used; each problem is named with its place and remedy."""
+
+
+class MapError(TrimmerError, ValueError):
+    """A map cannot be made of what is given; the message says what to give."""
+
+
+class MapFileError(TrimmerError, ValueError):
+    """The file of a map cannot be gone on with; the message says why and what to do."""
+
+
+class WorkerError(TrimmerError, RuntimeError):
+    """A process that did the work of cells ended at once, as when memory runs out."""

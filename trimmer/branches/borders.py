@@ -30,6 +30,18 @@ class Border:
     before: Place
     after: Place
 
+    @property
+    def changes(self) -> dict[tuple[str, Phase], int]:
+        """By how much the number of phases changes that begin, by part and kind; only what changes."""
+        before, after = dict(self.before.signature), dict(self.after.signature)
+        changes = {key: after.get(key, 0) - before.get(key, 0) for key in {*before, *after}}
+        return {key: change for key, change in changes.items() if change}
+
+    @property
+    def is_single(self) -> bool:
+        """Whether a single phase is born or dies."""
+        return [abs(change) for change in self.changes.values()] == [1]
+
 
 def borders(arc: Arc, near: Place, far: Place) -> list[Border] | None:
     """Find the changes of phases between two orbits of an arc, in their order.
@@ -68,10 +80,7 @@ def _first(arc: Arc, left: Place, right: Place) -> Border | None:
 
 def special_points(arc: Arc, border: Border) -> list[SpecialPoint]:
     """Return what a border is: a grazing, an onset of stick, or several of these at once."""
-    before, after = dict(border.before.signature), dict(border.after.signature)
-    changes = {key: after.get(key, 0) - before.get(key, 0) for key in {*before, *after}}
-    changed = {key: change for key, change in changes.items() if change}
-    found = []
+    changed, found = border.changes, []
     for kind in (SpecialKind.GRAZING, SpecialKind.STICK):
         of_kind = {key: change for key, change in changed.items() if _kind(key[1]) is kind}
         if of_kind:

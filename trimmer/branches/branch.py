@@ -21,6 +21,10 @@ class BranchEnd(Choice):
     LEFT_AT_STOP = "it leaves the interval at the other end"
     CLOSED = "it closes on itself"
     REJOINED = "it joins the branch with half the period, or the symmetric one"
+    TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
+    NOT_ISOLATED = (
+        "a multiplier is 1: what sticks all the time could do so anywhere, so no single orbit goes on"
+    )
     STEP_TOO_SMALL = "no orbit was found near the last one"
     MOST_POINTS = "it has as many points as were asked for at most"
     NO_START = "no orbit was found at the start"
@@ -28,7 +32,13 @@ class BranchEnd(Choice):
     @property
     def is_success(self) -> bool:
         """Whether the branch was followed to an end of the interval, around, or to one that it joins."""
-        return self not in (BranchEnd.STEP_TOO_SMALL, BranchEnd.MOST_POINTS, BranchEnd.NO_START)
+        failures = (
+            BranchEnd.NOT_ISOLATED,
+            BranchEnd.STEP_TOO_SMALL,
+            BranchEnd.MOST_POINTS,
+            BranchEnd.NO_START,
+        )
+        return self not in failures
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from tqdm import tqdm
 
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import turned
+from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
+from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -34,6 +35,10 @@ AFTER_CORNER = 1e-3
 """Length of the step after a corner."""
 LEAST_SIZE = 1e-2
 """Least scale of a state, relative to the largest that it had on the branch."""
+AT_END = 1e-12
+"""Distance from an end of the interval, as a share of it, within which a value is that end."""
+SILENCE = 2.0
+"""Time before a progress bar shows, s."""
 SAME = 1e-6
 """Distance within which two orbits are the same."""
 
@@ -54,6 +59,10 @@ class Interval:
     def span(self) -> float:
         """Length."""
         return abs(self.stop - self.start)
+
+    def holds(self, value: float) -> bool:
+        """Say whether a value lies inside, and not exactly at an end, such as a gap of 0."""
+        return min(abs(value - self.start), abs(value - self.stop)) > AT_END * self.span
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -92,6 +101,8 @@ def continuation(
     begin = finite_number("start", start)
     limits = _Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
     front = _first_front(map, np.asarray(state, dtype=float), begin, limits.interval)
+    if isinstance(front, BranchEnd):
+        return Branch((), (), front, f"{front.value}, at {begin:.10g}")
     if front is None:
         message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
@@ -115,7 +126,7 @@ class _Limits:
     settings: FollowSettings
 
 
-def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | None:
+def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | BranchEnd | None:
     problem = Problem(map, interval.span, np.ones(len(state)))
     guess = problem.place(problem.position(begin, state))
     if guess is None:
@@ -130,7 +141,7 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     place = problem.adopted(place)
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
-        return None
+        return BranchEnd.NOT_ISOLATED
     return begun(problem, place, tangent)
 
 
@@ -145,13 +156,16 @@ def _sizes(place: Place, before: Reals | None) -> Reals:
 def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
     record = _Record([_branch_point(front)])
     reason = BranchEnd.MOST_POINTS
-    for taken in _steps(front, limits):
+    steps = tqdm(
+        _steps(front, limits), desc="follow", unit=" orbits", delay=SILENCE, leave=False, disable=None
+    )
+    for taken in steps:
         if isinstance(taken, BranchEnd):
             reason = taken
             break
         made, problem = taken
         record.points.append(_branch_point(made.front))
-        record.special += made.special
+        record.special += [each for each in made.special if limits.interval.holds(each.value)]
         record.switches += [(problem, each) for each in made.switches]
     branches = tuple(_parted(record, limits, switches)) if switches else ()
     return Branch(
@@ -189,7 +203,7 @@ def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | Bra
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
-            yield BranchEnd.STEP_TOO_SMALL
+            yield _obstacle(front)
             return
         if made.ended is BranchEnd.REJOINED:
             yield made.ended
@@ -202,6 +216,14 @@ def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | Bra
             yield made.ended
             return
         front = made.front
+
+
+def _obstacle(front: Front) -> BranchEnd:
+    """Say why no orbit was found beyond a front."""
+    if is_torn(front):
+        return BranchEnd.TORN
+    neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL
+    return BranchEnd.NOT_ISOLATED if neutral else BranchEnd.STEP_TOO_SMALL
 
 
 def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:

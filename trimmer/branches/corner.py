@@ -12,6 +12,8 @@ from trimmer.branches.step import Front, Step, fold_at
 
 REACHES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)
 """Distances beyond the last orbit at which the other side of the border is looked for."""
+JUMP = 1e-6
+"""Miss of a passage from just beyond an orbit that shows that the map jumps there."""
 NEARBY = 30.0
 """Largest distance of the first orbit behind the corner, in reaches."""
 
@@ -34,6 +36,12 @@ def turned(front: Front) -> Step | None:
             if found is not None:
                 return _step(front, found, tangent)
     return None
+
+
+def is_torn(front: Front) -> bool:
+    """Say whether the map jumps just beyond the front, so that the motion from there ends elsewhere."""
+    beyond = front.problem.place(front.place.position + REACHES[0] * front.tangent)
+    return beyond is not None and beyond.error > JUMP
 
 
 def _tangents(front: Front, beyond: Place) -> list[Reals]:

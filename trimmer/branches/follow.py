@@ -228,7 +228,10 @@ def follow(
     else:
         first = real_array("state", state)
     map = replace(map, mirrored=_is_symmetric(map, begin, first))
-    return _followed(continuation(map, first, begin, end, settings), map)
+    branch = continuation(map, first, begin, end, settings)
+    if branch.reason is BranchEnd.NO_START and state is None:
+        branch = replace(branch, message=_unsettled(begin, settings.most_periods))
+    return _followed(branch, map)
 
 
 def _unsettled(begin: float, most_periods: int) -> str:

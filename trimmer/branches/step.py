@@ -20,7 +20,7 @@ STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
-OPPOSITE = -0.5
+OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
 
@@ -192,8 +192,11 @@ def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
 def _passes(arc: Arc, border: Border) -> bool:
     """Say whether the branch goes on beyond a border, and does not turn around there.
 
-    Where it turns, another part of it lies beyond the border as near as one likes.
+    Where it turns, another part of it lies beyond the border as near as one likes. Where two phases change
+    at once, as in a mechanism with two like sides, the sign says nothing.
     """
+    if not border.is_single:
+        return True
     tangents = [place.tangent(arc.direction) for place in (border.before, border.after)]
     if tangents[0] is None or tangents[1] is None:
         return False

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import require_instance
+from trimmer.errors import MapError
 from trimmer.maps.cells import CellMotion, described, same_motion
-from trimmer.maps.inputs import MapError
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.place_text import parse_place, place_text
@@ -91,6 +92,7 @@ def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any
     Raises:
         MapError: if a place is no initial value, and as ``motion_map`` does.
     """
+    require_instance("values", values, Mapping, "a mapping of bodies' initial values to numbers")
     places = {_start_place(place): each for place, each in values.items()}
     result = motion_map(mechanism, places, **settings)
     motions: list[CellMotion] = []
@@ -105,6 +107,7 @@ def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any
 
 
 def _start_place(place: str) -> str:
+    require_instance("place", place, str, "a body's initial value, such as motor.displacement")
     names = parse_place(place)
     if names[0] == START:
         return place

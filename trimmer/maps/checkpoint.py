@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from trimmer.errors import TrimmerError
+from trimmer.errors import MapFileError
 from trimmer.files import MAP, FileWriteError, is_standard_output, is_stream, write_atomically
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, Settings
@@ -31,10 +31,6 @@ _OTHERS = {
     "inputs": "other inputs",
 }
 """What a file may have been begun with, by the key of its header."""
-
-
-class MapFileError(TrimmerError, ValueError):
-    """The file of a map cannot be gone on with; the message says why and what to do."""
 
 
 def begin(path: Path, inputs: MapInputs, *, overwrite: bool = False) -> None:

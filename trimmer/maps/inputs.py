@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arguments import finite_number, require_instance, shown
-from trimmer.errors import MechanismError, TrimmerError, WrongTypeError
+from trimmer.errors import MapError, MechanismError, WrongTypeError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 
@@ -22,10 +22,6 @@ FORMAT = 1
 """Version of the format of files."""
 MOST_CELLS = 4_000_000
 """Cells whose results still fit into memory: a kilobyte or two each."""
-
-
-class MapError(TrimmerError, ValueError):
-    """A map cannot be made of what is given; the message says what to give."""
 
 
 @dataclass(frozen=True)

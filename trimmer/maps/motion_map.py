@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from tqdm import tqdm
 
 from trimmer.arguments import file_path, whole_number
+from trimmer.errors import MapError
 from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
-from trimmer.maps.inputs import MapError, MapInputs, Settings, checked_inputs
+from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
 from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.maps.inputs import MapError
+from trimmer.errors import MapError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -21,7 +21,7 @@ from typing import Any, Protocol, TypeVar
 from tqdm import TMonitor
 
 from trimmer.arguments import whole_number
-from trimmer.errors import TrimmerError
+from trimmer.errors import WorkerError
 
 Cell = TypeVar("Cell")
 Result = TypeVar("Result")
@@ -30,10 +30,6 @@ CHUNK = 8
 """Cells that go to a process at once: a tenth of a second of work, against a thousandth for the way there."""
 AHEAD = 3
 """Chunks per process that are under way, so that no process waits and memory does not grow with the cells."""
-
-
-class WorkerError(TrimmerError, RuntimeError):
-    """A process that did the work of cells ended at once, as when memory runs out."""
 
 
 class Runner(Protocol):

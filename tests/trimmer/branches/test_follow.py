@@ -17,6 +17,7 @@ from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.response.forced_orbit import forced_orbit
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = 2.0 * math.pi
@@ -151,6 +152,7 @@ def test_symmetry_breaking_of_the_trimmer() -> None:
     assert all(orbit.stable == (not outside[0] < orbit.value < outside[1]) for orbit in branch.points)
 
 
+@pytest.mark.slow
 def test_corner_at_the_death_of_stick() -> None:
     # At this gap the branch turns around although no multiplier of it is near 1.
     branch = follow(twin(), "plays.bridge.gap", 1.6e-4, 1.7e-4, settings=ALONE, periods=1, state=_on(1.6e-4))
@@ -166,7 +168,7 @@ def _on(gap: float) -> np.ndarray:
     return branch.points[-1].state
 
 
-@pytest.mark.parametrize("factor", [1e-3, 1e3])
+@pytest.mark.parametrize("factor", [1e-3, pytest.param(1e3, marks=pytest.mark.slow)])
 def test_scaled_masses_and_forces_make_no_difference(factor: float) -> None:
     mechanism = Mechanism.from_toml(EXAMPLES / "two-mass-stop.toml")
     scaled = replace(
@@ -227,3 +229,41 @@ def test_mirror_symmetry() -> None:
         frictions={**mechanism.frictions, "rubbing": Friction(("belt", "motor"), 0.1)},
     )
     assert not is_mirror_symmetric(belt)
+
+
+def test_points_are_the_orbits_that_shooting_finds() -> None:
+    branch = follow(twin(), "frequency", 112.0, 120.0, settings=ALONE)
+    for orbit in branch.points[5::25]:
+        mechanism = twin().with_value("frequency", orbit.value)
+        bodies = len(mechanism.bodies)
+        start = {
+            name: (float(orbit.state[at]), float(orbit.state[bodies + at]))
+            for at, name in enumerate(mechanism.bodies)
+        }
+        shot = forced_orbit(mechanism, guess=start)
+        assert shot.success
+        assert abs(shot.multipliers) == pytest.approx(abs(orbit.multipliers), rel=1e-6, abs=1e-9)
+
+
+def test_static_friction_that_gives_way_ends_the_branch() -> None:
+    # Static friction above the kinetic one makes the motion jump where stick is lost.
+    mechanism = Mechanism.from_toml(EXAMPLES / "foil-shaver.toml")
+    branch = follow(mechanism, "frequency", 150.0, 152.0, settings=ALONE)
+    assert branch.reason is BranchEnd.TORN
+    assert branch.points[-1].value == pytest.approx(151.11742835, rel=1e-9)
+    assert "static friction" in branch.message
+
+
+def test_what_sticks_all_the_time_is_said() -> None:
+    # The body is held by friction alone and never moves; it could do so anywhere.
+    mechanism = Mechanism(
+        bodies={"body": Body(1.0), "held": Body(1.0)},
+        frequency=1.0,
+        links={"spring": Link(("ground", "body"), 10.0, 1.0), "weak": Link(("body", "held"), 0.1)},
+        frictions={"rubbing": Friction(("ground", "held"), 5.0)},
+        forces={"drive": Force("body", constant=0.5, amplitude=1.0)},
+    )
+    branch = follow(mechanism, "frequency", 1.0, 1.2, settings=ALONE)
+    assert branch.reason is BranchEnd.NOT_ISOLATED
+    assert not branch.success
+    assert "sticks all the time" in branch.message

@@ -64,7 +64,7 @@ def test_units_of_length_and_frequency_make_no_difference() -> None:
 
 @pytest.mark.slow
 def test_period_doubled_branch_joins_at_its_other_end() -> None:
-    branch = followed(of_pyharm(), 5.4, 5.8, 60, FollowSettings(switches=1))
+    branch = followed(of_pyharm(), 5.4, 5.8, 60, switches=1)
     (doubled,) = branch.branches
     assert doubled.reason is BranchEnd.REJOINED
     assert doubled.points[0].value == pytest.approx(5.5567187941, rel=1e-4)

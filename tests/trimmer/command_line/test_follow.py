@@ -16,18 +16,28 @@ BREAKING = [*TWIN, "--vary", "frequency", "--from", "120", "--to", "120.8 Hz"]
 
 
 def test_json_has_the_keys_of_the_document(capsys: pytest.CaptureFixture[str]) -> None:
-    varied = ["--vary", "frequency", "--from", "120.4", "--to", "120.56"]
-    assert main([*TWIN, *varied, "--points", "90", "--harmonics", "1", "--json"]) == 3
+    varied = ["--vary", "frequency", "--from", "120.4", "--to", "120.56", "--points", "90", "--json"]
+    assert main([*TWIN, *varied]) == 3
     content = json.loads(capsys.readouterr().out)
     assert content["reason"] == "most-points"
     (special,) = content["special"]
     assert special["kind"] == "symmetry-breaking"
     assert special["value"] == pytest.approx(120.5173085846, rel=1e-10)
-    named_by_data = {"points[].outputs", "branches", "parted", "points[].multipliers"}
-    assert set(keys(content, named_by_data)) == documented("trimmer follow") - {"points[].balance"}
-    point = content["points"][0]
-    assert set(point["outputs"]["stroke"]) == {"peak_to_peak", "harmonics"}
-    assert content["branches"][0]["parted"]["kind"] == "symmetry-breaking"
+    (asymmetric,) = content.pop("branches")
+    assert asymmetric["parted"] == special
+    assert asymmetric.keys() == {*content, "branches"}
+    assert set(content["points"][0]["outputs"]["stroke"]) == {"peak_to_peak", "harmonics"}
+    of_balance = {"points[].balance.distance", "points[].balance.converged"}
+    named = set(keys(content, {"points[].outputs"})) - {"points[].balance"}
+    assert named == documented("trimmer follow") - of_balance - {"branches", "points[].balance"}
+
+
+def test_json_tells_harmonic_balance(capsys: pytest.CaptureFixture[str]) -> None:
+    options = ["--harmonics", "3", "--points", "2", "--switches", "0", "--json"]
+    assert main([*BREAKING, *options]) == 3
+    for point in json.loads(capsys.readouterr().out)["points"]:
+        assert point["balance"]["converged"] is True
+        assert 0.0 < point["balance"]["distance"] < 1.0
 
 
 def test_text_tells_stretches_special_points_and_the_end(capsys: pytest.CaptureFixture[str]) -> None:

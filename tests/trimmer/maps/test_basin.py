@@ -6,9 +6,8 @@ from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.contact.flow import ExactFlow
-from trimmer.errors import MechanismError
+from trimmer.errors import MapError, MechanismError, WrongTypeError
 from trimmer.maps.basin import basin
-from trimmer.maps.inputs import MapError
 from trimmer.maps.runner import SerialRunner
 
 SERIAL = SerialRunner()
@@ -53,6 +52,12 @@ def test_the_drawing_numbers_the_motions_from_one(found) -> None:
 def test_what_is_no_initial_value_is_refused(place: str) -> None:
     with pytest.raises(MapError, match="no initial value"):
         basin(impact_oscillator(), {place: [1.0]})
+
+
+@pytest.mark.parametrize("values", [3, [1.0], {3: [1.0]}])
+def test_a_wrong_type_is_named(values: object) -> None:
+    with pytest.raises(WrongTypeError, match="must be"):
+        basin(impact_oscillator(), values)  # type: ignore[arg-type]
 
 
 def test_a_body_that_is_not_there_is_named() -> None:

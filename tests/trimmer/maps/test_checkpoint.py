@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer.errors import MapFileError
 from trimmer.files import FileWriteError
-from trimmer.maps.checkpoint import MapFileError, read_inputs
+from trimmer.maps.checkpoint import read_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.mechanism import Mechanism

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer.errors import MechanismError, TrimmerError
+from trimmer.errors import MapError, MechanismError, TrimmerError
 from trimmer.maps.cells import CellWork
-from trimmer.maps.inputs import MapError, Settings, checked_inputs
+from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.mechanism import Mechanism
+from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
@@ -54,6 +55,25 @@ def test_cells_are_what_their_values_settle_to(twin) -> None:
     assert twin.lyapunov[0, 2] > 0
     assert np.isnan(twin.lyapunov[1, 0])
     assert twin.largest_multiplier[1, 0] < 1
+
+
+@pytest.mark.parametrize("cell", [(1, 0), (2, 1)])
+def test_a_cell_is_what_respond_finds(twin, cell) -> None:
+    row, column = cell
+    mechanism = TWIN.with_value("plays.bridge.gap", PLACES["plays.bridge.gap"][column])
+    (motion,) = respond(
+        mechanism.with_value("frictions.blade.force", PLACES["frictions.blade.force"][row])
+    ).motions
+    assert motion.orbit is not None
+    assert (motion.kind, motion.period_count) == (twin.kind[cell], twin.period_count[cell])
+    measures = motion.orbit.measures
+    assert twin.stroke[cell] == pytest.approx(measures.peak_to_peak["stroke"], rel=1e-9)
+    assert twin.events[cell] == measures.events_per_period
+    assert twin.impacts[cell] == measures.contacts["bridge"].impacts
+    assert twin.impact_speed[cell] == pytest.approx(measures.contacts["bridge"].impact_speed, rel=1e-8)
+    assert twin.wear_power["blade"][cell] == pytest.approx(measures.frictions["blade"].power, rel=1e-9)
+    for body, accelerations in twin.rms_acceleration.items():
+        assert accelerations[cell] == pytest.approx(measures.rms_acceleration[body], rel=1e-9)
 
 
 @pytest.mark.parametrize("runner", [ProcessRunner(1), ProcessRunner(2), Backwards()])

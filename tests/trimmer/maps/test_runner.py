@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from trimmer.maps.runner import AHEAD, CHUNK, ProcessRunner, SerialRunner, WorkerError
+from trimmer.errors import WorkerError
+from trimmer.maps.runner import AHEAD, CHUNK, ProcessRunner, SerialRunner
 
 
 def square(number: int) -> int:
