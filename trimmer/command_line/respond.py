@@ -15,6 +15,7 @@ from trimmer.command_line.file_options import (
 )
 from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
+from trimmer.command_line.patience import patience
 from trimmer.command_line.signal_options import positive_whole
 from trimmer.command_line.state_option import add_state_option, chosen_state
 
@@ -61,13 +62,15 @@ def _run(arguments: Namespace) -> int:
         raise OptionError(f"--seed {arguments.seed}: must not be negative")
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
     mechanism = chosen_mechanism(arguments)
-    response = respond(
-        mechanism,
-        state=chosen_state(arguments.state, mechanism),
-        starts=arguments.starts,
-        most_periods=arguments.periods,
-        seed=arguments.seed,
-    )
+    state = chosen_state(arguments.state, mechanism)
+    with patience():
+        response = respond(
+            mechanism,
+            state=state,
+            starts=arguments.starts,
+            most_periods=arguments.periods,
+            seed=arguments.seed,
+        )
     drawn = _draw(arguments, response)
     show(as_json(response) if arguments.json else as_text(response), arguments.plot if drawn else None)
     return 0

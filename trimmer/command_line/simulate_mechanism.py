@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.file_options import file_to_read, file_to_write
 from trimmer.command_line.mechanism_options import chosen_mechanism
 from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.patience import patience
 from trimmer.command_line.state_option import add_state_option, chosen_state
 
 if TYPE_CHECKING:
@@ -73,7 +74,8 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
 
     mechanism = chosen_mechanism(arguments)
     state = chosen_state(arguments.state, mechanism)
-    return simulate(mechanism, arguments.duration, state=state)
+    with patience():
+        return simulate(mechanism, arguments.duration, state=state)
 
 
 def draw(arguments: Namespace, motion: MechanismMotion) -> None:

@@ -48,7 +48,8 @@ def forced_orbit(
 
     Raises:
         ValueError: if a loop has no drive, or a number is out of range.
-        OrbitNotFoundError: if Newton's method finds none for a loop.
+        OrbitNotFoundError: if Newton's method finds none for a loop; if the motion of a mechanism cannot be
+            followed, or comes to rest or repeats nowhere without a drive.
         MechanismError: if the guess does not fit the mechanism.
         UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
     """

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import time
 from pathlib import Path
 
 import pytest
 
 from tests.json_document import documented, keys
 from trimmer.command_line.main import main
+from trimmer.command_line.patience import patience
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
@@ -123,6 +125,16 @@ def test_a_mechanism_is_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "bridge:" in shown
     assert "lost in friction blade" in shown
     assert table.read_text().startswith("time [s],stroke [m]\n")
+
+
+def test_who_waits_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    with patience(0.01):
+        time.sleep(0.2)
+    assert "compiles its kernels" in capsys.readouterr().err
+    with patience(0.2):
+        pass
+    time.sleep(0.3)
+    assert capsys.readouterr().err == ""
 
 
 def test_a_simulated_motion_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

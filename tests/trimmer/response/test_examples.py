@@ -1,0 +1,54 @@
+"""What the examples settle to from rest; results survive pickling."""
+
+from __future__ import annotations
+
+import pickle
+
+import pytest
+
+from tests.trimmer.response.mechanisms import FOLDER, example
+from trimmer import MotionKind, respond, simulate
+from trimmer.response.response_json import response_json
+
+REPEATING = {
+    "thesis": 0,
+    "thesis-play": 14,
+    "held": 6,
+    "foil-shaver": 14,
+    "servo": 16,
+    "den-hartog": 2,
+    "block-on-belt": 2,
+    "two-mass-stop": 0,
+    "oscillator-stop": 0,
+    "gear-pair": 0,
+}
+"""Examples that repeat with their drive, or by themselves, with their events per period."""
+OTHERS = {"second-play", "thrown-body"}
+"""A torus, see ``test_respond``; and a body that flies away."""
+
+
+def test_each_example_is_here() -> None:
+    assert {path.stem for path in FOLDER.glob("*.toml")} == {*REPEATING, *OTHERS}
+
+
+@pytest.mark.parametrize("name", REPEATING)
+def test_an_example_repeats(name: str) -> None:
+    response = respond(example(name))
+    assert response.success
+    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    assert response.motion.orbit.stable
+    assert response.motion.events_per_period == REPEATING[name]
+
+
+def test_what_flies_away_repeats_nowhere() -> None:
+    response = respond(example("thrown-body"))
+    assert not response.success
+    assert response.message == "Nothing repeats within 1700 s; another start may settle."
+
+
+def test_results_are_the_same_after_pickling() -> None:
+    response, motion = respond(example("held")), simulate(example("held"), 0.05)
+    assert response_json(pickle.loads(pickle.dumps(response))) == response_json(response)
+    again = pickle.loads(pickle.dumps(motion))
+    assert again.events == motion.events
+    assert again.energy == motion.energy
