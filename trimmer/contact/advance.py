@@ -113,12 +113,17 @@ def advance(
 
     Args:
         modes: The modes of the mechanism; those that are met are added.
-        instant: Where the motion begins; it is at the start of a period, or one period is asked for.
-        periods: Number of periods.
-        length: Their length, s; from the phase of the instant on if that is not zero.
+        instant: Where the motion begins.
+        periods: Number of periods, at least 1.
+        length: Their length, s, that of the drive's period if there are several; of a part of it otherwise.
         keeps: Whether all segments are logged.
         most_steps: Largest number of steps.
+
+    Raises:
+        ValueError: if there is no period.
     """
+    if periods < 1:
+        raise ValueError(f"the number of periods must be at least 1, not {periods}")
     return _Progress(modes, instant, periods, length, keeps).run(most_steps)
 
 
@@ -152,9 +157,7 @@ class _Progress:
         return layout.forcing_at(self.begin, instant.periods * layout.period)
 
     def run(self, most_steps: int) -> Stretch:
-        layout = self.modes.layout
-        keeps = self.keeps or layout.ramp
-        task = Task(self.length, keeps, self._forcing(), self.states, self.counts)
+        task = Task(self.length, self.keeps, self._forcing(), self.states, self.counts)
         place = Place(0, 0, self.mode, 0.0, most_steps)
         while True:
             tables = self.modes.tables
@@ -302,12 +305,13 @@ class _Progress:
 
     def _stretch(self, ending: Ending, done: int, row: int, time: float) -> Stretch:
         free, work = self.modes.layout.state_count, self.work
+        periods, phase = self._place(done, 0.0 if done == len(self.counts) else time)
         end = replace(
             self.instant,
             state=work.state[:free].copy(),
             statuses=self.modes[self.mode].statuses,
-            periods=self.instant.periods + done,
-            phase=0.0 if done == len(self.counts) else time,
+            periods=self.instant.periods + periods,
+            phase=phase,
             known_zeros=work.known_zeros.copy(),
             known_action=work.known_action.copy(),
             negligible=work.negligible.copy(),
@@ -319,6 +323,14 @@ class _Progress:
             self.states[: done + 1],
             self.counts[: min(done + 1, len(self.counts))],
         )
+
+    def _place(self, done: int, time: float) -> tuple[int, float]:
+        """Return the drive periods that are over since the start, and the time in the next one, s."""
+        period = self.modes.layout.period
+        if self.length == period:
+            return done, self.begin + time
+        phase = self.begin + done * self.length + time
+        return (1, phase - period) if period and phase >= period else (0, phase)
 
 
 def _kind(before: tuple[int, ...], after: tuple[int, ...], part: int) -> int:
