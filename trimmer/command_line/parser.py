@@ -19,7 +19,8 @@ INTERRUPTED = 130
 
 _GIVEN = "given"
 _NEGATIVE_NUMBER = re.compile(
-    r"-(?:(?:\d[\d_]*\.?\d*|\.\d+)(?:e[+-]?\d+)?|inf(?:inity)?|nan)$", flags=re.ASCII | re.IGNORECASE
+    r"-(?:(?:[0-9][0-9_]*\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?(?:\s*[^\W\d_].*)?|inf(?:inity)?|nan)$",
+    flags=re.IGNORECASE,
 )
 
 
@@ -31,7 +32,7 @@ class Parser(ArgumentParser):
     """A parser of options.
 
     A single value that is given twice is an error, since one of them would be ignored. Negative numbers are
-    values in every notation, such as ``-1e-3`` and ``-inf``.
+    values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit.
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:

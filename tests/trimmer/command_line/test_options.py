@@ -146,6 +146,19 @@ def test_a_negative_number_is_a_value_of_its_option_and_refused_in_its_unit(
     assert "expected" not in told
 
 
+def test_a_negative_number_with_a_unit_is_a_value(capsys, project_folder: Path) -> None:
+    file = str(project_folder / "examples" / "thesis-play.toml")
+    told = error(capsys, "follow", file, "--vary", "plays.bridge.gap", "--from", "-1 um", "--to", "4e-5")
+    assert "plays.bridge.gap" in told
+    assert "expected" not in told
+
+
+def test_a_range_without_length_is_refused(capsys, project_folder: Path) -> None:
+    file = str(project_folder / "examples" / "thesis-play.toml")
+    told = error(capsys, "follow", file, "--vary", "frequency", "--from", "100", "--to", "100")
+    assert "at both ends" in told
+
+
 def test_a_negative_impulse_is_one(capsys) -> None:
     told = []
     for impulse in ("1e-6", "-1e-6"):
