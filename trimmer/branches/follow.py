@@ -211,7 +211,7 @@ def follow(
         whole_number("periods", periods, 1)
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
     if begin == end:
-        raise MechanismError(f"{place}: it is {begin:.10g} at both ends, so that there is nothing to follow")
+        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {begin:.10g}")
     if place.endswith(".order"):
         raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
     at_start = mechanism.with_value(place, begin)

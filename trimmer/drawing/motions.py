@@ -8,6 +8,7 @@ import numpy as np
 
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.statuses import STICK
+from trimmer.drawing.units import name_axis
 from trimmer.response.motion_signals import durations, output_rows, while_status
 
 if TYPE_CHECKING:
@@ -35,7 +36,8 @@ def draw_motion(axes: Axes, flow: ExactFlow, course: Course) -> None:
     states = course.states(times)
     for name, row in signals_of(flow).items():
         axes.plot(times, states @ row, linewidth=1.0, label=name)
-    axes.set_ylabel("displacement, m")
+    name_axis(axes.yaxis, "displacement", "m")
+    name_axis(axes.xaxis, "time", "s")
     axes.legend(fontsize="x-small", loc="upper right")
     axes.grid(alpha=0.3)
 
@@ -52,7 +54,7 @@ def draw_statuses(axes: Axes, flow: ExactFlow, course: Course) -> None:
     axes.set_yticks(range(len(named)), [name for name, _ in named], fontsize="x-small", parse_math=False)
     axes.set_ylim(len(named) - 0.4, -0.6)
     axes.set_xlim(0.0, course.duration)
-    axes.set_xlabel("time, s")
+    name_axis(axes.xaxis, "time", "s")
 
 
 def _bars(course: Course, on: Flags) -> list[tuple[float, float]]:
@@ -99,8 +101,7 @@ def draw_section(axes: Axes, flow: ExactFlow, states: Reals, label: str | None =
 
 
 def _name_plane(axes: Axes, name: str) -> None:
-    axes.set_xlabel(f"{name}, m", parse_math=False)
-    axes.set_ylabel(f"{name}, m/s", parse_math=False)
-    axes.ticklabel_format(scilimits=(-2, 3))
     axes.locator_params(nbins=5)
+    name_axis(axes.xaxis, name, "m")
+    name_axis(axes.yaxis, f"rate of {name}", "m/s")
     axes.grid(alpha=0.3)

@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import EngFormatter
 
+from trimmer.drawing.units import name_axis
 from trimmer.maps.cells import described
 
 if TYPE_CHECKING:
@@ -88,18 +88,18 @@ def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
     heights = (result.stroke if outputs else result.impacts)[0]
     colours = [legend[number][1] for number in numbers]
     axes.scatter(result.values[0], heights, c=colours, edgecolors="0.4", linewidths=0.4, s=14)
-    axes.set_ylabel(f"{next(iter(outputs))}, peak to peak" if outputs else "impacts per drive period")
     if outputs:
-        axes.yaxis.set_major_formatter(EngFormatter("m"))
+        name_axis(axes.yaxis, f"{next(iter(outputs))}, peak to peak", "m")
+    else:
+        name_axis(axes.yaxis, "impacts per drive period", "")
     axes.grid(alpha=0.3)
     _label(axes.xaxis, result, 0)
 
 
 def _label(axis: Axis, result: MotionMap, number: int) -> None:
     place = result.places[number]
-    axis.set_label_text(place, parse_math=False)
     unit = dict(result.inputs.mechanism.places).get(place, "")
-    axis.set_major_formatter(EngFormatter("" if unit == "1" else unit))
+    name_axis(axis, place, "" if unit == "1" else unit)
 
 
 def _edges(values: Reals) -> Reals:

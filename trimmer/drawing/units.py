@@ -1,0 +1,35 @@
+"""Axes in a unit in which their numbers are easy to read, such as µm or ms."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from matplotlib.ticker import FuncFormatter
+
+if TYPE_CHECKING:
+    from matplotlib.axis import Axis
+
+PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+PREFIXED = ("m", "s", "N", "Hz", "m/s", "m/s²", "N/m", "N s/m", "W", "J")
+"""Units that take a prefix."""
+FITS = 0.8
+"""A prefix fits if the largest number of the axis is at least so many of it."""
+
+
+def name_axis(axis: Axis, name: str, unit: str) -> None:
+    """Write name and unit at an axis whose data are drawn already, with one prefix for all its numbers.
+
+    Args:
+        axis: Its data are in SI units.
+        name: What it shows.
+        unit: The SI unit, empty for a number.
+    """
+    largest = max(abs(float(end)) for end in axis.get_view_interval())
+    factor, prefix = 1.0, ""
+    if unit in PREFIXED and largest > 0:
+        fitting = [each for each in PREFIXES if largest >= FITS * each[0]]
+        factor, prefix = fitting[0] if fitting else PREFIXES[-1]
+    axis.set_major_formatter(
+        FuncFormatter(lambda value, _: f"{value / factor:.6g}".replace("-", "\N{MINUS SIGN}"))
+    )
+    axis.set_label_text(f"{name}, {prefix}{unit}" if unit else name, parse_math=False)
