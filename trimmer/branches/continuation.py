@@ -14,6 +14,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
 from trimmer.branches.corner import is_torn, turned
+from trimmer.branches.joining import front_beyond, joint
+from trimmer.branches.known import SAME, Known
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -39,8 +41,6 @@ AT_END = 1e-12
 """Distance from an end of the interval, as a share of it, within which a value is that end."""
 SILENCE = 2.0
 """Time before a progress bar shows, s."""
-SAME = 1e-6
-"""Distance within which two orbits are the same."""
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,15 @@ class _Record:
     switches: list[tuple[Problem, Bifurcation]] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class _Leg:
+    """How the orbits of one map end: the last front, why, and the bifurcation at which they join others."""
+
+    front: Front
+    reason: BranchEnd
+    joint: Bifurcation | None = None
+
+
 def continuation(
     map: PeriodMap, state: Reals, start: float, stop: float, settings: FollowSettings = DEFAULT
 ) -> Branch:
@@ -106,7 +115,9 @@ def continuation(
     if front is None:
         message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
-    return _followed(front, limits, settings.switches, None)
+    branch = _followed(front, limits, settings.switches, None, Known(map.doublings))
+    assert branch is not None
+    return branch
 
 
 def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> Interval:
@@ -153,63 +164,105 @@ def _sizes(place: Place, before: Reals | None) -> Reals:
     return np.where(sizes > 0.0, sizes, 1.0)
 
 
-def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
-    record = _Record([_branch_point(front)])
-    reason = BranchEnd.MOST_POINTS
-    steps = tqdm(
-        _steps(front, limits), desc="follow", unit=" orbits", delay=SILENCE, leave=False, disable=None
-    )
-    for taken in steps:
-        if isinstance(taken, BranchEnd):
-            reason = taken
-            break
-        made, problem = taken
-        record.points.append(_branch_point(made.front))
-        record.special += [each for each in made.special if limits.interval.holds(each.value)]
-        record.switches += [(problem, each) for each in made.switches]
-    branches = tuple(_parted(record, limits, switches)) if switches else ()
+def _followed(
+    front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None, known: Known
+) -> Branch | None:
+    """Follow a branch and those that part from it; None if it is known already."""
+    record, doublings = _Record([_branch_point(front)]), front.problem.map.doublings
+    leg = _follow_leg(front, limits, record)
+    last = record.points[-1]
+    left = leg.reason in (BranchEnd.LEFT_AT_START, BranchEnd.LEFT_AT_STOP)
+    if parted is not None and left and known.holds(leg.front.problem, last):
+        return None
+    first = None if limits.interval.holds(record.points[0].value) else record.points[0]
+    known.add(doublings, first, last, leg.reason)
+    meeting, behind = leg.joint, list[Front]()
+    if meeting is not None and doublings <= known.lowest:
+        known.lowest = doublings - 1
+        record.special.append(meeting.point)
+        leg, behind = _joined(leg, meeting, limits, record)
+        known.add(leg.front.problem.map.doublings, None, record.points[-1], leg.reason)
+    others: list[Branch | None] = []
+    if switches:
+        at = None if meeting is None else meeting.point
+        others = [_followed(each, limits, switches - 1, at, known) for each in behind]
+        others += _parted(record, limits, switches, known)
     return Branch(
         points=tuple(record.points),
         special=tuple(record.special),
-        reason=reason,
-        message=_message(reason, record),
-        branches=branches,
+        reason=leg.reason,
+        message=_message(leg.reason, record),
+        branches=tuple(each for each in others if each is not None),
         parted=parted,
-        doublings=front.problem.map.doublings,
+        doublings=doublings,
     )
 
 
-def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]:
+def _follow_leg(front: Front, limits: _Limits, record: _Record) -> _Leg:
+    """Follow the orbits of one map, and record what is found."""
+    steps = tqdm(
+        _steps(front, limits, len(record.points)),
+        desc="follow",
+        unit=" orbits",
+        delay=SILENCE,
+        leave=False,
+        disable=None,
+    )
+    for taken in steps:
+        if isinstance(taken, BranchEnd):
+            return _Leg(front, taken)
+        made, problem = taken
+        if made.beyond is not None:
+            return _Leg(made.front, BranchEnd.REJOINED, joint(made.front, made.beyond))
+        front = made.front
+        record.points.append(_branch_point(front))
+        record.special += [each for each in made.special if limits.interval.holds(each.value)]
+        record.switches += [(problem, each) for each in made.switches]
+    return _Leg(front, BranchEnd.MOST_POINTS)
+
+
+def _joined(
+    leg: _Leg, bifurcation: Bifurcation, limits: _Limits, record: _Record
+) -> tuple[_Leg, list[Front]]:
+    """Go on where a branch joins another one that has not been followed.
+
+    An asymmetric branch goes on along the symmetric one, towards the other end of the interval. A branch with
+    half the period is another branch.
+
+    Returns:
+        The last leg, and where other branches begin.
+    """
+    ahead = math.copysign(1.0, limits.interval.stop - limits.interval.start)
+    onward, back = (front_beyond(bifurcation, sign) for sign in (ahead, -ahead))
+    others = [each for each in (onward, back) if each is not None]
+    if not bifurcation.place.problem.map.mirrored or onward is None:
+        return leg, others
+    record.points.append(_branch_point(onward))
+    return _follow_leg(onward, limits, record), others[1:]
+
+
+def _parted(record: _Record, limits: _Limits, switches: int, known: Known) -> Iterator[Branch | None]:
     """Follow the branches that part from one; what ends at another point of it does not begin there."""
-    rejoined: list[BranchPoint] = []
     for problem, bifurcation in record.switches:
-        if any(_begins_at(problem, bifurcation, point, limits) for point in rejoined):
-            continue
-        for front in parted_fronts(problem, bifurcation):
-            branch = _followed(front, limits, switches - 1, bifurcation.point)
-            rejoined += [branch.points[-1]] if branch.reason is BranchEnd.REJOINED else []
-            yield branch
+        if not known.is_joined(problem, bifurcation, limits.settings.largest_step):
+            for front in parted_fronts(problem, bifurcation):
+                yield _followed(front, limits, switches - 1, bifurcation.point, known)
 
 
-def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: _Limits) -> bool:
-    away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
-    return bool(away[-1] <= limits.settings.largest_step and away.max() <= LARGEST_MOVE)
+def _steps(front: Front, limits: _Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:
+    """Yield one step after the other, with the problem in whose scale it was made, and why they end.
 
-
-def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
-    """Yield one step after the other, with the problem in whose scale it was made, and why they end."""
+    What joins another branch ends with a step that says so. ``count`` orbits are known at the beginning.
+    """
     first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
-    for count in range(1, limits.settings.most_points):
+    for taken in range(limits.settings.most_points - count):
         front, largest = _rescaled(front, largest)
         made, length = _longest_step(front, length, limits)
         if made is None:
             yield _obstacle(front)
             return
-        if made.ended is BranchEnd.REJOINED:
-            yield made.ended
-            return
         yield made, front.problem
-        if count > 2 and _closed(first, front, made.front):
+        if taken > 1 and _closed(first, front, made.front):
             yield BranchEnd.CLOSED
             return
         if made.ended is not None:

@@ -20,6 +20,8 @@ STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
+CLOSE_TO_JOINT = 4e-3
+"""Length of a step in all coordinates within which a branch is taken to where it joins another."""
 OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
@@ -72,6 +74,7 @@ class Step:
         switches: The bifurcations among them at which another branch parts.
         bend: Angle between the tangents before and after it, rad.
         ended: Why the branch ends with it; None if it goes on.
+        beyond: A doubled orbit on the other side of the branch that it joins; None if it joins none.
     """
 
     front: Front
@@ -79,6 +82,7 @@ class Step:
     switches: tuple[Bifurcation, ...]
     bend: float
     ended: BranchEnd | None = None
+    beyond: Place | None = None
 
 
 def step(front: Front, length: float, start: float, stop: float) -> Step | None:
@@ -106,7 +110,8 @@ def step(front: Front, length: float, start: float, stop: float) -> Step | None:
     if far is None or _astray(front, far):
         return None
     if _rejoined(front, far):
-        return Step(front, (), (), 0.0, BranchEnd.REJOINED)
+        close = np.linalg.norm(far.position - front.place.position) <= CLOSE_TO_JOINT
+        return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
         made = _examined(front, arc, far)
     except LostError:
@@ -146,14 +151,14 @@ def _rejoined(front: Front, far: Place) -> bool:
 
     There the difference between its halves passes through zero and changes its sign.
     """
-    first, last = _halves(front.problem, front.place), _halves(front.problem, far)
+    first, last = halves(front.problem, front.place), halves(front.problem, far)
     if first is None or last is None:
         return False
     lengths = float(np.linalg.norm(first) * np.linalg.norm(last))
     return lengths == 0.0 or float(first @ last) < OPPOSITE * lengths
 
 
-def _halves(problem: Problem, place: Place) -> Reals | None:
+def halves(problem: Problem, place: Place) -> Reals | None:
     """Return the difference between the halves of a doubled orbit, shape (n,); None of a single one."""
     middle = place.passage.middle
     return None if middle is None else middle / problem.sizes - place.position[:-1]
