@@ -22,6 +22,8 @@ TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
 CLOSE_TO_JOINT = 4e-3
 """Length of a step in all coordinates within which a branch is taken to where it joins another."""
+SINGLE = 1e-8
+"""Difference between the halves of a doubled orbit, below which it is a single one."""
 OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
@@ -149,13 +151,16 @@ def _astray(front: Front, far: Place) -> bool:
 def _rejoined(front: Front, far: Place) -> bool:
     """Say whether a doubled orbit becomes a single one on the way to a place.
 
-    There the difference between its halves passes through zero and changes its sign.
+    There the difference between its halves passes through zero and changes its sign. Beyond that Newton's
+    method may also find single orbits, of which it is zero.
     """
     first, last = halves(front.problem, front.place), halves(front.problem, far)
     if first is None or last is None:
         return False
-    lengths = float(np.linalg.norm(first) * np.linalg.norm(last))
-    return lengths == 0.0 or float(first @ last) < OPPOSITE * lengths
+    lengths = float(np.linalg.norm(first)), float(np.linalg.norm(last))
+    if lengths[1] <= SINGLE:
+        return True
+    return float(first @ last) < OPPOSITE * lengths[0] * lengths[1]
 
 
 def halves(problem: Problem, place: Place) -> Reals | None:
