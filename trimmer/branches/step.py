@@ -111,7 +111,7 @@ def step(front: Front, length: float, start: float, stop: float) -> Step | None:
         far = _at_end(front, predicted, end)
     if far is None or _astray(front, far):
         return None
-    if _rejoined(front, far):
+    if rejoined(front, far):
         close = np.linalg.norm(far.position - front.place.position) <= CLOSE_TO_JOINT
         return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
@@ -148,7 +148,7 @@ def _astray(front: Front, far: Place) -> bool:
     return ahead <= 0.0 or aside > FARTHEST_ASIDE * ahead
 
 
-def _rejoined(front: Front, far: Place) -> bool:
+def rejoined(front: Front, far: Place) -> bool:
     """Say whether a doubled orbit becomes a single one on the way to a place.
 
     There the difference between its halves passes through zero and changes its sign. Beyond that Newton's

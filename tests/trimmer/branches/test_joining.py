@@ -11,8 +11,11 @@ from tests.trimmer.branches.maps import Cubic, Logistic
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.continuation import continuation
 from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.joining import joint
+from trimmer.branches.orbit import Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
+from trimmer.branches.step import begun, rejoined
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Link, Play
 
@@ -106,16 +109,24 @@ def test_doubled_motion_leads_to_the_asymmetric_branch_and_on_to_the_symmetric_o
     assert branch.branches[0].reason is BranchEnd.LEFT_AT_STOP
 
 
-def test_no_joint_is_jumped_over() -> None:
-    # One of four drive periods joins that of two; it went on along that as if it were doubled.
-    settings = FollowSettings(switches=1, bounds=(0.15, 0.16))
-    branch = follow(between_stops(0.16), "frequency", 0.16, 0.15, settings=settings)
-    doubled = [each for each in branch.branches if each.periods == 4]
-    folds = [point.value for point in branch.special if point.kind is SpecialKind.FOLD]
-    assert len(folds) == 2
-    for each in doubled:
-        values = [point.value for point in each.special if point.kind is SpecialKind.FOLD]
-        assert all(abs(value - fold) > 1e-6 for value in values for fold in folds)
+def test_single_orbit_beyond_a_joint_is_noticed() -> None:
+    # Newton's method found one, and the branch went on along the single orbits as if they were doubled.
+    problem = Problem(Logistic().doubled(), 1.0, np.ones(1))
+    across = np.array([0.0, 1.0])
+    near = problem.correct(np.array([0.63, 3.01]), across, 3.01)
+    assert near is not None
+    tangent = near.tangent(-across)
+    assert tangent is not None
+    front = begun(problem, near, tangent)
+    assert not rejoined(front, near)
+    # Which half is larger by rounding differs.
+    for value in np.linspace(2.992, 2.998, 7):
+        far = problem.correct(np.array([1.0 - 1.0 / value, value]), across, value)
+        assert far is not None
+        assert rejoined(front, far)
+        meeting = joint(front, far)
+        assert meeting is not None
+        assert meeting.point.value == pytest.approx(3.0, rel=1e-14)
 
 
 @pytest.mark.slow
