@@ -134,7 +134,8 @@ class FollowedBranch:
         special: The special points, in the same order.
         reason: Why the branch ends.
         message: The same as a sentence.
-        branches: Branches that part from this one at period doubling and symmetry breaking.
+        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
+            it joins there.
         parted: The special point at which this one parts from another; None if it was begun by itself.
     """
 

@@ -66,7 +66,7 @@ def draw(branch: FollowedBranch, file_format: str) -> bytes:
 
 def length_unit(largest: float) -> tuple[str, float]:
     """Return the unit in which lengths up to a largest one, m, are easily read, and how many metres it is."""
-    return next((each for each in _UNITS if largest >= _LEAST * each[1]), _UNITS[-1])
+    return next((each for each in _UNITS if largest >= _LEAST * each[1]), _UNITS[0])
 
 
 def _all(branch: FollowedBranch) -> Iterator[FollowedBranch]:
