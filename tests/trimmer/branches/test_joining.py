@@ -56,6 +56,14 @@ def test_doubled_branch_ends_where_both_sides_of_the_single_one_begin() -> None:
     ]
 
 
+def test_orbits_that_are_known_are_not_followed_again() -> None:
+    # The map knows of no mirror, so that the branch goes through and on to its own mirror image.
+    branch = continuation(Cubic(mirrored=False), np.array([0.5**0.5]), 0.5, -0.5)
+    assert branch.points[-1].state[0] == pytest.approx(-(0.5**0.5))
+    assert SpecialKind.SYMMETRY_BREAKING in [point.kind for point in branch.special]
+    assert branch.branches == ()
+
+
 def between_stops(frequency: float) -> Mechanism:
     """A driven body between two springs of equal gap: near 0.17 Hz its motion leans to one side."""
     return Mechanism(
