@@ -76,9 +76,11 @@ class Branch:
         special: The special points, in the same order.
         reason: Why the branch ends.
         message: The same as a sentence, with the value at which it ends.
-        branches: Branches that part from this one at period doubling and symmetry breaking.
+        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
+            it joins there.
         parted: The special point at which this one parts from another; None if it was begun by itself.
-        doublings: How often the passage was doubled since the map that was given.
+        doublings: How often the passage is doubled where the branch begins; once less, perhaps, where it has
+            gone on along the symmetric branch.
     """
 
     points: tuple[BranchPoint, ...]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from tqdm import tqdm
@@ -12,62 +12,19 @@ from tqdm import tqdm
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import is_torn, turned
-from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.joining import front_beyond, joint
+from trimmer.branches.known import Known
+from trimmer.branches.orbit import Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
-from trimmer.branches.step import Front, Step, begun, step
+from trimmer.branches.step import Front, begun
+from trimmer.branches.stepping import Interval, Limits, scales, steps
 from trimmer.branches.switching import parted_fronts
 
-FIRST = 1e-3
-"""Length of the first step."""
-SMALLEST = 2e-12
-"""Length below which a step is not shortened any more."""
-LARGEST_MOVE = 0.1
-"""Largest length of a step in all coordinates."""
-BEND = 0.15
-"""Angle between the tangents before and after a step, rad, at which its length is right."""
-LENGTHENED = 2.0
-"""Most by which a step is longer than the one before."""
-AFTER_CORNER = 1e-3
-"""Length of the step after a corner."""
-LEAST_SIZE = 1e-2
-"""Least scale of a state, relative to the largest that it had on the branch."""
-AT_END = 1e-12
-"""Distance from an end of the interval, as a share of it, within which a value is that end."""
 SILENCE = 2.0
 """Time before a progress bar shows, s."""
-SAME = 1e-6
-"""Distance within which two orbits are the same."""
-
-
-@dataclass(frozen=True)
-class Interval:
-    """The values over which a branch is followed.
-
-    Attributes:
-        start: Where it begins.
-        stop: The other end.
-    """
-
-    start: float
-    stop: float
-
-    @property
-    def span(self) -> float:
-        """Length."""
-        return abs(self.stop - self.start)
-
-    def holds(self, value: float) -> bool:
-        """Say whether a value lies inside, and not exactly at an end, such as a gap of 0."""
-        return min(abs(value - self.start), abs(value - self.stop)) > AT_END * self.span
-
-    @property
-    def ends(self) -> tuple[float, float]:
-        """Start and stop, relative to the length."""
-        return self.start / self.span, self.stop / self.span
 
 
 @dataclass
@@ -79,13 +36,24 @@ class _Record:
     switches: list[tuple[Problem, Bifurcation]] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class _Leg:
+    """How the orbits of one map end: the last front, why, and the bifurcation at which they join others."""
+
+    front: Front
+    reason: BranchEnd
+    joint: Bifurcation | None = None
+
+
 def continuation(
     map: PeriodMap, state: Reals, start: float, stop: float, settings: FollowSettings = DEFAULT
 ) -> Branch:
     """Follow the branch of an orbit over an interval of values.
 
     The branch begins with the orbit at ``start`` and ends on leaving the interval at either end, on closing
-    on itself, or where no orbit is found near the last one.
+    on itself, or where no orbit is found near the last one. Asymmetric orbits, given as those of a mirrored
+    map that is doubled, go on along the symmetric ones where they join them; doubled orbits end where they
+    join single ones, which are followed from there on both sides.
 
     Args:
         map: The map of a period.
@@ -99,14 +67,16 @@ def continuation(
         ValueError: if start and stop are equal or not finite, or bounds are not around start.
     """
     begin = finite_number("start", start)
-    limits = _Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
+    limits = Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
     front = _first_front(map, np.asarray(state, dtype=float), begin, limits.interval)
     if isinstance(front, BranchEnd):
         return Branch((), (), front, f"{front.value}, at {begin:.10g}")
     if front is None:
         message = f"Newton's method finds no orbit at {begin:.10g} near the state that was given"
         return Branch((), (), BranchEnd.NO_START, message)
-    return _followed(front, limits, settings.switches, None)
+    branch = _followed(front, limits, settings.switches, None, Known(map.doublings))
+    assert branch is not None
+    return branch
 
 
 def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> Interval:
@@ -120,24 +90,18 @@ def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> 
     return Interval(lowest, highest) if start < stop else Interval(highest, lowest)
 
 
-@dataclass(frozen=True)
-class _Limits:
-    interval: Interval
-    settings: FollowSettings
-
-
 def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | BranchEnd | None:
     problem = Problem(map, interval.span, np.ones(len(state)))
     guess = problem.place(problem.position(begin, state))
     if guess is None:
         return None
-    problem = Problem(map, interval.span, _sizes(guess, None))
+    problem = Problem(map, interval.span, scales(guess, None))
     across = np.append(np.zeros(len(state)), 1.0)
     position = problem.position(begin, state)
     place = problem.correct(position, across, position[-1])
     if place is None:
         return None
-    problem = Problem(map, interval.span, _sizes(place, None))
+    problem = Problem(map, interval.span, scales(place, None))
     place = problem.adopted(place)
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
@@ -145,125 +109,87 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     return begun(problem, place, tangent)
 
 
-def _sizes(place: Place, before: Reals | None) -> Reals:
-    """Return the scale of the states near an orbit; an entry that never moves has the scale 1."""
-    sizes = abs(place.passage.sizes)
-    if before is not None:
-        sizes = np.maximum(sizes, LEAST_SIZE * before)
-    return np.where(sizes > 0.0, sizes, 1.0)
-
-
-def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
-    record = _Record([_branch_point(front)])
-    reason = BranchEnd.MOST_POINTS
-    steps = tqdm(
-        _steps(front, limits), desc="follow", unit=" orbits", delay=SILENCE, leave=False, disable=None
-    )
-    for taken in steps:
-        if isinstance(taken, BranchEnd):
-            reason = taken
-            break
-        made, problem = taken
-        record.points.append(_branch_point(made.front))
-        record.special += [each for each in made.special if limits.interval.holds(each.value)]
-        record.switches += [(problem, each) for each in made.switches]
-    branches = tuple(_parted(record, limits, switches)) if switches else ()
+def _followed(
+    front: Front, limits: Limits, switches: int, parted: SpecialPoint | None, known: Known
+) -> Branch | None:
+    """Follow a branch and those that part from it; None if it is known already."""
+    record, doublings = _Record([_branch_point(front)]), front.problem.map.doublings
+    leg = _follow_leg(front, limits, record)
+    last = record.points[-1]
+    left = leg.reason in (BranchEnd.LEFT_AT_START, BranchEnd.LEFT_AT_STOP)
+    if parted is not None and left and known.holds(leg.front.problem, last):
+        return None
+    first = None if limits.interval.holds(record.points[0].value) else record.points[0]
+    known.add(doublings, first, last, leg.reason)
+    meeting, behind = leg.joint, list[Front]()
+    if meeting is not None and doublings <= known.lowest:
+        known.lowest = doublings - 1
+        record.special.append(meeting.point)
+        leg, behind = _joined(leg, meeting, limits, record)
+        known.add(leg.front.problem.map.doublings, None, record.points[-1], leg.reason)
+    others: list[Branch | None] = []
+    if switches:
+        at = None if meeting is None else meeting.point
+        others = [_followed(each, limits, switches - 1, at, known) for each in behind]
+        others += _parted(record, limits, switches, known)
     return Branch(
         points=tuple(record.points),
         special=tuple(record.special),
-        reason=reason,
-        message=_message(reason, record),
-        branches=branches,
+        reason=leg.reason,
+        message=_message(leg.reason, record),
+        branches=tuple(each for each in others if each is not None),
         parted=parted,
-        doublings=front.problem.map.doublings,
+        doublings=doublings,
     )
 
 
-def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]:
-    """Follow the branches that part from one; what ends at another point of it does not begin there."""
-    rejoined: list[BranchPoint] = []
-    for problem, bifurcation in record.switches:
-        if any(_begins_at(problem, bifurcation, point, limits) for point in rejoined):
-            continue
-        for front in parted_fronts(problem, bifurcation):
-            branch = _followed(front, limits, switches - 1, bifurcation.point)
-            rejoined += [branch.points[-1]] if branch.reason is BranchEnd.REJOINED else []
-            yield branch
-
-
-def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: _Limits) -> bool:
-    away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
-    return bool(away[-1] <= limits.settings.largest_step and away.max() <= LARGEST_MOVE)
-
-
-def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
-    """Yield one step after the other, with the problem in whose scale it was made, and why they end."""
-    first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
-    for count in range(1, limits.settings.most_points):
-        front, largest = _rescaled(front, largest)
-        made, length = _longest_step(front, length, limits)
-        if made is None:
-            yield _obstacle(front)
-            return
-        if made.ended is BranchEnd.REJOINED:
-            yield made.ended
-            return
-        yield made, front.problem
-        if count > 2 and _closed(first, front, made.front):
-            yield BranchEnd.CLOSED
-            return
-        if made.ended is not None:
-            yield made.ended
-            return
+def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
+    """Follow the orbits of one map, and record what is found."""
+    taken_steps = tqdm(
+        steps(front, limits, len(record.points)),
+        desc="follow",
+        unit=" orbits",
+        delay=SILENCE,
+        leave=False,
+        disable=None,
+    )
+    for taken in taken_steps:
+        if isinstance(taken, BranchEnd):
+            return _Leg(front, taken)
+        made, problem = taken
+        if made.beyond is not None:
+            return _Leg(made.front, BranchEnd.REJOINED, joint(made.front, made.beyond))
         front = made.front
+        record.points.append(_branch_point(front))
+        record.special += [each for each in made.special if limits.interval.holds(each.value)]
+        record.switches += [(problem, each) for each in made.switches]
+    return _Leg(front, BranchEnd.MOST_POINTS)
 
 
-def _obstacle(front: Front) -> BranchEnd:
-    """Say why no orbit was found beyond a front."""
-    if is_torn(front):
-        return BranchEnd.TORN
-    neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL
-    return BranchEnd.NOT_ISOLATED if neutral else BranchEnd.STEP_TOO_SMALL
+def _joined(leg: _Leg, bifurcation: Bifurcation, limits: Limits, record: _Record) -> tuple[_Leg, list[Front]]:
+    """Go on where a branch joins another one that has not been followed.
+
+    An asymmetric branch goes on along the symmetric one, towards the other end of the interval. A branch with
+    half the period is another branch.
+
+    Returns:
+        The last leg, and where other branches begin.
+    """
+    ahead = math.copysign(1.0, limits.interval.stop - limits.interval.start)
+    onward, back = (front_beyond(bifurcation, sign) for sign in (ahead, -ahead))
+    others = [each for each in (onward, back) if each is not None]
+    if not bifurcation.place.problem.map.mirrored or onward is None:
+        return leg, others
+    record.points.append(_branch_point(onward))
+    return _follow_leg(onward, limits, record), others[1:]
 
 
-def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
-    """Return the front in the scale of its orbit, and the largest sizes so far."""
-    sizes = _sizes(front.place, largest)
-    largest = np.maximum(largest, abs(front.place.passage.sizes))
-    problem = replace(front.problem, sizes=sizes)
-    tangent = front.tangent.copy()
-    tangent[:-1] *= front.problem.sizes / sizes
-    before = None if front.before is None else problem.adopted(front.before)
-    place = problem.adopted(front.place)
-    return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
-
-
-def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | None, float]:
-    """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
-    length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
-    while length >= SMALLEST:
-        made = step(front, length, *limits.interval.ends)
-        if made is not None:
-            return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))
-        length *= 0.5
-    return turned(front), AFTER_CORNER
-
-
-def _closed(first: Front, before: Front, after: Front) -> bool:
-    """Say whether the branch passes its first orbit between two fronts, in its first direction."""
-    place = before.problem.adopted(first.place)
-    chord = after.place.position - before.place.position
-    share = float(chord @ (place.position - before.place.position)) / float(chord @ chord)
-    if not 0.0 < share <= 1.0 or place.signature not in (before.place.signature, after.place.signature):
-        return False
-    away = float(np.linalg.norm(before.place.position + share * chord - place.position))
-    if away > 0.1 * float(np.linalg.norm(chord)):
-        return False
-    normal = chord / np.linalg.norm(chord)
-    found = before.problem.correct(
-        before.place.position + share * chord, normal, float(normal @ place.position)
-    )
-    return found is not None and bool(abs(found.position - place.position).max() < SAME)
+def _parted(record: _Record, limits: Limits, switches: int, known: Known) -> Iterator[Branch | None]:
+    """Follow the branches that part from one; what ends at another point of it does not begin there."""
+    for problem, bifurcation in record.switches:
+        if not known.is_joined(problem, bifurcation, limits.settings.largest_step):
+            for front in parted_fronts(problem, bifurcation):
+                yield _followed(front, limits, switches - 1, bifurcation.point, known)
 
 
 def _branch_point(front: Front) -> BranchPoint:

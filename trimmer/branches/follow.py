@@ -134,7 +134,8 @@ class FollowedBranch:
         special: The special points, in the same order.
         reason: Why the branch ends.
         message: The same as a sentence.
-        branches: Branches that part from this one at period doubling and symmetry breaking.
+        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
+            it joins there.
         parted: The special point at which this one parts from another; None if it was begun by itself.
     """
 
@@ -181,7 +182,9 @@ def follow(
 
     It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
     leaving the interval at either end. A motion that is its own mirror image half a period later is followed
-    as such; of the two asymmetric branches that part from it, which are mirror images, one is followed.
+    as such; of the two asymmetric branches that part from it, which are mirror images, one is followed. Where
+    a branch of asymmetric motions joins the symmetric one, it goes on along that towards ``stop``, and the
+    other side of the symmetric one is followed as a branch that parts.
 
     Args:
         mechanism: The mechanism; it has a frequency.
@@ -229,11 +232,14 @@ def follow(
         map, first = replace(map, periods=found.periods), found.state
     else:
         first = real_array("state", state)
-    map = replace(map, mirrored=_is_symmetric(map, begin, first))
+    map = _fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
         branch = replace(branch, message=_unsettled(begin, settings.most_periods))
-    return _followed(branch, map)
+    base = map
+    while base.single is not None:
+        base = base.single
+    return _followed(branch, base)
 
 
 def _unsettled(begin: float, most_periods: int) -> str:
@@ -243,18 +249,41 @@ def _unsettled(begin: float, most_periods: int) -> str:
     )
 
 
-def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
-    """Say whether a motion is its own mirror image half a period later, as far as it is known."""
-    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
-        return False
-    half = replace(map, mirrored=True).passage(value, state)
-    sizes = np.where(half.sizes > 0.0, half.sizes, 1.0)
-    whole = map.passage(value, state)
+def _fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
+    """Return the map whose orbits a motion can join and leave, doubled so often that the motion is its orbit.
+
+    A motion that is its own mirror image is an orbit of half a period already. Where the number of periods
+    was given, and the motion repeats after half of it, nothing is doubled.
+    """
+    if map.periods % 2 == 0:
+        half = replace(map, periods=map.periods // 2)
+        return map if _repeats(half, map, value, state) else _asymmetric(half).doubled()
+    if not is_mirror_symmetric(map.mechanism):
+        return map
+    mirrored = replace(map, mirrored=True)
+    return mirrored if _repeats(mirrored, map, value, state) else mirrored.doubled()
+
+
+def _asymmetric(map: MechanismMap) -> MechanismMap:
+    """Return the map of an asymmetric motion, doubled from that of the simplest motion there can be."""
+    if map.periods % 2 == 0:
+        return _asymmetric(replace(map, periods=map.periods // 2)).doubled()
+    return replace(map, mirrored=True).doubled() if is_mirror_symmetric(map.mechanism) else map
+
+
+def _repeats(half: MechanismMap, map: MechanismMap, value: float, state: Reals) -> bool:
+    """Say whether a motion, as far as it is known, is an orbit of half of the map already."""
+    passage, whole = half.passage(value, state), map.passage(value, state)
+    sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)
     unsettled = float(abs((whole.end - state) / sizes).max())
-    return float(abs((half.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
+    return float(abs((passage.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
 
 
-def _followed(branch: Branch, map: MechanismMap) -> FollowedBranch:
+def _followed(branch: Branch, base: MechanismMap) -> FollowedBranch:
+    """Return a branch of a mechanism, with the map of which all others are doubled."""
+    map = base
+    for _ in range(branch.doublings):
+        map = map.doubled()
     whole = replace(map, mirrored=False)
     return FollowedBranch(
         map=whole,
@@ -262,9 +291,6 @@ def _followed(branch: Branch, map: MechanismMap) -> FollowedBranch:
         special=branch.special,
         reason=branch.reason,
         message=branch.message,
-        branches=tuple(
-            _followed(each, map.doubled() if each.doublings > branch.doublings else map)
-            for each in branch.branches
-        ),
+        branches=tuple(_followed(each, base) for each in branch.branches),
         parted=branch.parted,
     )

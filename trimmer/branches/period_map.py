@@ -65,6 +65,7 @@ class PeriodMap(Protocol):
         mirrored: Whether a passage is half a period and its end is taken with changed signs, so that the
             fixed points are the orbits with x(t + T/2) = -x(t).
         doublings: How often it was doubled.
+        single: The map of which this is two passages; None if it was not doubled.
     """
 
     @property
@@ -75,6 +76,9 @@ class PeriodMap(Protocol):
 
     @property
     def doublings(self) -> int: ...  # noqa: D102
+
+    @property
+    def single(self) -> PeriodMap | None: ...  # noqa: D102
 
     def doubled(self) -> PeriodMap:
         """Return the map of two passages; that of a mirrored map is a whole period without mirror."""

@@ -20,6 +20,10 @@ STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
+CLOSE_TO_JOINT = 4e-3
+"""Length of a step in all coordinates within which a branch is taken to where it joins another."""
+SINGLE = 1e-8
+"""Difference between the halves of a doubled orbit, below which it is a single one."""
 OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
@@ -72,6 +76,7 @@ class Step:
         switches: The bifurcations among them at which another branch parts.
         bend: Angle between the tangents before and after it, rad.
         ended: Why the branch ends with it; None if it goes on.
+        beyond: A doubled orbit on the other side of the branch that it joins; None if it joins none.
     """
 
     front: Front
@@ -79,6 +84,7 @@ class Step:
     switches: tuple[Bifurcation, ...]
     bend: float
     ended: BranchEnd | None = None
+    beyond: Place | None = None
 
 
 def step(front: Front, length: float, start: float, stop: float) -> Step | None:
@@ -105,8 +111,9 @@ def step(front: Front, length: float, start: float, stop: float) -> Step | None:
         far = _at_end(front, predicted, end)
     if far is None or _astray(front, far):
         return None
-    if _rejoined(front, far):
-        return Step(front, (), (), 0.0, BranchEnd.REJOINED)
+    if rejoined(front, far):
+        close = np.linalg.norm(far.position - front.place.position) <= CLOSE_TO_JOINT
+        return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
         made = _examined(front, arc, far)
     except LostError:
@@ -141,19 +148,22 @@ def _astray(front: Front, far: Place) -> bool:
     return ahead <= 0.0 or aside > FARTHEST_ASIDE * ahead
 
 
-def _rejoined(front: Front, far: Place) -> bool:
+def rejoined(front: Front, far: Place) -> bool:
     """Say whether a doubled orbit becomes a single one on the way to a place.
 
-    There the difference between its halves passes through zero and changes its sign.
+    There the difference between its halves passes through zero and changes its sign. Beyond that Newton's
+    method may also find single orbits, of which it is zero.
     """
-    first, last = _halves(front.problem, front.place), _halves(front.problem, far)
+    first, last = halves(front.problem, front.place), halves(front.problem, far)
     if first is None or last is None:
         return False
-    lengths = float(np.linalg.norm(first) * np.linalg.norm(last))
-    return lengths == 0.0 or float(first @ last) < OPPOSITE * lengths
+    lengths = float(np.linalg.norm(first)), float(np.linalg.norm(last))
+    if lengths[1] <= SINGLE:
+        return True
+    return float(first @ last) < OPPOSITE * lengths[0] * lengths[1]
 
 
-def _halves(problem: Problem, place: Place) -> Reals | None:
+def halves(problem: Problem, place: Place) -> Reals | None:
     """Return the difference between the halves of a doubled orbit, shape (n,); None of a single one."""
     middle = place.passage.middle
     return None if middle is None else middle / problem.sizes - place.position[:-1]

@@ -1,4 +1,7 @@
-"""The picture of a branch: peak to peak over the number that is varied, with stability and special points."""
+"""The picture of a branch: peak to peak over the number that is varied, with stability and special points.
+
+A colour stands for a number of drive periods, so that an asymmetric branch has that of the symmetric one.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +21,9 @@ if TYPE_CHECKING:
     from trimmer.branches.follow import FollowedBranch
 
 _WIDTH, _HEIGHT = 6.4, 3.2
+_UNITS = (("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9))
+_LEAST = 0.1
+"""Largest length in a unit, below which the next smaller one is used."""
 _DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 _MARKERS = {
     SpecialKind.GRAZING: "o",
@@ -39,11 +45,16 @@ def draw(branch: FollowedBranch, file_format: str) -> bytes:
     names = list(branch.map.mechanism.outputs)
     figure = Figure(figsize=(_WIDTH, _HEIGHT * max(len(names), 1)), layout="constrained")
     panels = figure.subplots(max(len(names), 1), squeeze=False)[:, 0]
+    shown = list(_all(branch))
+    periods = sorted({each.periods for each in shown})
     for name, axes in zip(names, panels, strict=False):
-        for number, each in enumerate(_all(branch)):
-            _draw_line(axes, each, name, f"C{number % 10}")
-            _draw_special(axes, each, name)
-        axes.set_ylabel(f"{name}, peak to peak, m", parse_math=False)
+        unit, metres = length_unit(
+            max((point.outputs[name].peak_to_peak for each in shown for point in each.points), default=0.0)
+        )
+        for each in shown:
+            _draw_line(axes, each, name, metres, f"C{periods.index(each.periods) % 10}")
+            _draw_special(axes, each, name, metres)
+        axes.set_ylabel(f"{name}, peak to peak, {unit}", parse_math=False)
         axes.set_xlabel(f"{branch.map.place}, {branch.unit}", parse_math=False)
         axes.grid(alpha=0.3)
         _add_legend(axes)
@@ -53,16 +64,21 @@ def draw(branch: FollowedBranch, file_format: str) -> bytes:
     return content.getvalue()
 
 
+def length_unit(largest: float) -> tuple[str, float]:
+    """Return the unit in which lengths up to a largest one, m, are easily read, and how many metres it is."""
+    return next((each for each in _UNITS if largest >= _LEAST * each[1]), _UNITS[0])
+
+
 def _all(branch: FollowedBranch) -> Iterator[FollowedBranch]:
     yield branch
     for other in branch.branches:
         yield from _all(other)
 
 
-def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> None:
+def _draw_line(axes: Axes, branch: FollowedBranch, name: str, metres: float, colour: str) -> None:
     """Draw stable stretches solid, unstable ones dashed."""
     values = [point.value for point in branch.points]
-    strokes = [point.outputs[name].peak_to_peak for point in branch.points]
+    strokes = [point.outputs[name].peak_to_peak / metres for point in branch.points]
     for stable, group in itertools.groupby(range(len(values)), key=lambda at: branch.points[at].stable):
         places = list(group)
         part = slice(max(places[0] - 1, 0), places[-1] + 1)
@@ -76,12 +92,12 @@ def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> No
         )
 
 
-def _draw_special(axes: Axes, branch: FollowedBranch, name: str) -> None:
+def _draw_special(axes: Axes, branch: FollowedBranch, name: str, metres: float) -> None:
     for special in branch.special:
         measures = branch.outputs_at(special)
         axes.plot(
             special.value,
-            measures[name].peak_to_peak,
+            measures[name].peak_to_peak / metres,
             _MARKERS[special.kind],
             color="black",
             fillstyle="none",

@@ -32,9 +32,8 @@ def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
 def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:
     begun = "Periodic motions" if branch.parted is None else f"From {branch.parted.kind.word} at"
     at = "" if branch.parted is None else f" {branch.parted.value:.10g}"
-    many = "the drive's period" if branch.periods == 1 else f"{branch.periods} drive periods"
-    lines = [f"{begun}{at} over {branch.map.place} ({branch.unit}), {len(branch.points)} of {many}"]
-    lines += table(("from", "to", "stable", *_output_heads(branch)), _stretches(branch))
+    lines = [f"{begun}{at} over {branch.map.place} ({branch.unit}): {_many(branch)}"]
+    lines += table(("from", "to", "orbits", "stable", *_output_heads(branch)), _stretches(branch))
     if branch.special:
         heads = ("special", "value", "parts and what happens")
         lines += ["Special points, in their order:", *table(heads, [_row(each) for each in branch.special])]
@@ -46,12 +45,19 @@ def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[s
     return lines
 
 
+def _many(branch: FollowedBranch) -> str:
+    """Say how many orbits a branch has, and how long they are."""
+    count, periods = len(branch.points), branch.periods
+    orbits = f"{count} orbit" if count == 1 else f"{count} orbits"
+    return f"{orbits} with " + ("the drive's period" if periods == 1 else f"{periods} drive periods")
+
+
 def _output_heads(branch: FollowedBranch) -> list[str]:
     return [f"{name}, peak to peak, m" for name in branch.map.mechanism.outputs]
 
 
 def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
-    """Return the stretches on which stability does not change, with the range of each output."""
+    """Return the stretches on which stability does not change, their orbits, and the range of each output."""
     rows = []
     for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
         points = list(group)
@@ -60,7 +66,7 @@ def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
             values = [point.outputs[name].peak_to_peak for point in points]
             ranges.append(f"{min(values):.6g} to {max(values):.6g}")
         ends = (f"{points[0].value:.8g}", f"{points[-1].value:.8g}")
-        rows.append((*ends, "yes" if stable else "no", *ranges))
+        rows.append((*ends, str(len(points)), "yes" if stable else "no", *ranges))
     return rows
 
 

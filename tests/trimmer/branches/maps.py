@@ -32,6 +32,7 @@ class Single:
     """What all these maps share."""
 
     doublings = 0
+    single = None
 
     def doubled(self) -> DoubledMap:
         return DoubledMap(self)

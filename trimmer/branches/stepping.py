@@ -1,0 +1,146 @@
+"""Stepping along a branch: how long each step is, and why no further one is made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.branches.branch import NEUTRAL, BranchEnd
+from trimmer.branches.corner import is_torn, turned
+from trimmer.branches.known import SAME
+from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.settings import FollowSettings
+from trimmer.branches.step import Front, Step, step
+
+FIRST = 1e-3
+"""Length of the first step."""
+SMALLEST = 2e-12
+"""Length below which a step is not shortened any more."""
+LARGEST_MOVE = 0.1
+"""Largest length of a step in all coordinates."""
+BEND = 0.15
+"""Angle between the tangents before and after a step, rad, at which its length is right."""
+LENGTHENED = 2.0
+"""Most by which a step is longer than the one before."""
+AFTER_CORNER = 1e-3
+"""Length of the step after a corner."""
+LEAST_SIZE = 1e-2
+"""Least scale of a state, relative to the largest that it had on the branch."""
+AT_END = 1e-12
+"""Distance from an end of the interval, as a share of it, within which a value is that end."""
+
+
+@dataclass(frozen=True)
+class Interval:
+    """The values over which a branch is followed.
+
+    Attributes:
+        start: Where it begins.
+        stop: The other end.
+    """
+
+    start: float
+    stop: float
+
+    @property
+    def span(self) -> float:
+        """Length."""
+        return abs(self.stop - self.start)
+
+    def holds(self, value: float) -> bool:
+        """Say whether a value lies inside, and not exactly at an end, such as a gap of 0."""
+        return min(abs(value - self.start), abs(value - self.stop)) > AT_END * self.span
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Start and stop, relative to the length."""
+        return self.start / self.span, self.stop / self.span
+
+
+@dataclass(frozen=True)
+class Limits:
+    """The interval of a branch, and how it is followed."""
+
+    interval: Interval
+    settings: FollowSettings
+
+
+def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:
+    """Yield one step after the other, with the problem in whose scale it was made, and why they end.
+
+    What joins another branch ends with a step that says so. ``count`` orbits are known at the beginning.
+    """
+    first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
+    for taken in range(limits.settings.most_points - count):
+        front, largest = _rescaled(front, largest)
+        made, length = _longest_step(front, length, limits)
+        if made is None:
+            yield _obstacle(front)
+            return
+        yield made, front.problem
+        if taken > 1 and _closed(first, front, made.front):
+            yield BranchEnd.CLOSED
+            return
+        if made.ended is not None:
+            yield made.ended
+            return
+        front = made.front
+
+
+def _obstacle(front: Front) -> BranchEnd:
+    """Say why no orbit was found beyond a front."""
+    if is_torn(front):
+        return BranchEnd.TORN
+    neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL
+    return BranchEnd.NOT_ISOLATED if neutral else BranchEnd.STEP_TOO_SMALL
+
+
+def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
+    """Return the front in the scale of its orbit, and the largest sizes so far."""
+    sizes = scales(front.place, largest)
+    largest = np.maximum(largest, abs(front.place.passage.sizes))
+    problem = replace(front.problem, sizes=sizes)
+    tangent = front.tangent.copy()
+    tangent[:-1] *= front.problem.sizes / sizes
+    before = None if front.before is None else problem.adopted(front.before)
+    place = problem.adopted(front.place)
+    return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
+
+
+def _longest_step(front: Front, length: float, limits: Limits) -> tuple[Step | None, float]:
+    """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
+    length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
+    while length >= SMALLEST:
+        made = step(front, length, *limits.interval.ends)
+        if made is not None:
+            return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))
+        length *= 0.5
+    return turned(front), AFTER_CORNER
+
+
+def _closed(first: Front, before: Front, after: Front) -> bool:
+    """Say whether the branch passes its first orbit between two fronts, in its first direction."""
+    place = before.problem.adopted(first.place)
+    chord = after.place.position - before.place.position
+    share = float(chord @ (place.position - before.place.position)) / float(chord @ chord)
+    if not 0.0 < share <= 1.0 or place.signature not in (before.place.signature, after.place.signature):
+        return False
+    away = float(np.linalg.norm(before.place.position + share * chord - place.position))
+    if away > 0.1 * float(np.linalg.norm(chord)):
+        return False
+    normal = chord / np.linalg.norm(chord)
+    found = before.problem.correct(
+        before.place.position + share * chord, normal, float(normal @ place.position)
+    )
+    return found is not None and bool(abs(found.position - place.position).max() < SAME)
+
+
+def scales(place: Place, before: Reals | None) -> Reals:
+    """Return the scale of the states near an orbit; an entry that never moves has the scale 1."""
+    sizes = abs(place.passage.sizes)
+    if before is not None:
+        sizes = np.maximum(sizes, LEAST_SIZE * before)
+    return np.where(sizes > 0.0, sizes, 1.0)
