@@ -7,7 +7,8 @@ will do, ``outputs`` what the orbits look like.
 The rest knows nothing of mechanisms: ``period_map`` says what a branch is followed of. ``orbit`` solves
 for one orbit, ``arc`` for orbits on a short piece of the branch; ``borders`` and ``bifurcations`` find
 the special points on it. A ``step`` joins them, ``corner`` turns where the branch does, ``stepping`` says
-how long each step is, ``continuation`` strings branches together, ``switching`` begins the branches that part from one, on a ``doubled_map`` or
-its like, and ``joining`` goes the other way, from doubled orbits to single ones and from asymmetric to
-symmetric ones; ``known`` says what has been followed already. ``branch`` and ``special`` are the result.
+how long each step is, ``continuation`` strings branches together, ``switching`` begins those that part
+from one, on a ``doubled_map`` or its like, and ``joining`` goes the other way, from doubled orbits to single
+ones and from asymmetric to symmetric ones; ``known`` says what has been followed already. ``branch`` and
+``special`` are the result.
 """
