@@ -99,7 +99,7 @@ def continuation(
         ValueError: if start and stop are equal or not finite, or bounds are not around start.
     """
     begin = finite_number("start", start)
-    limits = _Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
+    limits = Limits(_interval(begin, finite_number("stop", stop), settings.bounds), settings)
     front = _first_front(map, np.asarray(state, dtype=float), begin, limits.interval)
     if isinstance(front, BranchEnd):
         return Branch((), (), front, f"{front.value}, at {begin:.10g}")
@@ -121,7 +121,9 @@ def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> 
 
 
 @dataclass(frozen=True)
-class _Limits:
+class Limits:
+    """How far and how a branch is followed."""
+
     interval: Interval
     settings: FollowSettings
 
@@ -131,13 +133,13 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     guess = problem.place(problem.position(begin, state))
     if guess is None:
         return None
-    problem = Problem(map, interval.span, _sizes(guess, None))
+    problem = Problem(map, interval.span, sizes_of(guess, None))
     across = np.append(np.zeros(len(state)), 1.0)
     position = problem.position(begin, state)
     place = problem.correct(position, across, position[-1])
     if place is None:
         return None
-    problem = Problem(map, interval.span, _sizes(place, None))
+    problem = Problem(map, interval.span, sizes_of(place, None))
     place = problem.adopted(place)
     tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
     if tangent is None:
@@ -145,7 +147,7 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     return begun(problem, place, tangent)
 
 
-def _sizes(place: Place, before: Reals | None) -> Reals:
+def sizes_of(place: Place, before: Reals | None) -> Reals:
     """Return the scale of the states near an orbit; an entry that never moves has the scale 1."""
     sizes = abs(place.passage.sizes)
     if before is not None:
@@ -153,7 +155,7 @@ def _sizes(place: Place, before: Reals | None) -> Reals:
     return np.where(sizes > 0.0, sizes, 1.0)
 
 
-def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint | None) -> Branch:
+def _followed(front: Front, limits: Limits, switches: int, parted: SpecialPoint | None) -> Branch:
     record = _Record([_branch_point(front)])
     reason = BranchEnd.MOST_POINTS
     steps = tqdm(
@@ -179,7 +181,7 @@ def _followed(front: Front, limits: _Limits, switches: int, parted: SpecialPoint
     )
 
 
-def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]:
+def _parted(record: _Record, limits: Limits, switches: int) -> Iterator[Branch]:
     """Follow the branches that part from one; what ends at another point of it does not begin there."""
     rejoined: list[BranchPoint] = []
     for problem, bifurcation in record.switches:
@@ -191,17 +193,17 @@ def _parted(record: _Record, limits: _Limits, switches: int) -> Iterator[Branch]
             yield branch
 
 
-def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: _Limits) -> bool:
+def _begins_at(problem: Problem, bifurcation: Bifurcation, point: BranchPoint, limits: Limits) -> bool:
     away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
     return bool(away[-1] <= limits.settings.largest_step and away.max() <= LARGEST_MOVE)
 
 
-def _steps(front: Front, limits: _Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
+def _steps(front: Front, limits: Limits) -> Iterator[tuple[Step, Problem] | BranchEnd]:
     """Yield one step after the other, with the problem in whose scale it was made, and why they end."""
     first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
     for count in range(1, limits.settings.most_points):
         front, largest = _rescaled(front, largest)
-        made, length = _longest_step(front, length, limits)
+        made, length = longest_step(front, length, limits)
         if made is None:
             yield _obstacle(front)
             return
@@ -228,7 +230,7 @@ def _obstacle(front: Front) -> BranchEnd:
 
 def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     """Return the front in the scale of its orbit, and the largest sizes so far."""
-    sizes = _sizes(front.place, largest)
+    sizes = sizes_of(front.place, largest)
     largest = np.maximum(largest, abs(front.place.passage.sizes))
     problem = replace(front.problem, sizes=sizes)
     tangent = front.tangent.copy()
@@ -238,7 +240,7 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
 
 
-def _longest_step(front: Front, length: float, limits: _Limits) -> tuple[Step | None, float]:
+def longest_step(front: Front, length: float, limits: Limits) -> tuple[Step | None, float]:
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
     length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
     while length >= SMALLEST:

@@ -227,7 +227,7 @@ def follow(
         map, first = replace(map, periods=found.periods), found.state
     else:
         first = real_array("state", state)
-    map = replace(map, mirrored=_is_symmetric(map, begin, first))
+    map = replace(map, mirrored=is_symmetric(map, begin, first))
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
         branch = replace(branch, message=_unsettled(begin, settings.most_periods))
@@ -241,7 +241,7 @@ def _unsettled(begin: float, most_periods: int) -> str:
     )
 
 
-def _is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
+def is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
     """Say whether a motion is its own mirror image half a period later, as far as it is known."""
     if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
         return False
