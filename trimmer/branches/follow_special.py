@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 from tqdm import tqdm
@@ -32,6 +33,11 @@ FIRST_REACHES = (1e-2, 1e-3, 1e-1)
 REACH = 0.5
 """Distance from a prediction within which a point is looked for, relative to the step."""
 LEAST_REACH = 2e-5
+WORST = 0.2
+"""Error of a prediction, relative to the step, above which the step is shortened."""
+MUCH_SHORTER = 0.1
+LARGEST_MOVE = 0.2
+"""Largest length of a step, states included."""
 ACCURATE = 0.03
 """Error of a prediction, relative to the step, below which the next step is longer."""
 SHARP = 0.05
@@ -167,8 +173,15 @@ def _followed(search: _Search, track: _Track, sign: float, settings: LocusSettin
                 return LocusEnd.LEFT
             if _closed(track.points):
                 return LocusEnd.CLOSED
-            length = min(length * (2.0 if error < ACCURATE else 1.0), settings.largest_step)
+            length = _next_length(track.points, length * (2.0 if error < ACCURATE else 1.0), settings)
     return LocusEnd.MOST_POINTS
+
+
+def _next_length(points: Sequence[_Point], wanted: float, settings: LocusSettings) -> float:
+    """Return a length at which the two numbers change no more than they may."""
+    before, last = points[-2:]
+    share = float(np.linalg.norm(last.values - before.values)) / _apart(before, last.values, last.state)
+    return min(wanted, LARGEST_MOVE, settings.largest_step / max(share, 1e-300))
 
 
 def _at_border(point: _Point) -> bool:
@@ -177,45 +190,57 @@ def _at_border(point: _Point) -> bool:
 
 def _step(search: _Search, track: _Track, sign: float, length: float) -> tuple[_Point, float] | None:
     """Return the next point and the error of its prediction relative to the step; None if none was found."""
-    last = track.points[-1]
-    ahead, sideways = _ahead(track.points, sign)
-    reach_border = _until_border(last.values, ahead)
-    share = min(length, reach_border)
-    held = int(np.argmin(_distances_to_border(last.values, ahead))) if share == reach_border else -1
-    held = int(np.argmax(abs(ahead))) if held < 0 else held
-    begun = len(track.points) == 1
-    if begun:
-        held = 1
-    values, state = last.values + share * ahead, last.state + share * sideways
-    move = share * float(np.hypot(1.0, np.linalg.norm(sideways / last.sizes)))
-    reaches: Sequence[float] = FIRST_REACHES if begun else (max(LEAST_REACH, REACH * move),)
-    for reach in reaches:
-        found = _found(search, track, held, values, state, reach)
-        if found is not None:
-            error = _apart(found, values, state) / move
-            if begun or error <= REACH:
-                return found, error
+    if len(track.points) == 1:
+        return _second_point(search, track, sign, length)
+    before, last = track.points[-2:]
+    predicted = _predicted(track.points, length)
+    ahead = predicted[0] - last.values
+    holds = [int(each) for each in np.argsort(-abs(ahead))]
+    rooms = _rooms(last.values, ahead)
+    if rooms.min() <= 1.0:
+        border = int(np.argmin(rooms))
+        predicted = _predicted(track.points, length * float(rooms[border]))
+        predicted[0][border] = 1.0 if ahead[border] > 0.0 else 0.0
+        holds = [border]
+    values, state = predicted
+    move = _apart(last, values, state)
+    # After a step that was too long its direction says little: a much shorter one finds a better.
+    worst = WORST if length > MUCH_SHORTER * _apart(before, last.values, last.state) else REACH
+    for held in holds:
+        found = _found(search, track, held, values, state, max(LEAST_REACH, REACH * move))
+        if found is not None and _apart(found, values, state) <= worst * move:
+            return found, _apart(found, values, state) / move
     return None
 
 
-def _ahead(points: Sequence[_Point], sign: float) -> tuple[Reals, Reals]:
-    """Return how values, a unit vector (2,), and state, (n,), go on by the secant of the last two points."""
-    if len(points) == 1:
-        return np.array([0.0, sign]), np.zeros(len(points[0].state))
-    before, last = points[-2:]
-    change = last.values - before.values
-    length = float(np.linalg.norm(change))
-    return change / length, (last.state - before.state) / length
+def _second_point(search: _Search, track: _Track, sign: float, length: float) -> tuple[_Point, float] | None:
+    (start,) = track.points
+    values = np.clip(start.values + np.array([0.0, sign * length]), 0.0, 1.0)
+    for reach in FIRST_REACHES:
+        found = _found(search, track, 1, values, start.state, reach)
+        if found is not None:
+            return found, 0.0
+    return None
 
 
-def _distances_to_border(values: Reals, ahead: Reals) -> Reals:
-    """Return how far the border of either number is along a direction, (2,)."""
+def _predicted(points: Sequence[_Point], length: float) -> tuple[Reals, Reals]:
+    """Return values, (2,), and state, (n,), farther on by a length, on the curve through the last points."""
+    last = points[-3:]
+    rows = [np.append(point.values, point.state) for point in last]
+    chords = [_apart(left, right.values, right.state) for left, right in pairwise(last)]
+    at = np.cumsum([0.0, *chords])
+    ahead = at[-1] + length
+    predicted = np.zeros(len(rows[0]))
+    for own, row in zip(at, rows, strict=True):
+        others = at[at != own]
+        predicted += np.prod((ahead - others) / (own - others)) * row
+    return predicted[:2], predicted[2:]
+
+
+def _rooms(values: Reals, ahead: Reals) -> Reals:
+    """Return how much of a step leads to the border of either number, (2,)."""
     room = np.where(ahead > 0.0, 1.0 - values, values)
     return np.asarray(room / np.maximum(abs(ahead), 1e-300))
-
-
-def _until_border(values: Reals, ahead: Reals) -> float:
-    return float(_distances_to_border(values, ahead).min())
 
 
 def _found(

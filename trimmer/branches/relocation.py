@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,11 +14,16 @@ from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
+from trimmer.errors import TrimmerError
 
 MOST_STEPS = 24
 """Steps within which a piece of branch must have been followed."""
-BEYOND = 1.5
+ACROSS = 2.2
+"""Length of the first step, in reaches: one that passes the guess, where nothing shortens it."""
+BEYOND = 1.1
 """How far behind the guess a piece ends, in reaches."""
+FARTHEST = 2.0
+"""Largest distance of the point from the guess, in reaches."""
 
 
 @dataclass(frozen=True)
@@ -76,31 +82,37 @@ def relocated(
     if guess is None:
         return None
     problem = Problem(map, span, sizes_of(guess, None))
-    guess = problem.adopted(guess)
-    tangent = _null_vector(guess)
-    if tangent is None:
+    try:
+        centre = _centre(problem.adopted(guess))
+        if centre is None:
+            return None
+        tangent = _null_vector(centre)
+    except (np.linalg.LinAlgError, TrimmerError):
         return None
     found: list[Relocated] = []
     for direction in (tangent, -tangent):
-        piece = _searched(guess, direction, sought, reach)
+        piece = _searched(centre, direction, sought, reach)
         if piece is not None and piece.point is not None:
             return piece
         found += [] if piece is None else [piece]
     return found[0] if found else None
 
 
-def _null_vector(guess: Place) -> Reals | None:
-    """Return the direction of the branch near a guess, shape (n + 1,), its sign left to chance."""
-    try:
-        return np.asarray(np.linalg.svd(guess.slope)[2][-1])
-    except np.linalg.LinAlgError:
-        return None
+def _centre(guess: Place) -> Place | None:
+    """Return the orbit beside a guess, across the direction of the branch there."""
+    normal = _null_vector(guess)
+    return guess.problem.correct(guess.position, normal, float(normal @ guess.position))
 
 
-def _searched(guess: Place, direction: Reals, sought: Sought, reach: float) -> Relocated | None:
-    """Follow a piece of branch along a direction past a guess, until the point is found."""
-    problem = guess.problem
-    start = guess.position - reach * direction
+def _null_vector(place: Place) -> Reals:
+    """Return the direction of the branch near a place, shape (n + 1,), its sign left to chance."""
+    return np.asarray(np.linalg.svd(place.slope)[2][-1])
+
+
+def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> Relocated | None:
+    """Follow a piece of branch along a direction past an orbit, until the point is found."""
+    problem = centre.problem
+    start = centre.position - reach * direction
     place = problem.correct(start, direction, float(direction @ start))
     if place is None or np.linalg.norm(place.position - start) > reach:
         return None
@@ -108,29 +120,26 @@ def _searched(guess: Place, direction: Reals, sought: Sought, reach: float) -> R
     if tangent is None:
         return None
     others: list[SpecialPoint] = []
-    for point in _special_points(begun(problem, place, tangent), guess.position, reach):
-        position = problem.position(point.value, point.state)
-        near = np.linalg.norm(position - guess.position) <= 2.0 * reach
+    for point in _special_points(begun(problem, place, tangent), centre.position, reach):
+        near = np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
         if near and sought.fits(point):
             return Relocated(point, tuple(others), problem)
         others += [point] if near else []
     return Relocated(None, tuple(others), problem)
 
 
-def _special_points(front: Front, centre: Reals, reach: float) -> list[SpecialPoint]:
-    """Return the special points of a branch from a front until it leaves the neighbourhood of a centre."""
+def _special_points(front: Front, centre: Reals, reach: float) -> Iterator[SpecialPoint]:
+    """Yield the special points of a branch from a front until it leaves the neighbourhood of a centre."""
     value = front.problem.value(front.place.position)
     half = 0.5 * front.problem.span  # positions are in spans, and ends of an interval in its length
     interval = Interval(value - half, value + half)
     limits = Limits(interval, FollowSettings(largest_step=1.0))
-    found: list[SpecialPoint] = []
-    length = reach
+    length = ACROSS * reach
     for _ in range(MOST_STEPS):
-        made, length = longest_step(front, min(length, reach), limits)
+        made, length = longest_step(front, min(length, ACROSS * reach), limits)
         if made is None:
-            break
-        found += made.special
+            return
+        yield from made.special
         front = made.front
         if np.linalg.norm(front.place.position - centre) > BEYOND * reach:
-            break
-    return found
+            return
