@@ -159,7 +159,12 @@ def _followed(front: Front, limits: Limits, switches: int, parted: SpecialPoint 
     record = _Record([_branch_point(front)])
     reason = BranchEnd.MOST_POINTS
     steps = tqdm(
-        _steps(front, limits), desc="follow", unit=" orbits", delay=SILENCE, leave=False, disable=None
+        _steps(front, limits),
+        desc="follow",
+        unit=" orbits",
+        delay=SILENCE,
+        leave=False,
+        disable=True if limits.settings.quiet else None,
     )
     for taken in steps:
         if isinstance(taken, BranchEnd):

@@ -1,7 +1,7 @@
 """Following a special point of a branch over two numbers of a mechanism.
 
-A point is predicted by the secant of the last two. Then the number that changes more is held, and the point is
-found again on a short piece of branch over the other; so a locus may turn around in either number.
+A point is predicted by the parabola through the last three. Then the number that changes more is held, and the
+point is found again on a short piece of branch over the other; so a locus may turn around in either number.
 """
 
 from __future__ import annotations
@@ -157,7 +157,13 @@ def _first_point(search: _Search, values: Reals, state: Reals) -> _Point:
 def _followed(search: _Search, track: _Track, sign: float, settings: LocusSettings) -> LocusEnd:
     """Add point after point to a track, and return why it ends."""
     length = min(FIRST_STEP, settings.largest_step)
-    bar = tqdm(desc=search.sought.kind.word, unit=" points", delay=SILENCE, leave=False, disable=None)
+    bar = tqdm(
+        desc=search.sought.kind.word,
+        unit=" points",
+        delay=SILENCE,
+        leave=False,
+        disable=True if settings.quiet else None,
+    )
     with bar:
         while len(track.points) < settings.most_points:
             made = _step(search, track, sign, length)
@@ -322,7 +328,7 @@ def _distance(search: _Search, place: Place | None) -> float:
     if kind is SpecialKind.TORUS:
         pairs = multipliers[abs(multipliers.imag) > 0.0]
         return float(abs(abs(pairs) - 1.0).min()) if len(pairs) else float("nan")
-    flips = kind is SpecialKind.PERIOD_DOUBLING or search.maps[0].mirrored and kind is not SpecialKind.FOLD
+    flips = kind is SpecialKind.PERIOD_DOUBLING or (search.maps[0].mirrored and kind is not SpecialKind.FOLD)
     return float(abs(multipliers + 1.0 if flips else multipliers - 1.0).min())
 
 

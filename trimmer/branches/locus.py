@@ -34,6 +34,7 @@ class LocusSettings:
         most_points: Number of points after which to stop.
         largest_step: Largest change of the two numbers between two points, as a share of their ranges.
         smallest_step: The same below which a step is not shortened any more.
+        quiet: Whether to show no progress bar.
 
     Raises:
         WrongTypeError: if one of them has another type.
@@ -43,6 +44,7 @@ class LocusSettings:
     most_points: int = 400
     largest_step: float = 0.03
     smallest_step: float = 1e-5
+    quiet: bool = False
 
     def __post_init__(self) -> None:
         whole_number("most_points", self.most_points, 2)

@@ -121,7 +121,9 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
         return None
     others: list[SpecialPoint] = []
     for point in _special_points(begun(problem, place, tangent), centre.position, reach):
-        near = np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
+        near = (
+            np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
+        )
         if near and sought.fits(point):
             return Relocated(point, tuple(others), problem)
         others += [point] if near else []

@@ -1,0 +1,243 @@
+"""Curves over a map: where folds, period doublings, grazings and their like lie in both of its numbers.
+
+Branches over the first number are followed at a few values of the second, and each of their special points is
+followed from there over both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from trimmer.arguments import require_instance, whole_number
+from trimmer.arrays import Reals
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow_special import follow_special
+from trimmer.branches.locus import Locus, LocusEnd, LocusSettings, Ranges
+from trimmer.branches.settings import FollowSettings
+from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.errors import MapError
+from trimmer.maps.inputs import varied
+from trimmer.maps.result import MotionMap
+
+MOST_ORBITS = 600
+"""Orbits after which a branch is left."""
+MOST_POINTS = 200
+"""Points after which a curve is left, on either side of where it was found."""
+LINES = 3
+MOST_CURVES = 60
+SAME = 5e-3
+"""Distance in shares of the ranges within which a special point lies on a curve that is known."""
+SAME_STATE = 5e-2
+"""The same of the states, relative to their sizes on the curve."""
+
+
+@dataclass(frozen=True, eq=False)
+class SpecialCurve:
+    """A curve on which a special point lies.
+
+    Attributes:
+        sides: The locus from where it was found, on either side; one if it closes.
+    """
+
+    sides: tuple[Locus, ...]
+
+    @property
+    def kind(self) -> SpecialKind:
+        """What happens there."""
+        return self.sides[0].kind
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of the parts whose phases change there."""
+        return self.sides[0].parts
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which the orbits repeat."""
+        return self.sides[0].periods
+
+    @cached_property
+    def values(self) -> Reals:
+        """Values of both numbers along the curve, SI units, (points, 2)."""
+        return np.concatenate([self.sides[-1].values[:0:-1], self.sides[0].values][-len(self.sides) :])
+
+    @cached_property
+    def states(self) -> Reals:
+        """States at the start of a drive period, (points, n)."""
+        return np.concatenate([self.sides[-1].states[:0:-1], self.sides[0].states][-len(self.sides) :])
+
+    @property
+    def residual(self) -> float:
+        """Largest difference of an orbit's end and start, relative to the sizes of the states."""
+        return float(max(np.nanmax(side.residual) for side in self.sides))
+
+    @property
+    def ends(self) -> tuple[Locus, ...]:
+        """The sides in the order of the curve's ends; one that closes has one."""
+        return self.sides[::-1]
+
+    @property
+    def name(self) -> str:
+        """What it is, with the parts, for a legend."""
+        parts = f", {' and '.join(self.parts)}" if self.parts else ""
+        return f"{self.kind.word}{parts}"
+
+    def holds(self, point: SpecialPoint, second: float, spans: Reals) -> bool:
+        """Say whether it passes a special point at a value of the second number, as near as can be told."""
+        if (point.kind, point.parts) != (self.kind, self.parts):
+            return False
+        sizes = abs(self.states).max(axis=0)
+        sizes = np.where(sizes > 0.0, sizes, 1.0)
+        target = np.array([point.value, second]) / spans
+        return any(
+            _passes(values / spans, states / sizes, target, point.state / sizes)
+            for values, states in zip(_pairs(self.values), _pairs(self.states), strict=True)
+        )
+
+
+def _pairs(rows: Reals) -> Iterator[Reals]:
+    """Yield each two rows that follow one another, (2, n)."""
+    return (np.array(pair) for pair in pairwise(rows))
+
+
+def _passes(values: Reals, states: Reals, target: Reals, state: Reals) -> bool:
+    chord = values[1] - values[0]
+    length = float(chord @ chord)
+    share = float(np.clip(chord @ (target - values[0]) / length, 0.0, 1.0)) if length else 0.0
+    near = np.linalg.norm(values[0] + share * chord - target) <= SAME
+    between = states[0] + share * (states[1] - states[0])
+    return bool(near and abs(between - state).max() <= SAME_STATE)
+
+
+@dataclass(frozen=True, eq=False)
+class SpecialCurves:
+    """The curves over a map.
+
+    Attributes:
+        curves: The curves, in the order in which they were found.
+        searched: What was looked for and where, in a sentence.
+    """
+
+    curves: tuple[SpecialCurve, ...]
+    searched: str
+
+    @property
+    def drawn(self) -> list[tuple[str, Reals]]:
+        """The curves as ``MotionMap.plot`` takes them, ordered by their names."""
+        return sorted(((curve.name, curve.values) for curve in self.curves), key=lambda each: each[0])
+
+
+@dataclass(frozen=True, eq=False)
+class _Line:
+    """What was found at one value of the second number; no branch if the mechanism settles at neither end."""
+
+    second: float
+    branch: FollowedBranch | None
+
+
+def special_curves(
+    result: MotionMap, *, lines: int = LINES, most_curves: int = MOST_CURVES, quiet: bool = False
+) -> SpecialCurves:
+    """Look for special points on a map over two numbers, and follow them.
+
+    Args:
+        result: The map; its ranges are what is looked at, and its cells do not matter.
+        lines: Values of the second number, evenly spread inside its range, at which a branch over the first
+            is followed from rest.
+        most_curves: Number of curves after which no other special point is followed.
+        quiet: Show no progress bar.
+
+    Raises:
+        MapError: if the map is not over two numbers.
+        MechanismError: if one of them must be whole, or cannot have a value in between.
+        WrongTypeError, ValueError: if an argument cannot be used.
+    """
+    require_instance("result", result, MotionMap, "a MotionMap")
+    whole_number("lines", lines, 1)
+    whole_number("most_curves", most_curves, 1)
+    if len(result.places) != 2 or min(result.shape) < 2:
+        raise MapError("curves lie over two numbers, and the map is not over two with several values each")
+    ranges = Ranges(*((float(values.min()), float(values.max())) for values in result.values))
+    lowest, highest = ranges.second
+    seconds = lowest + (np.arange(lines) + 0.5) / lines * (highest - lowest)
+    found = [_line(result, ranges, float(second), quiet) for second in seconds]
+    curves, left = _curves(found, result.places[1], ranges, most_curves, quiet)
+    return SpecialCurves(tuple(curves), _searched(result, found, curves, left))
+
+
+def _line(result: MotionMap, ranges: Ranges, second: float, quiet: bool) -> _Line:
+    """Follow the branch at a value of the second number from one end of the first, or else the other."""
+    settings = FollowSettings(most_points=MOST_ORBITS, quiet=quiet)
+    for start, stop in (ranges.first, ranges.first[::-1]):
+        mechanism = varied(result.inputs.mechanism, result.places, (start, second))
+        branch = follow(mechanism, result.places[0], start, stop, settings=settings)
+        if branch.reason is not BranchEnd.NO_START:
+            return _Line(second, branch)
+    return _Line(second, None)
+
+
+def _with_parted(branch: FollowedBranch) -> Iterator[FollowedBranch]:
+    yield branch
+    for each in branch.branches:
+        yield from _with_parted(each)
+
+
+def _curves(
+    lines: Sequence[_Line], place: str, ranges: Ranges, most: int, quiet: bool
+) -> tuple[list[SpecialCurve], int]:
+    """Return the curves, and how many special points were left since there were enough."""
+    spans = np.array([highest - lowest for lowest, highest in ranges.both])
+    curves: list[SpecialCurve] = []
+    left = 0
+    for line in lines:
+        for branch, point in _points(line):
+            if any(curve.holds(point, line.second, spans) for curve in curves):
+                continue
+            if len(curves) < most:
+                curves.append(_curve(branch, point, place, ranges, quiet))
+            else:
+                left += 1
+    return curves, left
+
+
+def _points(line: _Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
+    if line.branch is not None:
+        for branch in _with_parted(line.branch):
+            yield from ((branch, point) for point in branch.special)
+
+
+def _curve(
+    branch: FollowedBranch, point: SpecialPoint, place: str, ranges: Ranges, quiet: bool
+) -> SpecialCurve:
+    settings = LocusSettings(most_points=MOST_POINTS, quiet=quiet)
+    lowest, highest = ranges.second
+    up = follow_special(branch, point, place, highest, ranges=ranges, settings=settings)
+    if up.reason is LocusEnd.CLOSED:
+        return SpecialCurve((up,))
+    return SpecialCurve((up, follow_special(branch, point, place, lowest, ranges=ranges, settings=settings)))
+
+
+def _searched(result: MotionMap, lines: Sequence[_Line], curves: Sequence[SpecialCurve], left: int) -> str:
+    first, second = result.places
+    at = ", ".join(f"{line.second:.6g}" for line in lines)
+    unsettled = [f"{line.second:.6g}" for line in lines if line.branch is None]
+    early = [line for line in lines if line.branch is not None and not line.branch.success]
+    count = sum(1 for line in lines for _ in _points(line))
+    told = (
+        f"the branch over {first} that begins at rest, and those that part from it, at {second} = {at}: "
+        f"{count} special points, which lie on {len(curves)} curves"
+    )
+    if unsettled:
+        told += f"; at {', '.join(unsettled)} it settles at neither end of {first}, and nothing was followed"
+    for line in early:
+        if line.branch is not None:
+            told += f"; the branch at {line.second:.6g} was not followed to an end: {line.branch.message}"
+    if left:
+        told += f"; {left} special points more were not followed"
+    return f"{told}; others were not looked for"
