@@ -1,7 +1,7 @@
 """Following a special point of a branch over two numbers of a mechanism.
 
-A point is predicted by the parabola through the last three. Then the number that changes more is held, and the
-point is found again on a short piece of branch over the other; so a locus may turn around in either number.
+A point is predicted by the parabola through the last three. Then the number that changes more is held, and
+the point is found again on a short piece of branch over the other; so a locus may turn in either number.
 """
 
 from __future__ import annotations

@@ -20,21 +20,27 @@ from trimmer.branches.follow import FollowedBranch, follow
 from trimmer.branches.follow_special import follow_special
 from trimmer.branches.locus import Locus, LocusEnd, LocusSettings, Ranges
 from trimmer.branches.settings import FollowSettings
+from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MapError
 from trimmer.maps.inputs import varied
 from trimmer.maps.result import MotionMap
+from trimmer.mechanism.mechanism import Mechanism
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""
 MOST_POINTS = 200
 """Points after which a curve is left, on either side of where it was found."""
+LARGEST_STEP = 0.05
+"""Largest distance of points on a curve, as a share of the ranges."""
 LINES = 3
 MOST_CURVES = 60
 SAME = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
+SAME_ORBIT = 1e-4
+"""Difference of two orbits, relative to the states, within which they are the same."""
 SAME_STATE = 5e-2
-"""The same of the states, relative to their sizes on the curve."""
+"""Distance of the states then, relative to their sizes on the curve."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,10 +141,10 @@ class SpecialCurves:
 
 @dataclass(frozen=True, eq=False)
 class _Line:
-    """What was found at one value of the second number; no branch if the mechanism settles at neither end."""
+    """The branches at one value of the second number; none if the mechanism settles at neither end."""
 
     second: float
-    branch: FollowedBranch | None
+    branches: tuple[FollowedBranch, ...]
 
 
 def special_curves(
@@ -148,8 +154,8 @@ def special_curves(
 
     Args:
         result: The map; its ranges are what is looked at, and its cells do not matter.
-        lines: Values of the second number, evenly spread inside its range, at which a branch over the first
-            is followed from rest.
+        lines: Values of the second number, evenly spread inside its range, at which branches over the first
+            are followed from what the mechanism settles to at both of its ends.
         most_curves: Number of curves after which no other special point is followed.
         quiet: Show no progress bar.
 
@@ -172,14 +178,28 @@ def special_curves(
 
 
 def _line(result: MotionMap, ranges: Ranges, second: float, quiet: bool) -> _Line:
-    """Follow the branch at a value of the second number from one end of the first, or else the other."""
+    """Follow the branches at a value of the second number from both ends of the first."""
     settings = FollowSettings(most_points=MOST_ORBITS, quiet=quiet)
+    branches: list[FollowedBranch] = []
     for start, stop in (ranges.first, ranges.first[::-1]):
         mechanism = varied(result.inputs.mechanism, result.places, (start, second))
+        if branches and _reaches(branches[0], mechanism):
+            continue
         branch = follow(mechanism, result.places[0], start, stop, settings=settings)
-        if branch.reason is not BranchEnd.NO_START:
-            return _Line(second, branch)
-    return _Line(second, None)
+        branches += [] if branch.reason is BranchEnd.NO_START else [branch]
+    return _Line(second, tuple(branches))
+
+
+def _reaches(branch: FollowedBranch, mechanism: Mechanism) -> bool:
+    """Say whether a branch ends with what a mechanism settles to from rest, or it does not settle."""
+    if branch.reason is not BranchEnd.LEFT_AT_STOP:
+        return False
+    found = settled(mechanism, FollowSettings().most_periods)
+    if found is None:
+        return True
+    end = branch.points[-1].state
+    sizes = np.where(end != 0.0, abs(end), 1.0)
+    return bool(found.periods == branch.periods and (abs(found.state - end) / sizes).max() <= SAME_ORBIT)
 
 
 def _with_parted(branch: FollowedBranch) -> Iterator[FollowedBranch]:
@@ -207,15 +227,15 @@ def _curves(
 
 
 def _points(line: _Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
-    if line.branch is not None:
-        for branch in _with_parted(line.branch):
+    for begun in line.branches:
+        for branch in _with_parted(begun):
             yield from ((branch, point) for point in branch.special)
 
 
 def _curve(
     branch: FollowedBranch, point: SpecialPoint, place: str, ranges: Ranges, quiet: bool
 ) -> SpecialCurve:
-    settings = LocusSettings(most_points=MOST_POINTS, quiet=quiet)
+    settings = LocusSettings(most_points=MOST_POINTS, largest_step=LARGEST_STEP, quiet=quiet)
     lowest, highest = ranges.second
     up = follow_special(branch, point, place, highest, ranges=ranges, settings=settings)
     if up.reason is LocusEnd.CLOSED:
@@ -226,18 +246,18 @@ def _curve(
 def _searched(result: MotionMap, lines: Sequence[_Line], curves: Sequence[SpecialCurve], left: int) -> str:
     first, second = result.places
     at = ", ".join(f"{line.second:.6g}" for line in lines)
-    unsettled = [f"{line.second:.6g}" for line in lines if line.branch is None]
-    early = [line for line in lines if line.branch is not None and not line.branch.success]
+    unsettled = [f"{line.second:.6g}" for line in lines if not line.branches]
     count = sum(1 for line in lines for _ in _points(line))
     told = (
-        f"the branch over {first} that begins at rest, and those that part from it, at {second} = {at}: "
+        f"the branches over {first} from what it settles to at both ends, and those that part from them, at "
+        f"{second} = {at}: "
         f"{count} special points, which lie on {len(curves)} curves"
     )
     if unsettled:
         told += f"; at {', '.join(unsettled)} it settles at neither end of {first}, and nothing was followed"
-    for line in early:
-        if line.branch is not None:
-            told += f"; the branch at {line.second:.6g} was not followed to an end: {line.branch.message}"
+    for line in lines:
+        early = [branch.message for branch in line.branches if not branch.success]
+        told += "".join(f"; at {line.second:.6g} a branch ends early: {each}" for each in early)
     if left:
         told += f"; {left} special points more were not followed"
     return f"{told}; others were not looked for"

@@ -76,7 +76,7 @@ def test_period_doublings_meet_and_each_is_one_of_a_branch_over_one_number(branc
         assert_one_number_agrees(branch, locus, at, 1e-9)
 
 
-def test_folds_meet_in_a_cusp_and_each_is_one_of_a_branch_over_one_number(branch: FollowedBranch) -> None:
+def test_folds_are_those_of_branches_over_one_number(branch: FollowedBranch) -> None:
     locus = follow_special(branch, of_kind(branch, SpecialKind.FOLD), GAP, 5.0, ranges=RANGES)
     assert locus.reason is LocusEnd.LEFT
     assert locus.distance.max() < 1e-9
@@ -98,17 +98,12 @@ def test_both_folds_lie_on_one_locus_through_a_cusp(branch: FollowedBranch) -> N
 
 
 def test_both_grazings_of_the_dead_zone_lie_where_the_linear_motion_is_as_wide_as_the_zone() -> None:
-    # Above 1.4 rad/s the body moves by 0.05 omega^2 / |1 - omega^2 + 0.1 i omega| around 0.1 + 1 and stays
-    # in contact until it comes down to the side of the zone.
+    # The body leans on the upper side of the zone with the constant force, and moves around there with
+    # 0.05 omega^2 / |1 - omega^2 + 0.1 i omega|, until it comes down to the side of the zone.
     branch = follow(dead_zone(0.5), "frequency", 0.5 / TURN, 1.6 / TURN, settings=ALONE)
+    ranges = Ranges((0.4 / TURN, 1.9 / TURN), (0.05, 0.12))
     for point in (of_kind(branch, SpecialKind.GRAZING, number) for number in (0, 1)):
-        locus = follow_special(
-            branch,
-            point,
-            "forces.drive.constant",
-            0.12,
-            ranges=Ranges((0.4 / TURN, 1.9 / TURN), (0.05, 0.12)),
-        )
+        locus = follow_special(branch, point, "forces.drive.constant", 0.12, ranges=ranges)
         assert locus.reason is LocusEnd.LEFT
         omega = TURN * locus.first
         assert locus.second == pytest.approx(0.05 * omega**2 / abs(1.0 - omega**2 + 0.1j * omega), rel=1e-9)

@@ -16,7 +16,7 @@ MAP = ["map", FILE, "--vary", GAP, "--vary", FORCE, "--jobs", "1"]
 NAMED_BY_DATA = {"outputs", "bodies", "frictions"}
 NAMED_IN_TEXT = {"periodic", "failed"}
 OSCILLATOR = str(Path(FILE).parent / "oscillator-stop.toml")
-STOP = ["--vary", "frequency=1.05:1.2:2", "--vary", "stops.stop.gap=9:11:2"]
+STOP = ["--vary", "frequency=1.1:1.14:2", "--vary", "stops.stop.gap=9.6:10.4:2"]
 CURVES = ["map", OSCILLATOR, *STOP, "--jobs", "1", "--special", "1"]
 
 
@@ -67,14 +67,14 @@ def test_special_points_are_followed_over_both_numbers(tmp_path: Path, capsys) -
     picture = tmp_path / "map.svg"
     found = json.loads(run(capsys, *CURVES, "--json", "--plot", str(picture)))
     printed = set(keys(found, NAMED_BY_DATA))
-    assert printed == documented("trimmer map") - NAMED_IN_TEXT - {"special", "failures[]"}
+    assert printed == documented("trimmer map") - NAMED_IN_TEXT - {"special"}
     special = found["special"]
     assert "at stops.stop.gap = 10: 2 special points, which lie on 2 curves" in special["searched"]
     fold, grazing = sorted(special["curves"], key=lambda curve: curve["kind"])
     assert (fold["kind"], grazing["kind"]) == ("fold", "grazing")
     assert (fold["parts"], grazing["parts"]) == ([], ["stop"])
     frequencies, gaps = np.array(grazing["values"]).T
-    assert gaps[[0, -1]] == pytest.approx([9.0, 11.0])
+    assert gaps[[0, -1]] == pytest.approx([9.6, 10.4])
     omega = 2.0 * np.pi * frequencies
     # Below the gap the oscillator is linear.
     assert gaps == pytest.approx(100.0 / abs(40.0 - omega**2 + 0.1j * np.sqrt(40.0) * omega), rel=1e-10)
@@ -158,7 +158,6 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, capsys, monkeypatch) -> 
         (["--vary", GAP, "--starts", "0"], "--starts 0"),
         (["--vary", GAP, "--seed", "2"], "--seed has no effect without --starts"),
         (["--vary", GAP, "--special", "2"], "--special follows points over two numbers"),
-        (["--vary", GAP, "--special", "0"], "--special"),
         (["--vary", GAP, "--resume"], "--resume goes on with the file of --output"),
         (["--vary", GAP, "--overwrite"], "--overwrite has no effect without"),
         (["--vary", GAP, "--plot", "map.txt"], "the name must end in"),
