@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.continuation import Interval, Limits, longest_step, sizes_of
+from trimmer.branches.continuation import SMALLEST, Interval, Limits, longest_step, sizes_of
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_map import PeriodMap
 from trimmer.branches.settings import FollowSettings
@@ -22,6 +22,8 @@ ACROSS = 2.2
 """Length of the first step, in reaches: one that passes the guess, where nothing shortens it."""
 BEYOND = 1.1
 """How far behind the guess a piece ends, in reaches."""
+SHORT = 1e-3
+"""Length of a step, in reaches, below which a piece without a corner is given up."""
 FARTHEST = 2.0
 """Largest distance of the point from the guess, in reaches."""
 
@@ -120,7 +122,9 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
     if tangent is None:
         return None
     others: list[SpecialPoint] = []
-    for point in _special_points(begun(problem, place, tangent), centre.position, reach):
+    # Only what has parts may lie in a corner, to which steps must shorten until they reach it.
+    smallest = SMALLEST if sought.parts else SHORT * reach
+    for point in _special_points(begun(problem, place, tangent), centre.position, reach, smallest):
         near = (
             np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
         )
@@ -130,7 +134,7 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
     return Relocated(None, tuple(others), problem)
 
 
-def _special_points(front: Front, centre: Reals, reach: float) -> Iterator[SpecialPoint]:
+def _special_points(front: Front, centre: Reals, reach: float, smallest: float) -> Iterator[SpecialPoint]:
     """Yield the special points of a branch from a front until it leaves the neighbourhood of a centre."""
     value = front.problem.value(front.place.position)
     half = 0.5 * front.problem.span  # positions are in spans, and ends of an interval in its length
@@ -138,7 +142,7 @@ def _special_points(front: Front, centre: Reals, reach: float) -> Iterator[Speci
     limits = Limits(interval, FollowSettings(largest_step=1.0))
     length = ACROSS * reach
     for _ in range(MOST_STEPS):
-        made, length = longest_step(front, min(length, ACROSS * reach), limits)
+        made, length = longest_step(front, min(length, ACROSS * reach), limits, smallest)
         if made is None:
             return
         yield from made.special

@@ -33,8 +33,10 @@ MOST_POINTS = 200
 """Points after which a curve is left, on either side of where it was found."""
 LARGEST_STEP = 0.05
 """Largest distance of points on a curve, as a share of the ranges."""
+SMALLEST_STEP = 3e-4
+"""The same below which a curve is given up."""
 LINES = 3
-MOST_CURVES = 60
+MOST_CURVES = 24
 SAME = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
 SAME_ORBIT = 1e-4
@@ -156,7 +158,8 @@ def special_curves(
         result: The map; its ranges are what is looked at, and its cells do not matter.
         lines: Values of the second number, evenly spread inside its range, at which branches over the first
             are followed from what the mechanism settles to at both of its ends.
-        most_curves: Number of curves after which no other special point is followed.
+        most_curves: Number of curves after which no other special point is followed; each line has its share,
+            and leaves to the next what it does not need.
         quiet: Show no progress bar.
 
     Raises:
@@ -215,11 +218,11 @@ def _curves(
     spans = np.array([highest - lowest for lowest, highest in ranges.both])
     curves: list[SpecialCurve] = []
     left = 0
-    for line in lines:
+    for number, line in enumerate(lines, start=1):
         for branch, point in _points(line):
             if any(curve.holds(point, line.second, spans) for curve in curves):
                 continue
-            if len(curves) < most:
+            if len(curves) < most * number // len(lines):
                 curves.append(_curve(branch, point, place, ranges, quiet))
             else:
                 left += 1
@@ -235,7 +238,9 @@ def _points(line: _Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
 def _curve(
     branch: FollowedBranch, point: SpecialPoint, place: str, ranges: Ranges, quiet: bool
 ) -> SpecialCurve:
-    settings = LocusSettings(most_points=MOST_POINTS, largest_step=LARGEST_STEP, quiet=quiet)
+    settings = LocusSettings(
+        most_points=MOST_POINTS, largest_step=LARGEST_STEP, smallest_step=SMALLEST_STEP, quiet=quiet
+    )
     lowest, highest = ranges.second
     up = follow_special(branch, point, place, highest, ranges=ranges, settings=settings)
     if up.reason is LocusEnd.CLOSED:
