@@ -151,7 +151,7 @@ def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
         unit=" orbits",
         delay=SILENCE,
         leave=False,
-        disable=None,
+        disable=True if limits.settings.quiet else None,
     )
     for taken in taken_steps:
         if isinstance(taken, BranchEnd):

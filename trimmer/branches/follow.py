@@ -264,6 +264,13 @@ def _fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
     return mirrored if _repeats(mirrored, map, value, state) else mirrored.doubled()
 
 
+def is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
+    """Say whether a motion is its own mirror image half a period later, as far as it is known."""
+    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
+        return False
+    return _repeats(replace(map, mirrored=True), map, value, state)
+
+
 def _asymmetric(map: MechanismMap) -> MechanismMap:
     """Return the map of an asymmetric motion, doubled from that of the simplest motion there can be."""
     if map.periods % 2 == 0:

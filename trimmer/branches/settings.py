@@ -17,6 +17,7 @@ class FollowSettings:
         switches: How many times one after another to switch to a branch that parts from the last one.
         bounds: The interval within which to stay, if it is not that of start and stop.
         most_periods: Drive periods to wait for a motion from rest to settle.
+        quiet: Whether to show no progress bar.
 
     Raises:
         WrongTypeError: if one of them has another type.
@@ -28,6 +29,7 @@ class FollowSettings:
     switches: int = 1
     bounds: tuple[float, float] | None = None
     most_periods: int = 2000
+    quiet: bool = False
 
     def __post_init__(self) -> None:
         whole_number("most_points", self.most_points, 2)

@@ -76,7 +76,7 @@ def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Prob
     first, length, largest = front, FIRST, np.zeros(front.problem.map.size)
     for taken in range(limits.settings.most_points - count):
         front, largest = _rescaled(front, largest)
-        made, length = _longest_step(front, length, limits)
+        made, length = longest_step(front, length, limits)
         if made is None:
             yield _obstacle(front)
             return
@@ -110,10 +110,12 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
 
 
-def _longest_step(front: Front, length: float, limits: Limits) -> tuple[Step | None, float]:
+def longest_step(
+    front: Front, length: float, limits: Limits, smallest: float = SMALLEST
+) -> tuple[Step | None, float]:
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
     length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
-    while length >= SMALLEST:
+    while length >= smallest:
         made = step(front, length, *limits.interval.ends)
         if made is not None:
             return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))

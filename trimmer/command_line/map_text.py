@@ -15,12 +15,13 @@ from trimmer.maps.cells import described
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.maps.result import MotionMap
+    from trimmer.maps.special_curves import SpecialCurve, SpecialCurves
 
 _MOST_FAILURES = 5
 """Failures that the text lists; the JSON has all."""
 
 
-def as_text(result: MotionMap, searched: str) -> str:
+def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
     """Return what is where in how many cells, the ranges of the measures, and what was searched."""
     mechanism, cells = result.inputs.mechanism, len(result.cells)
     lines = [f"{mechanism.title or 'Mechanism'}: what it settles to over"]
@@ -40,7 +41,17 @@ def as_text(result: MotionMap, searched: str) -> str:
         lines.append(f"failed at {at}: {failure}")
     if len(result.failures) > _MOST_FAILURES:
         lines.append(f"and {len(result.failures) - _MOST_FAILURES} more failed, which --json lists")
-    return "\n".join([*lines, f"searched: {searched}"])
+    lines.append(f"searched: {searched}")
+    return "\n".join([*lines, *([] if special is None else _curves(special))])
+
+
+def _curves(special: SpecialCurves) -> list[str]:
+    lines = []
+    for curve in special.curves:
+        repeats = "" if curve.periods == 1 else f", of motions of {curve.periods} drive periods"
+        lines.append(f"{curve.name}{repeats}: {len(curve.values)} points")
+        lines += [f"  {side.message}" for side in curve.ends]
+    return [*lines, f"special points: {special.searched}"]
 
 
 def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
@@ -59,7 +70,7 @@ def _range(name: str, values: Reals, unit: str) -> tuple[str, ...]:
     return (name, *(f"{number:.4g}" for number in numbers), unit)
 
 
-def as_json(result: MotionMap, searched: str) -> str:
+def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
     """Return a map as JSON: arrays as lists of rows, full precision, SI units; what is not there is null."""
     content: dict[str, Any] = {
         "title": result.inputs.mechanism.title,
@@ -83,8 +94,24 @@ def as_json(result: MotionMap, searched: str) -> str:
             for (row, column), message in result.failures.items()
         ],
         "searched": searched,
+        "special": None if special is None else _special(special),
     }
     return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _special(special: SpecialCurves) -> dict[str, Any]:
+    return {"curves": [_curve(each) for each in special.curves], "searched": special.searched}
+
+
+def _curve(curve: SpecialCurve) -> dict[str, Any]:
+    return {
+        "kind": curve.kind.word,
+        "parts": list(curve.parts),
+        "drive_periods": curve.periods,
+        "values": curve.values.tolist(),
+        "residual": curve.residual,
+        "ends": [{"reason": side.reason.word, "message": side.message} for side in curve.ends],
+    }
 
 
 def _rows(values: Reals) -> list[list[float | None]]:

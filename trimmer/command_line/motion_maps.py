@@ -16,10 +16,12 @@ from trimmer.command_line.file_options import (
 from trimmer.command_line.map_options import EXAMPLE, FORM, varied_values
 from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
 from trimmer.command_line.parser import OptionError, as_option, refuse_unused, tell
+from trimmer.command_line.signal_options import positive_whole
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
     from trimmer.maps.result import MotionMap
+    from trimmer.maps.special_curves import SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
 
 INTERRUPTED = 130
@@ -68,6 +70,13 @@ def _add_search_options(parser: ArgumentParser) -> None:
         action="store_true",
         help="look for more motions by starting each cell from the orbits of the cells around it",
     )
+    parser.add_argument(
+        "--special",
+        type=positive_whole,
+        metavar="N",
+        help="follow folds, period doublings, grazings and their like over both numbers, from the branches "
+        "over the first at N values of the second; they are drawn over the map",
+    )
 
 
 def _run(arguments: Namespace) -> int:
@@ -78,11 +87,12 @@ def _run(arguments: Namespace) -> int:
     values = varied_values(mechanism, arguments.vary)
     try:
         result, searched = _map(arguments, mechanism, values)
+        special = _special(arguments, result)
     except MapInterruptedError as interrupt:
         tell(str(interrupt))
         return INTERRUPTED
-    _draw(arguments, result)
-    show(_told(arguments, result, searched), arguments.plot, arguments.output)
+    _draw(arguments, result, special)
+    show(_told(arguments, result, searched, special), arguments.plot, arguments.output)
     return 0
 
 
@@ -92,6 +102,8 @@ def _check(arguments: Namespace) -> None:
         raise OptionError("--resume goes on with the file of --output: name it")
     if arguments.resume and arguments.overwrite:
         raise OptionError("--resume and --overwrite contradict each other: leave one of them out")
+    if arguments.special is not None and len(arguments.vary) < 2:
+        raise OptionError("--special follows points over two numbers: give --vary twice")
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
     for name, least in (("periods", 2), ("starts", 1), ("seed", 0), ("jobs", 1)):
@@ -129,23 +141,45 @@ def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[floa
     return found.result, found.searched
 
 
-def _draw(arguments: Namespace, result: MotionMap) -> None:
+def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
+    """Return the curves over the map, if they were asked for.
+
+    Raises:
+        MapInterruptedError: after an interrupt, with what is not lost.
+    """
+    if arguments.special is None:
+        return None
+    from trimmer.maps.motion_map import MapInterruptedError
+    from trimmer.maps.special_curves import special_curves
+
+    try:
+        return special_curves(result, lines=arguments.special, quiet=arguments.quiet)
+    except KeyboardInterrupt:
+        kept = (
+            "is lost; name a file (--output) to keep it"
+            if arguments.output is None
+            else (f"is in {arguments.output}; the same call with --resume goes on with the special points")
+        )
+        raise MapInterruptedError(f"interrupted while special points were followed; the map {kept}") from None
+
+
+def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None) -> None:
     if arguments.plot is None:
         return
     from trimmer.command_line.map_picture import draw
     from trimmer.files import write_atomically
 
-    picture = draw(result, arguments.plot.suffix.lower()[1:])
+    picture = draw(result, arguments.plot.suffix.lower()[1:], special)
     write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
 
 
-def _told(arguments: Namespace, result: MotionMap, searched: str) -> str:
+def _told(arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None) -> str:
     from trimmer.command_line.map_text import as_json, as_text
 
     if arguments.json:
-        return as_json(result, searched)
+        return as_json(result, searched, special)
     written = [path for path in (arguments.output, arguments.plot) if path is not None]
-    return "\n".join([as_text(result, searched), *(f"wrote {path}" for path in written)])
+    return "\n".join([as_text(result, searched, special), *(f"wrote {path}" for path in written)])
 
 
 COMMAND = Command(

@@ -3,6 +3,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.json_document import documented, keys
@@ -13,6 +14,10 @@ GAP = "plays.bridge.gap=40um:200um:2"
 FORCE = "frictions.blade.force=1:2:2"
 MAP = ["map", FILE, "--vary", GAP, "--vary", FORCE, "--jobs", "1"]
 NAMED_BY_DATA = {"outputs", "bodies", "frictions"}
+NAMED_IN_TEXT = {"periodic", "failed"}
+OSCILLATOR = str(Path(FILE).parent / "oscillator-stop.toml")
+STOP = ["--vary", "frequency=0.86:0.8865:2", "--vary", "stops.stop.gap=9.9:10.1:2"]
+CURVES = ["map", OSCILLATOR, *STOP, "--jobs", "1", "--special", "1"]
 
 
 def run(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> str:
@@ -24,15 +29,9 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str, code: int = 0) -> s
 
 def test_json_has_the_keys_of_the_document_and_the_known_motions(capsys) -> None:
     found = json.loads(run(capsys, *MAP, "--json"))
-    assert (
-        set(keys(found, NAMED_BY_DATA))
-        == documented("trimmer map")
-        - {
-            "periodic",
-            "failed",
-        }
-        | set()
-    )
+    printed = set(keys(found, NAMED_BY_DATA))
+    of_curves = {key for key in documented("trimmer map") if key.startswith("special.")}
+    assert printed == documented("trimmer map") - NAMED_IN_TEXT - of_curves
     assert found["places"] == ["plays.bridge.gap", "frictions.blade.force"]
     assert found["values"] == [[40e-6, 200e-6], [1.0, 2.0]]
     assert found["period_count"][0][0] == 1
@@ -62,6 +61,46 @@ def test_more_motions_are_looked_for(capsys) -> None:
 def test_starts_and_seed(capsys) -> None:
     text = run(capsys, *MAP, "--starts", "2", "--seed", "5", "--periods", "20")
     assert "1 random states (seed 5), for at most 20 drive periods" in text
+
+
+def test_special_points_are_followed_over_both_numbers(tmp_path: Path, capsys) -> None:
+    picture = tmp_path / "map.svg"
+    found = json.loads(run(capsys, *CURVES, "--json", "--plot", str(picture)))
+    printed = set(keys(found, NAMED_BY_DATA))
+    assert printed == documented("trimmer map") - NAMED_IN_TEXT - {"special"}
+    special = found["special"]
+    assert "at stops.stop.gap = 10: 4 special points, which lie on 2 curves" in special["searched"]
+    grazing, doubling = sorted(special["curves"], key=lambda curve: curve["kind"])
+    assert (grazing["kind"], doubling["kind"]) == ("grazing", "period-doubling")
+    assert (grazing["parts"], doubling["parts"]) == (["stop"], [])
+    assert grazing["drive_periods"] == 1
+    frequencies, gaps = np.array(grazing["values"]).T
+    assert sorted(gaps[[0, -1]]) == pytest.approx([9.9, 10.1])
+    omega = 2.0 * np.pi * frequencies
+    # Below the gap the oscillator is linear.
+    assert gaps == pytest.approx(100.0 / abs(40.0 - omega**2 + 0.1j * np.sqrt(40.0) * omega), rel=1e-10)
+    assert [end["reason"] for end in grazing["ends"]] == ["left", "left"]
+    assert picture.read_bytes() != b""
+
+
+def test_the_text_names_the_curves(capsys) -> None:
+    text = run(capsys, *CURVES)
+    assert "grazing, stop: " in text
+    assert "it leaves the ranges, at frequency = " in text
+    assert "others were not looked for" in text
+
+
+def test_an_interrupt_while_curves_are_followed_says_what_is_kept(tmp_path, capsys, monkeypatch) -> None:
+    from trimmer.maps import special_curves
+
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(special_curves, "follow", interrupted)
+    file = tmp_path / "map.jsonl"
+    told = run(capsys, *CURVES, "--output", str(file), code=130)
+    assert f"the map is in {file}; the same call with --resume goes on with the special points" in told
+    assert "name a file (--output) to keep it" in run(capsys, *CURVES, code=130)
 
 
 @pytest.mark.parametrize("end", ["svg", "png", "pdf"])
@@ -119,6 +158,7 @@ def test_an_interrupt_says_how_to_go_on(tmp_path: Path, capsys, monkeypatch) -> 
         (["--vary", GAP, "--periods", "1"], "--periods 1: give a whole number from 2 on"),
         (["--vary", GAP, "--starts", "0"], "--starts 0"),
         (["--vary", GAP, "--seed", "2"], "--seed has no effect without --starts"),
+        (["--vary", GAP, "--special", "2"], "--special follows points over two numbers"),
         (["--vary", GAP, "--resume"], "--resume goes on with the file of --output"),
         (["--vary", GAP, "--overwrite"], "--overwrite has no effect without"),
         (["--vary", GAP, "--plot", "map.txt"], "the name must end in"),
