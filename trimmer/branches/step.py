@@ -20,7 +20,7 @@ STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
 """Shares of a smooth piece at which it is looked at next to a change of phases."""
-CLOSE_TO_JOINT = 4e-3
+CLOSE_TO_JOINT = 2e-4
 """Length of a step in all coordinates within which a branch is taken to where it joins another."""
 SINGLE = 1e-8
 """Difference between the halves of a doubled orbit, below which it is a single one."""

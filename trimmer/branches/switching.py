@@ -10,7 +10,7 @@ from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.step import Front, begun
 
-DISTANCES = (1e-3, 1e-2, 1e-4)
+DISTANCES = (3e-5, 1e-4, 1e-3, 1e-2)
 """Distances from the bifurcation at which the first orbit of the other branch is sought, in their order."""
 ASIDE = 0.5
 """Largest distance of that orbit from where it was sought, relative to the distance."""
