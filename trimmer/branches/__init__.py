@@ -9,4 +9,7 @@ for one orbit, ``arc`` for orbits on a short piece of the branch; ``borders`` an
 the special points on it. A ``step`` joins them, ``corner`` turns where the branch does, ``continuation``
 strings the steps together, ``switching`` begins the branches that part from one, on a ``doubled_map`` or
 its like. ``branch`` and ``special`` are the result.
+
+``follow_special`` follows a special point over two numbers: ``relocation`` finds it again on a short piece of
+branch, and ``locus`` is the result.
 """
