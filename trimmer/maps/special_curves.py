@@ -36,7 +36,7 @@ LARGEST_STEP = 0.05
 SMALLEST_STEP = 3e-4
 """The same below which a curve is given up."""
 LINES = 3
-MOST_CURVES = 24
+MOST_CURVES = 8
 SAME = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
 SAME_ORBIT = 1e-4
@@ -158,8 +158,8 @@ def special_curves(
         result: The map; its ranges are what is looked at, and its cells do not matter.
         lines: Values of the second number, evenly spread inside its range, at which branches over the first
             are followed from what the mechanism settles to at both of its ends.
-        most_curves: Number of curves after which no other special point is followed; each line has its share,
-            and leaves to the next what it does not need.
+        most_curves: Number of curves for each line after which no other special point is followed; what one
+            does not need is left to the next.
         quiet: Show no progress bar.
 
     Raises:
@@ -222,7 +222,7 @@ def _curves(
         for branch, point in _points(line):
             if any(curve.holds(point, line.second, spans) for curve in curves):
                 continue
-            if len(curves) < most * number // len(lines):
+            if len(curves) < most * number:
                 curves.append(_curve(branch, point, place, ranges, quiet))
             else:
                 left += 1
