@@ -18,6 +18,11 @@ from .branches.follow import BalancedOrbit as BalancedOrbit
 from .branches.follow import FollowedBranch as FollowedBranch
 from .branches.follow import FollowedOrbit as FollowedOrbit
 from .branches.follow import follow as follow
+from .branches.follow_special import follow_special as follow_special
+from .branches.locus import Locus as Locus
+from .branches.locus import LocusEnd as LocusEnd
+from .branches.locus import LocusRanges as LocusRanges
+from .branches.locus import LocusSettings as LocusSettings
 from .branches.outputs import OutputMeasure as OutputMeasure
 from .branches.settings import FollowSettings as FollowSettings
 from .branches.special import SpecialKind as SpecialKind
@@ -93,6 +98,9 @@ from .maps.result import MotionMap as MotionMap
 from .maps.runner import ProcessRunner as ProcessRunner
 from .maps.runner import Runner as Runner
 from .maps.runner import SerialRunner as SerialRunner
+from .maps.special_curves import SpecialCurve as SpecialCurve
+from .maps.special_curves import SpecialCurves as SpecialCurves
+from .maps.special_curves import special_curves as special_curves
 from .mechanism.matrices import LinearMatrices as LinearMatrices
 from .mechanism.matrices import linear_matrices as linear_matrices
 from .mechanism.mechanism import Mechanism as Mechanism

@@ -11,4 +11,7 @@ how long each step is, ``continuation`` strings branches together, ``switching``
 from one, on a ``doubled_map`` or its like, and ``joining`` goes the other way, from doubled orbits to single
 ones and from asymmetric to symmetric ones; ``known`` says what has been followed already. ``branch`` and
 ``special`` are the result.
+
+``follow_special`` follows a special point over two numbers: ``relocation`` finds it again on a short piece of
+branch, and ``locus`` is the result.
 """

@@ -17,7 +17,7 @@ from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
 from trimmer.branches.continuation import SILENCE
 from trimmer.branches.follow import FollowedBranch, is_symmetric
-from trimmer.branches.locus import Locus, LocusEnd, LocusSettings, Ranges
+from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.mechanism_map import MechanismMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.relocation import Sought, relocated
@@ -61,7 +61,7 @@ class _Search:
 
     maps: tuple[MechanismMap, MechanismMap]
     sought: Sought
-    ranges: Ranges
+    ranges: LocusRanges
 
     @property
     def spans(self) -> Reals:
@@ -92,7 +92,7 @@ def follow_special(
     place: str,
     stop: float | str,
     *,
-    ranges: Ranges | None = None,
+    ranges: LocusRanges | None = None,
     settings: LocusSettings = DEFAULT,
 ) -> Locus:
     """Follow a special point of a branch while a second number of the mechanism varies too.
@@ -134,12 +134,12 @@ def follow_special(
     return _locus(search, track, reason)
 
 
-def _ranges_of(branch: FollowedBranch, special: SpecialPoint, begin: float, end: float) -> Ranges:
+def _ranges_of(branch: FollowedBranch, special: SpecialPoint, begin: float, end: float) -> LocusRanges:
     values = [special.value, *(point.value for point in branch.points)]
-    return Ranges((min(values), max(values)), (min(begin, end), max(begin, end)))
+    return LocusRanges((min(values), max(values)), (min(begin, end), max(begin, end)))
 
 
-def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: Ranges) -> _Search:
+def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: LocusRanges) -> _Search:
     mechanism = branch.map.mechanism.with_value(branch.map.place, special.value)
     map = replace(branch.map, mechanism=mechanism, single=None)
     map = replace(map, mirrored=is_symmetric(map, special.value, special.state))

@@ -55,7 +55,7 @@ class LocusSettings:
 
 
 @dataclass(frozen=True)
-class Ranges:
+class LocusRanges:
     """The values within which a locus is followed, in the units of the numbers.
 
     Attributes:

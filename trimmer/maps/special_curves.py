@@ -18,7 +18,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import FollowedBranch, follow
 from trimmer.branches.follow_special import follow_special
-from trimmer.branches.locus import Locus, LocusEnd, LocusSettings, Ranges
+from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -36,7 +36,7 @@ LARGEST_STEP = 0.05
 SMALLEST_STEP = 3e-4
 """The same below which a curve is given up."""
 LINES = 3
-MOST_CURVES = 24
+MOST_CURVES = 8
 SAME = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
 SAME_ORBIT = 1e-4
@@ -158,8 +158,8 @@ def special_curves(
         result: The map; its ranges are what is looked at, and its cells do not matter.
         lines: Values of the second number, evenly spread inside its range, at which branches over the first
             are followed from what the mechanism settles to at both of its ends.
-        most_curves: Number of curves after which no other special point is followed; each line has its share,
-            and leaves to the next what it does not need.
+        most_curves: Number of curves for each line after which no other special point is followed; what one
+            does not need is left to the next.
         quiet: Show no progress bar.
 
     Raises:
@@ -172,7 +172,7 @@ def special_curves(
     whole_number("most_curves", most_curves, 1)
     if len(result.places) != 2 or min(result.shape) < 2:
         raise MapError("curves lie over two numbers, and the map is not over two with several values each")
-    ranges = Ranges(*((float(values.min()), float(values.max())) for values in result.values))
+    ranges = LocusRanges(*((float(values.min()), float(values.max())) for values in result.values))
     lowest, highest = ranges.second
     seconds = lowest + (np.arange(lines) + 0.5) / lines * (highest - lowest)
     found = [_line(result, ranges, float(second), quiet) for second in seconds]
@@ -180,7 +180,7 @@ def special_curves(
     return SpecialCurves(tuple(curves), _searched(result, found, curves, left))
 
 
-def _line(result: MotionMap, ranges: Ranges, second: float, quiet: bool) -> _Line:
+def _line(result: MotionMap, ranges: LocusRanges, second: float, quiet: bool) -> _Line:
     """Follow the branches at a value of the second number from both ends of the first."""
     settings = FollowSettings(most_points=MOST_ORBITS, quiet=quiet)
     branches: list[FollowedBranch] = []
@@ -212,7 +212,7 @@ def _with_parted(branch: FollowedBranch) -> Iterator[FollowedBranch]:
 
 
 def _curves(
-    lines: Sequence[_Line], place: str, ranges: Ranges, most: int, quiet: bool
+    lines: Sequence[_Line], place: str, ranges: LocusRanges, most: int, quiet: bool
 ) -> tuple[list[SpecialCurve], int]:
     """Return the curves, and how many special points were left since there were enough."""
     spans = np.array([highest - lowest for lowest, highest in ranges.both])
@@ -222,7 +222,7 @@ def _curves(
         for branch, point in _points(line):
             if any(curve.holds(point, line.second, spans) for curve in curves):
                 continue
-            if len(curves) < most * number // len(lines):
+            if len(curves) < most * number:
                 curves.append(_curve(branch, point, place, ranges, quiet))
             else:
                 left += 1
@@ -236,7 +236,7 @@ def _points(line: _Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
 
 
 def _curve(
-    branch: FollowedBranch, point: SpecialPoint, place: str, ranges: Ranges, quiet: bool
+    branch: FollowedBranch, point: SpecialPoint, place: str, ranges: LocusRanges, quiet: bool
 ) -> SpecialCurve:
     settings = LocusSettings(
         most_points=MOST_POINTS, largest_step=LARGEST_STEP, smallest_step=SMALLEST_STEP, quiet=quiet
