@@ -14,7 +14,6 @@ from trimmer.contact.integration import (
     DIVERGED,
     LOG_FULL,
     LONGEST_CASCADE,
-    NEGLIGIBLE_STRETCH,
     REACHED_END,
     STEP_LIMIT,
     TO_DECIDE,
@@ -22,11 +21,10 @@ from trimmer.contact.integration import (
     Task,
     integrate,
 )
-from trimmer.contact.joint import decide
+from trimmer.contact.joint import after_event
 from trimmer.contact.statuses import (
     ARRIVED,
     AT_LIMIT,
-    CONTACT_BROKEN,
     KINDS,
     NOTHING,
     REVERSED,
@@ -34,6 +32,7 @@ from trimmer.contact.statuses import (
     STICK_BEGUN,
     STICK_ENDED,
 )
+from trimmer.contact.step_event import NO_EVENT
 from trimmer.contact.tables import Modes
 from trimmer.contact.work import Log, work_for
 
@@ -163,45 +162,45 @@ class _Progress:
             tables = self.modes.tables
             if len(self.work.screened) != tables.screen.shape[2]:
                 self.work = self.work._replace(screened=np.empty(tables.screen.shape[2]))
-            reason, place, fired, jumped = integrate(tables, self.work, self.log, place, task)
-            done, row, self.mode, time, _ = place
+            reason, place = integrate(tables, self.work, self.log, place, task)
+            self.mode = place.mode
             if reason == LOG_FULL:
                 self.log = self.log.doubled()
                 continue
             if reason != TO_DECIDE:
-                return self._stretch(_ENDINGS[reason], done, row, time)
-            if not self._is_finite(done, time):
-                return self._stretch(Ending.CHATTERING, done, row, time)
+                return self._stretch(_ENDINGS[reason], place)
+            if not self._is_finite(place):
+                return self._stretch(Ending.CHATTERING, place)
             try:
-                row = self._decide(done, row, time, fired, jumped)
+                place = self._decided(place)
             except ArithmeticError:
-                return self._stretch(Ending.UNDECIDED, done, row, time)
-            place = place._replace(row=row, mode=self.mode)
+                return self._stretch(Ending.UNDECIDED, place)
 
-    def _is_finite(self, done: int, time: float) -> bool:
-        self.cascade = self.cascade + 1 if self.cascade_at == (done, time) else 0
-        self.cascade_at = done, time
+    def _is_finite(self, place: Place) -> bool:
+        now = place.done, place.time
+        self.cascade = self.cascade + 1 if self.cascade_at == now else 0
+        self.cascade_at = now
         return self.cascade <= LONGEST_CASCADE
 
-    def _decide(self, done: int, row: int, time: float, fired: int, jumped: bool) -> int:
-        """Do what follows an event that is not in the tables; returns the number of rows in the log."""
-        while row + len(self.instant.statuses) >= len(self.log.start):
+    def _decided(self, place: Place) -> Place:
+        """Tabulate what follows an event, or do it where several frictions at rest have a say."""
+        while place.row + len(self.instant.statuses) >= len(self.log.start):
             self.log = self.log.doubled()
-        function = self.modes[self.mode].functions[fired]
+        event, function = (self.mode, place.fired, place.jumped), self.modes[self.mode].functions[place.fired]
         at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
         alone = function.action not in (ARRIVED, AT_LIMIT) or len(at_rest) == 1
-        place = self.mode, fired, int(jumped)
-        if self.modes.tables.target[place] < 0 and (alone or function.action == AT_LIMIT):
-            self.modes.follow(*place[:2], jumped)
-        tables = self.modes.tables
-        smooth = function.action == AT_LIMIT and not jumped
-        if tables.target[place] >= 0 and (alone or smooth):
-            return self._change(done, row, time, fired, int(jumped))
-        before = self.modes[self.mode].statuses
-        after, zeros = self._joint(before, function.signs, function.action, jumped, at_rest)
-        return self._change_together(done, row, time, fired, (before, after), zeros, at_rest)
+        if alone or (function.action == AT_LIMIT and not place.jumped):
+            if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] < 0:
+                self.modes.follow(*event)
+            if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
+                return place
+        machine, before = self.modes.machine, self.modes[self.mode].statuses
+        after, zeros = after_event(machine, before, self.work.state, function, place.jumped, at_rest)
+        row = self._change_together(place, (before, after), zeros, at_rest)
+        return place._replace(row=row, mode=self.mode, fired=NO_EVENT, jumped=False)
 
     def _at_rest(self, arrived: int | None) -> Places:
+        """Return the frictions that are at rest now, by their numbers."""
         contacts, tables = len(self.modes.machine.stiffness), self.modes.tables
         state, statuses = self.work.state, self.modes[self.mode].statuses
         at_rest = {
@@ -216,96 +215,31 @@ class _Progress:
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp) - contacts
 
-    def _joint(
-        self, before: tuple[int, ...], signs: tuple[int, ...], action: int, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int]:
-        """Return the statuses after frictions at rest decided together, and zeros of those that slide."""
-        machine, state = self.modes.machine, self.work.state
-        if action == ARRIVED:
-            return decide(machine, before, state, at_rest), 1
-        if jumped:
-            after = decide(machine, before, state, at_rest)
-            if after != before:
-                return after, 1
-        contacts = len(machine.stiffness)
-        sliding = [friction for friction, sign in enumerate(signs) if sign]
-        after = tuple(
-            (0 if signs[part - contacts] > 0 else 1) if part >= contacts and signs[part - contacts] else each
-            for part, each in enumerate(before)
-        )
-        if not (machine.static[sliding] > machine.kinetic[sliding]).any():
-            return after, 2
-        others = np.array([each for each in at_rest if each not in sliding], dtype=np.intp)
-        return (decide(machine, after, state, others) if len(others) else after), 1
-
-    def _change(self, done: int, row: int, time: float, fired: int, flavour: int) -> int:
-        """Change the mode as the tables say, in the same way as the compiled code does."""
-        tables, work, place = self.modes.tables, self.work, (self.mode, fired, flavour)
-        target, owner = int(tables.target[place]), int(tables.owner[self.mode, fired])
-        kind = int(tables.kind[place])
-        if flavour and tables.action[self.mode, fired] == AT_LIMIT:
-            kind = self._turned_back(done, row, time, owner, target, kind)
-        self._enter(target)
-        work.known_action[owner], work.known_zeros[owner] = (
-            tables.known_action[place],
-            tables.known_zeros[place],
-        )
-        if kind == CONTACT_BROKEN and tables.relaxation[target, owner] > 0:
-            stretch = abs(work.state[tables.relaxing_state[owner]])
-            work.negligible[owner] = NEGLIGIBLE_STRETCH * (tables.gap[owner] + stretch)
-        return self._write(done, row, time, owner, kind, fired)
-
-    def _turned_back(self, done: int, row: int, time: float, owner: int, target: int, kind: int) -> int:
-        log = self.log
-        last = row - 1
-        while last > 0 and log.kind[last] == NOTHING and log.start[last] == time:
-            last -= 1
-        if (log.kind[last], log.part[last], log.start[last]) != (STICK_BEGUN, owner, time):
-            return kind
-        log.kind[last] = NOTHING
-        self.counts[done, STICK_BEGUN] -= 1
-        before = self.modes.tables.statuses[log.mode[last - 1], owner]
-        return NOTHING if before == self.modes.tables.statuses[target, owner] else REVERSED
-
     def _change_together(
-        self,
-        done: int,
-        row: int,
-        time: float,
-        fired: int,
-        change: tuple[tuple[int, ...], tuple[int, ...]],
-        zeros: int,
-        at_rest: Places,
+        self, place: Place, change: tuple[tuple[int, ...], tuple[int, ...]], zeros: int, at_rest: Places
     ) -> int:
-        before, after = change
-        contacts, work = len(self.modes.machine.stiffness), self.work
-        self._enter(self.modes.number(after))
+        """Change the mode, and log what each part does in a row of its own; returns the number of rows."""
+        (before, after), contacts, work = change, len(self.modes.machine.stiffness), self.work
+        self.mode = self.modes.number(after)
+        work.state[:] = self.modes[self.mode].hold @ work.state
         for friction in at_rest:
             part = contacts + int(friction)
             if after[part] == STICK:
                 work.known_zeros[part] = 0
             elif before[part] != after[part] or zeros == 1:
                 work.known_action[part], work.known_zeros[part] = ARRIVED, zeros
-        changed = [part for part in range(len(after)) if before[part] != after[part]]
-        for part in changed or [-1]:
-            row = self._write(done, row, time, part, _kind(before, after, part), fired)
-            fired = -1
-        return row
+        changed = [part for part in range(len(after)) if before[part] != after[part]] or [-1]
+        for row, part in enumerate(changed, start=place.row):
+            kind, log = _kind(before, after, part), self.log
+            log.start[row], log.mode[row], log.state[row] = place.time, self.mode, work.state
+            log.part[row], log.kind[row] = part, kind
+            log.function[row] = place.fired if row == place.row else NO_EVENT
+            self.counts[place.done, kind] += 1
+        return place.row + len(changed)
 
-    def _enter(self, mode: int) -> None:
-        self.mode = mode
-        self.work.state[:] = self.modes[mode].hold @ self.work.state
-
-    def _write(self, done: int, row: int, time: float, part: int, kind: int, fired: int) -> int:
-        log = self.log
-        log.start[row], log.mode[row], log.state[row] = time, self.mode, self.work.state
-        log.part[row], log.kind[row], log.function[row] = part, kind, fired
-        self.counts[done, kind] += 1
-        return row + 1
-
-    def _stretch(self, ending: Ending, done: int, row: int, time: float) -> Stretch:
-        free, work = self.modes.layout.state_count, self.work
-        periods, phase = self._place(done, 0.0 if done == len(self.counts) else time)
+    def _stretch(self, ending: Ending, place: Place) -> Stretch:
+        free, work, done = self.modes.layout.state_count, self.work, place.done
+        periods, phase = self._reached(done, 0.0 if done == len(self.counts) else place.time)
         end = replace(
             self.instant,
             state=work.state[:free].copy(),
@@ -319,12 +253,12 @@ class _Progress:
         return Stretch(
             end,
             ending,
-            self.log.first(row),
+            self.log.first(place.row),
             self.states[: done + 1],
             self.counts[: min(done + 1, len(self.counts))],
         )
 
-    def _place(self, done: int, time: float) -> tuple[int, float]:
+    def _reached(self, done: int, time: float) -> tuple[int, float]:
         """Return the drive periods that are over since the start, and the time in the next one, s."""
         period = self.modes.layout.period
         if self.length == period:

@@ -76,6 +76,8 @@ class Place(NamedTuple):
         mode: Number of the mode.
         time: Time in the period, s.
         steps_left: Number of steps that may still be taken.
+        fired: The event function that has just fallen to zero, if what follows it is still to be done.
+        jumped: Whether it was negative at once.
     """
 
     done: int
@@ -83,6 +85,8 @@ class Place(NamedTuple):
     mode: int
     time: float
     steps_left: int
+    fired: int = NO_EVENT
+    jumped: bool = False
 
 
 @inlined
@@ -253,60 +257,77 @@ def _force(tables: Tables, work: Work, mode: int, forcing: Reals) -> None:
 
 
 @inlined
-def _period(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
+def _forget(work: Work, elapsed: float) -> None:
+    """Forget what was known to be zero once time has gone on."""
+    if elapsed > 0.0:
+        for part in range(work.known_zeros.size):
+            work.known_zeros[part] = 0
+
+
+@inlined
+def _reason(fired: int) -> int:
+    """Return why a segment was the last one, from its event function or what stands in its place."""
+    reason = CYCLING
+    if fired == NO_EVENT:
+        reason = REACHED_END
+    elif fired == OUT_OF_STEPS:
+        reason = STEP_LIMIT
+    elif fired == OUT_OF_BOUNDS:
+        reason = DIVERGED
+    return reason
+
+
+@inlined
+def _period(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
     """Integrate to the end of a period; ``REACHED_END`` is that of the period."""
-    done, row, mode, time, steps_left = place
-    cascade, recent, fired, jumped, reason = 0, -2, NO_EVENT, False, REACHED_END
-    _begin(log, row, time, mode, work.state)
-    row += 1
+    done, row, mode, time, steps_left, fired, jumped = place
+    cascade, recent, reason = 0, -2, REACHED_END
+    if fired == NO_EVENT:
+        _begin(log, row, time, mode, work.state)
+        row += 1
     while True:
-        fired, jumped, elapsed, steps = _follow(tables, work, mode, recent, task.length - time, steps_left)
-        time += elapsed
-        steps_left -= steps
-        cascade = 0 if elapsed > 0.0 else cascade + 1
-        if elapsed > 0.0:
-            for part in range(work.known_zeros.size):
-                work.known_zeros[part] = 0
-        if fired < 0:
-            break
-        if cascade > LONGEST_CASCADE:
-            reason = CYCLING
+        if fired == NO_EVENT:
+            fired, jumped, elapsed, steps = _follow(
+                tables, work, mode, recent, task.length - time, steps_left
+            )
+            time += elapsed
+            steps_left -= steps
+            cascade = 0 if elapsed > 0.0 else cascade + 1
+            _forget(work, elapsed)
+        if fired < 0 or cascade > LONGEST_CASCADE:
+            reason = _reason(fired)
             break
         if not _is_tabulated(tables, work, mode, fired, jumped) or row >= log.start.size:
             reason = TO_DECIDE
             break
         log.start[row], recent = time, tables.owner[mode, fired]
         mode = _change(tables, work, log, row, mode, (fired, jumped), task.counts[done])
-        row += 1
+        row, fired = row + 1, NO_EVENT
         if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != STICK_BEGUN:
             _begin(log, 0, time, mode, work.state)
             row = 1
-    if fired == OUT_OF_STEPS:
-        reason = STEP_LIMIT
-    elif fired == OUT_OF_BOUNDS:
-        reason = DIVERGED
-    return reason, Place(done, row, mode, time, steps_left), fired, jumped
+    return reason, Place(done, row, mode, time, steps_left, fired, jumped)
 
 
-def _entry(sources: bytes) -> Callable[..., tuple[int, Place, int, bool]]:
-    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
+def _entry(sources: bytes) -> Callable[..., tuple[int, Place]]:
+    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
         sources  # noqa: B018
-        reason, fired, jumped = LOG_FULL, NO_EVENT, False
+        reason = LOG_FULL
         while place.row + 1 < log.start.size:
-            if place.time == 0.0:
+            if place.time == 0.0 and place.fired == NO_EVENT:
                 _force(tables, work, place.mode, task.forcing)
-            reason, place, fired, jumped = _period(tables, work, log, place, task)
+            reason, place = _period(tables, work, log, place, task)
             if reason != REACHED_END:
                 break
-            done, row, mode, time, steps_left = place
+            done, row, mode, time, steps_left, fired, jumped = place
             done += 1
             copy(work.state, work.state.size - task.forcing.size, task.states[done])
             if done == task.counts.shape[0]:
-                place = Place(done, row, mode, time, steps_left)
+                place = Place(done, row, mode, time, steps_left, fired, jumped)
                 break
-            place = Place(done, row if task.keeps else 0, mode, 0.0, steps_left)
+            place = Place(done, row if task.keeps else 0, mode, 0.0, steps_left, NO_EVENT, False)
             reason = LOG_FULL
-        return reason, place, fired, jumped
+        return reason, place
 
     return kept(entry, allocates=False)
 
@@ -314,8 +335,8 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, Place, int, bool]]:
 _compiled_entry = _entry(sources())
 
 
-def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place, int, bool]:
-    """Integrate over periods of one length, and log the segments of the motion.
+def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
+    """Integrate the motion over periods of one length, and log its segments.
 
     Args:
         tables: The modes.
@@ -325,10 +346,8 @@ def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) ->
         task: What to integrate.
 
     Returns:
-        Why it stopped, and where; then the event function that has just fallen to zero, if something is to
-        be done about it, and whether it was negative at once.
+        Why it stopped, and where. After ``TO_DECIDE`` it goes on from there once the tables say what follows
+        the event and the log has room, or from a place without event once somebody else has done it.
     """
-    reason, (done, row, mode, time, steps_left), fired, jumped = _compiled_entry(
-        tables, work, log, place, task
-    )
-    return reason, Place(done, row, mode, time, steps_left), fired, jumped
+    reason, reached = _compiled_entry(tables, work, log, place, task)
+    return reason, Place(*reached)

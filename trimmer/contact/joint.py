@@ -9,16 +9,56 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
+from trimmer.contact.statuses import ARRIVED, BACKWARD, FORWARD, STICK
 from trimmer.motion.dry_friction import complementary_forces
 
 if TYPE_CHECKING:
     from trimmer.arrays import Places, Reals
+    from trimmer.contact.assembly import EventFunction
     from trimmer.contact.machine import Machine
 
 NOISE = 2.0**-49
 """Rounding of an acceleration as a share of the moduli of its terms."""
+
+
+def after_event(
+    machine: Machine,
+    statuses: tuple[int, ...],
+    state: Reals,
+    function: EventFunction,
+    jumped: bool,
+    at_rest: Places,
+) -> tuple[tuple[int, ...], int]:
+    """Return what frictions at rest do after a velocity has come to zero, or a limit of stick is reached.
+
+    Args:
+        machine: The mechanism.
+        statuses: Of all parts before.
+        state: The extended state, (N,).
+        function: The event function that fell to zero.
+        jumped: Whether it was negative at once.
+        at_rest: Numbers of the frictions whose velocity is zero.
+
+    Returns:
+        The statuses of all parts, and how many derivatives of the velocities vanish that begin.
+
+    Raises:
+        ArithmeticError: see ``decide``.
+    """
+    if function.action == ARRIVED or jumped:
+        after = decide(machine, statuses, state, at_rest)
+        if function.action == ARRIVED or after != statuses:
+            return after, 1
+    contacts, decided = len(machine.stiffness), list(statuses)
+    sliding = [friction for friction, sign in enumerate(function.signs) if sign]
+    for friction in sliding:
+        decided[contacts + friction] = FORWARD if function.signs[friction] > 0 else BACKWARD
+    if not (machine.static[sliding] > machine.kinetic[sliding]).any():
+        return tuple(decided), 2
+    return decide(machine, tuple(decided), state, np.setdiff1d(at_rest, sliding)), 1
 
 
 def decide(machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places) -> tuple[int, ...]:
