@@ -1,8 +1,8 @@
 """Branches of exact periodic orbits over a number of a mechanism, and their special points.
 
 ``follow`` is the entry. ``mechanism_map`` maps a state to that a period later, and ``value_rate``
-differentiates it by the number; ``settled`` says where a branch begins, ``mirror`` whether half a period
-will do, ``outputs`` what the orbits look like.
+differentiates it by the number; ``mirror`` says whether half a period will do, ``outputs`` what the orbits
+look like.
 
 The rest knows nothing of mechanisms: ``period_map`` says what a branch is followed of. ``orbit`` solves
 for one orbit, ``arc`` for orbits on a short piece of the branch; ``borders`` and ``bifurcations`` find

@@ -17,12 +17,14 @@ from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.mirror import is_mirror_symmetric
 from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
 from trimmer.branches.settings import DEFAULT, FollowSettings
-from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialPoint
-from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.errors import MechanismError, OrbitNotFoundError, UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.response.forced_orbit import mechanism_orbit
+from trimmer.response.orbit import MechanismOrbit
+from trimmer.response.settling import orbit_from_rest
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -225,11 +227,11 @@ def follow(
         )
     map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
     if state is None:
-        found = settled(at_start, settings.most_periods, periods)
-        if found is None:
+        orbit = _orbit_at_start(at_start, settings.most_periods, periods)
+        if orbit is None:
             message = _unsettled(begin, settings.most_periods)
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
-        map, first = replace(map, periods=found.periods), found.state
+        map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
         first = real_array("state", state)
     map = _fitting(map, begin, first)
@@ -240,6 +242,17 @@ def follow(
     while base.single is not None:
         base = base.single
     return _followed(branch, base)
+
+
+def _orbit_at_start(mechanism: Mechanism, most_periods: int, periods: int | None) -> MechanismOrbit | None:
+    """Return what a mechanism settles to, or an orbit of a given number of periods, stable or not."""
+    if periods is None:
+        return orbit_from_rest(mechanism, most_periods)
+    try:
+        orbit = mechanism_orbit(mechanism, periods)
+    except OrbitNotFoundError:
+        return None
+    return orbit if orbit.success else None
 
 
 def _unsettled(begin: float, most_periods: int) -> str:

@@ -20,12 +20,12 @@ from trimmer.branches.follow import FollowedBranch, follow
 from trimmer.branches.follow_special import follow_special
 from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
-from trimmer.branches.settled import settled
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MapError
 from trimmer.maps.inputs import varied
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.settling import orbit_from_rest
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""
@@ -197,12 +197,14 @@ def _reaches(branch: FollowedBranch, mechanism: Mechanism) -> bool:
     """Say whether a branch ends with what a mechanism settles to from rest, or it does not settle."""
     if branch.reason is not BranchEnd.LEFT_AT_STOP:
         return False
-    found = settled(mechanism, FollowSettings().most_periods)
+    found = orbit_from_rest(mechanism, FollowSettings().most_periods)
     if found is None:
         return True
     end = branch.points[-1].state
     sizes = np.where(end != 0.0, abs(end), 1.0)
-    return bool(found.periods == branch.periods and (abs(found.state - end) / sizes).max() <= SAME_ORBIT)
+    return bool(
+        found.periods == branch.periods and (abs(found.instant.state - end) / sizes).max() <= SAME_ORBIT
+    )
 
 
 def _with_parted(branch: FollowedBranch) -> Iterator[FollowedBranch]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending
+from trimmer.contact.flow import ExactFlow
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import MechanismOrbit
 
 FIRST, LONGEST = 8, 128
@@ -121,6 +122,20 @@ class Settling:
         else:
             return None
         return orbit if orbit.success else None
+
+
+def orbit_from_rest(mechanism: Mechanism, most_periods: int) -> MechanismOrbit | None:
+    """Return the orbit that a mechanism settles to from rest, or from its own start.
+
+    Args:
+        mechanism: The mechanism; it has a frequency.
+        most_periods: Drive periods to wait at most.
+
+    Returns:
+        The orbit over its smallest number of drive periods; None if the motion does not settle until then.
+    """
+    flow = ExactFlow(mechanism)
+    return Settling(flow, flow.rest()).until_settled(most_periods)
 
 
 def _counts(periods: int) -> Iterator[int]:
