@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 
 import sympy
 
+from derivations.any_mechanism.derivation import LinearMotion, MechanismDerivation
 from derivations.equations_of_motion import MotionMatrices
 from derivations.mechanism import Mechanism
-from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
 from derivations.python_source import NumericFunction, function_source
 from derivations.transfer_function import transfer_functions
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import sympy
 
-from derivations.contact_law import ContactStatement, contact_statement
+from derivations.algebra.identity import UnprovenError
+from derivations.any_mechanism.contact_law import ContactStatement, contact_statement
+from derivations.any_mechanism.friction_law import FrictionStatement, friction_statement
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import MotionMatrices, lagrangian, motion_matrices, resultant_forces
-from derivations.friction_law import FrictionStatement, friction_statement
 from derivations.generalised_forces import generalised_forces
-from derivations.identity import UnprovenError
 from derivations.mechanism import Mechanism, closed
 from derivations.newton_euler import require_newton_euler
 from derivations.power_balance import PowerBalance, power_balance

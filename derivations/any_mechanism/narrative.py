@@ -6,16 +6,16 @@ from collections.abc import Iterator
 
 import sympy
 
-from derivations.contact_law import ContactStatement
+from derivations.algebra.unevaluated import total
+from derivations.any_mechanism.contact_law import ContactStatement
+from derivations.any_mechanism.derivation import LinearMotion, MechanismDerivation
+from derivations.any_mechanism.friction_law import FrictionStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
-from derivations.friction_law import FrictionStatement
 from derivations.latex import latex, latex_equation, latex_text
 from derivations.mechanism import elongation, position
-from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
 from derivations.narrative import Formula, Step
 from derivations.parts import ContactLaw, End, Play
 from derivations.symbols import t
-from derivations.unevaluated import total
 
 ENDING = {
     ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself "
