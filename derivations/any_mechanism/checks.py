@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 import sympy
 
-from derivations.any_mechanism.derivation import LinearMotion, MechanismDerivation
+from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.dimension_checks import DimensionCheck
 from derivations.dimensions import ENERGY, FORCE, LENGTH, POWER, TIME, Dimension
+from derivations.linear_motion import LinearMotion
 from derivations.mechanism import Mechanism
 from derivations.symbols import Quantity, t
 
