@@ -6,13 +6,13 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from derivations.any_mechanism.checks import mechanism_checks
+from derivations.any_mechanism.derivation import MechanismDerivation
+from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex, latex_number, latex_text
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.mechanism_checks import mechanism_checks
-from derivations.mechanism_derivation import MechanismDerivation
-from derivations.mechanism_narrative import mechanism_narrative
 from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative
 from derivations.symbols import QUANTITIES, Quantity
 

@@ -10,9 +10,11 @@ from dataclasses import dataclass
 import sympy
 
 from derivations.dimension_checks import dimension_checks, require_consistent
+from derivations.equations_of_motion import MotionMatrices
 from derivations.latex import latex, latex_equation
+from derivations.linear_motion import LinearMotion
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.mechanism import elongation
+from derivations.mechanism import Mechanism, elongation
 from derivations.state_space import output_row
 
 CUTTER, GUARD = 1, 3
@@ -68,11 +70,39 @@ def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:
     )
 
 
-def _elongations(derivation: LinearTrimmer) -> Step:
-    springs = derivation.mechanism.springs
-    formulas = tuple(
-        Formula(f"e_{{{latex(spring.stiffness)}}} = {latex(elongation(spring))}") for spring in springs
+def elongations(mechanism: Mechanism) -> tuple[Formula, ...]:
+    """Return the elongation of each spring of a mechanism."""
+    return tuple(
+        Formula(f"e_{{{latex(spring.stiffness)}}} = {latex(elongation(spring))}")
+        for spring in mechanism.springs
     )
+
+
+def energies(motion: LinearMotion, thesis: tuple[str, str, str] = ("", "", "")) -> tuple[Formula, ...]:
+    """Return kinetic and potential energy and Rayleigh's function, with their numbers in the thesis."""
+    of_motion = (motion.kinetic_energy, motion.potential_energy, motion.rayleigh_function)
+    return tuple(
+        Formula(latex_equation(sympy.Symbol(name), energy), number)
+        for name, energy, number in zip("TUR", of_motion, thesis, strict=True)
+    )
+
+
+def euler_lagrange_equation(right: str, thesis: str = "") -> Formula:
+    """Return the Euler-Lagrange equation of a body, whose right side is given in LaTeX."""
+    return Formula(
+        r"\frac{d}{dt}\frac{\partial (T - U)}{\partial \dot{q}_i} - \frac{\partial (T - U)}{\partial q_i} + "
+        rf"\frac{{\partial R}}{{\partial \dot{{q}}_i}} = {right}",
+        thesis,
+    )
+
+
+def symmetric_matrices(matrices: MotionMatrices) -> tuple[Formula, ...]:
+    """Return the matrices of mass, damping and stiffness."""
+    named = zip("MCK", (matrices.mass, matrices.damping, matrices.stiffness), strict=True)
+    return tuple(Formula(latex_equation(sympy.Symbol(name), matrix)) for name, matrix in named)
+
+
+def _elongations(derivation: LinearTrimmer) -> Step:
     return Step(
         "mechanism",
         "Bodies, springs and dampers",
@@ -81,7 +111,7 @@ def _elongations(derivation: LinearTrimmer) -> Step:
         "motor, so its position is $q_1 + u$. Each spring and damper is declared by its two ends; its "
         "elongation is the position of one end less that of the other. The dampers $c_1$ to $c_4$ sit beside "
         "the springs $k_1$ to $k_4$.",
-        formulas,
+        elongations(derivation.mechanism),
     )
 
 
@@ -91,19 +121,11 @@ def _energies(derivation: LinearTrimmer) -> Step:
         "Energies and dissipation",
         "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
         "half of the power that is lost, to the dampers.",
-        (
-            Formula(latex_equation(sympy.Symbol("T"), derivation.kinetic_energy), "2.4"),
-            Formula(latex_equation(sympy.Symbol("U"), derivation.potential_energy), "2.5"),
-            Formula(latex_equation(sympy.Symbol("R"), derivation.rayleigh_function), "2.7"),
-        ),
+        energies(derivation, ("2.4", "2.5", "2.7")),
     )
 
 
 def _motion(derivation: LinearTrimmer) -> Step:
-    general = (
-        r"\frac{d}{dt}\frac{\partial (T - U)}{\partial \dot{q}_i} - \frac{\partial (T - U)}{\partial q_i} + "
-        r"\frac{\partial R}{\partial \dot{q}_i} = 0"
-    )
     bodies = derivation.mechanism.bodies
     lines = tuple(
         Formula(f"{latex(body.mass)} {_accelerated(index)} = {latex(sympy.numer(acceleration))}", "2.9")
@@ -116,7 +138,7 @@ def _motion(derivation: LinearTrimmer) -> Step:
         "Equations of motion",
         "The Euler-Lagrange equation of each body, with no force besides those of springs and dampers. The "
         "sum of forces by Newton's law gives the same four lines.",
-        (Formula(general, "2.6"), *lines),
+        (euler_lagrange_equation("0", "2.6"), *lines),
     )
 
 
@@ -132,9 +154,7 @@ def _matrices(derivation: LinearTrimmer) -> Step:
         "The equations of motion are linear, $M\\ddot q + C\\dot q + Kq = f_u u + f_v \\dot u$, with "
         "symmetric matrices.",
         (
-            Formula(latex_equation(sympy.Symbol("M"), matrices.mass)),
-            Formula(latex_equation(sympy.Symbol("C"), matrices.damping)),
-            Formula(latex_equation(sympy.Symbol("K"), matrices.stiffness)),
+            *symmetric_matrices(matrices),
             Formula(
                 f"f_u = {latex(matrices.displacement_force)}, \\quad f_v = {latex(matrices.velocity_force)}"
             ),

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 import sympy
 
+from derivations.algebra.identity import require_equal
 from derivations.equations_of_motion import accelerations
-from derivations.identity import require_equal
 from derivations.mechanism import Mechanism, elongation, elongation_rate
 from derivations.parts import End, Joint, Pin, RigidBody
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derivations.laplace import GeneralSystem, TransformedSystem, general_system, transform
+from derivations.algebra.laplace import GeneralSystem, TransformedSystem, general_system, transform
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles

@@ -17,16 +17,16 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from derivations import parts, symbols
-from derivations.contact_law import contact_statement
+from derivations.algebra.unevaluated import product, total
+from derivations.any_mechanism.contact_law import contact_statement
+from derivations.any_mechanism.derivation import derive_mechanism
+from derivations.any_mechanism.numeric_module import numeric_module
 from derivations.elements.narrative import element_narrative
 from derivations.latex_document import ValuedQuantity, latex_document, mechanism_document
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import Mechanism as SymbolicMechanism
 from derivations.mechanism import trimmer
-from derivations.mechanism_derivation import derive_mechanism
-from derivations.numeric_module import numeric_module
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
-from derivations.unevaluated import product, total
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import (

@@ -9,12 +9,12 @@ from __future__ import annotations
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import CONTACT, GAMMA, GAP, SEPARATION
 from derivations.elements.backlash_harmonics import CONTACT_ANGLE, DECAY, FLIGHT, IMPACT_VELOCITY
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from derivations.unevaluated import product, total
 
 j, n = sympy.I, HARMONIC
 HALF_GAP = GAP / 2

@@ -11,13 +11,13 @@ from functools import cache
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import CONTACT, GAMMA, SEPARATION, free_flight
 from derivations.elements.backlash_closed_forms import general_fundamental
 from derivations.elements.backlash_harmonics import DECAY, FLIGHT, MEANINGS, general_motion, in_phases
 from derivations.elements.harmonics import evaluated
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
-from derivations.unevaluated import product, total
 
 ELAPSED = sympy.Symbol("t", positive=True)
 """Phase since separation, rad."""

@@ -11,8 +11,8 @@ from functools import cache
 
 import sympy
 
+from derivations.algebra.identity import require_equal
 from derivations.elements.waveform import THETA, Segment, Waveform
-from derivations.identity import require_equal
 
 HARMONIC = sympy.Symbol("n", odd=True, positive=True)
 """Number of an odd harmonic; for backlash from 3 on, since the pin's own motion is in the first one."""

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations.algebra.identity import Proof, require_equal
+from derivations.algebra.unevaluated import total
 from derivations.elements.harmonics import evaluated, harmonic_integral
 from derivations.elements.waveform import THETA, Segment
-from derivations.identity import Proof, require_equal
 from derivations.latex import latex
 from derivations.narrative import Formula, Step
-from derivations.unevaluated import total
 
 Substitutions = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 

@@ -7,7 +7,7 @@ from typing import Any, Self, final
 
 import sympy
 
-from derivations.identity import Proof, prove_equal, prove_equal_matrices
+from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
 from report.claim import Agreement, Mathematics
 

@@ -6,10 +6,11 @@ import pytest
 import sympy
 
 from derivations import newton_euler
+from derivations.algebra.identity import UnprovenError
+from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.equations_of_motion import accelerations, inputs, motion_matrices
-from derivations.identity import UnprovenError
+from derivations.linear_motion import linear_motion
 from derivations.mechanism import Mechanism, closed, trimmer
-from derivations.mechanism_derivation import derive_mechanism, linear_motion
 from derivations.parts import Damper, Spring
 from derivations.power_balance import power_balance
 from derivations.symbols import t

@@ -1,8 +1,8 @@
 """Several frictions at rest at one instant: which stick, and which begin to slide where.
 
-The relative accelerations follow from a linear complementarity problem, ``trimmer.motion.dry_friction``. A
-friction whose static force is greater than its kinetic one slides against the latter once it slides; then the
-others are decided again.
+The relative accelerations follow from a linear complementarity problem,
+``trimmer.motion.frictions.dry_friction``. A friction whose static force is greater than its kinetic one
+slides against the latter once it slides; then the others are decided again.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.statuses import ARRIVED, BACKWARD, FORWARD, STICK
-from trimmer.motion.dry_friction import complementary_forces
+from trimmer.motion.frictions.dry_friction import complementary_forces
 
 if TYPE_CHECKING:
     from trimmer.arrays import Places, Reals

@@ -3,9 +3,9 @@
 ``simulation`` is the entry, ``loops`` and ``trimmer_loop`` say what moves, ``motion`` holds the result and
 ``energy`` balances it. ``switched_component`` is the interface of an element in time, implemented by
 ``backlash_component``, ``relay_component`` and ``linear_components``; ``components_of_elements`` chooses
-among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes
-and ``taylor`` its series over a step; ``mode_tables`` and ``tables`` hold these for the compiled code of
-``kernel``, ``first_event``, ``sampling`` and ``linear_combination``, which ``compilation`` compiles and
-``integration`` calls. ``initial`` gives the state at the start. ``dry_friction`` is the contact problem of
-several frictions at once; ``coupled_relays`` applies it to modes, and ``complementarity`` to instants.
+among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes,
+for which ``implicit_outputs`` finds what follows from conditions, and ``taylor`` its series over a step;
+``mode_tables`` and ``tables`` hold these for the compiled code of ``kernel``, ``first_event``, ``sampling``
+and ``linear_combination``, which ``compilation`` compiles and ``integration`` calls. ``initial`` gives the
+state at the start. In ``frictions`` is what several frictions do at once.
 """

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
-from trimmer.motion.complementarity import complementary_mode
-from trimmer.motion.coupled_relays import attracting
+from trimmer.motion.frictions.complementarity import complementary_mode
+from trimmer.motion.frictions.coupled_relays import attracting
 from trimmer.motion.kernel import (
     CYCLING,
     FULL,

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import IllPosedLoopError
-from trimmer.motion.interconnection import NEGLIGIBLE, Layout, acts, effect
+from trimmer.motion.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
+from trimmer.motion.interconnection import NEGLIGIBLE, Layout, effect
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.switched_component import (
     Constrained,
     Explicit,
-    RateProportional,
     Signals,
     Transition,
 )
@@ -22,12 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from trimmer.arrays import Reals
-    from trimmer.motion.coupled_relays import CoupledRelays
+    from trimmer.motion.frictions.coupled_relays import CoupledRelays
     from trimmer.motion.interconnection import Interconnection
-
-
-DEPENDENT = 1e-10
-"""Conditions on outputs that differ by less, relative to their sizes, are one."""
 
 
 @dataclass(frozen=True)
@@ -78,24 +74,6 @@ class SwitchedMode:
     event_functions: tuple[ModeEventFunction, ...]
 
 
-@dataclass(frozen=True)
-class _Open:
-    """The mode before its implicit outputs v are known.
-
-    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v;
-    implicit: which components v belongs to, holds: whether a constraint is among them.
-    """
-
-    flow: Reals
-    push: Reals
-    inputs: Reals
-    inputs_through: Reals
-    outputs: Reals
-    outputs_through: Reals
-    implicit: tuple[int, ...]
-    holds: bool
-
-
 def assemble(
     system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays
 ) -> SwitchedMode:
@@ -112,7 +90,7 @@ def assemble(
     """
     layout = Layout.of(system)
     opened = _open(system, layout, component_modes)
-    implicit_rows = _implicit_outputs(system, layout, component_modes, opened)
+    implicit_rows = implicit_outputs(system, layout, component_modes, opened)
     matrix, sizes = opened.flow + opened.push @ implicit_rows, np.zeros_like(opened.flow)
     if opened.holds:
         sizes = abs(opened.flow) + abs(opened.push) @ abs(implicit_rows)
@@ -120,7 +98,7 @@ def assemble(
     outputs = opened.outputs + opened.outputs_through @ implicit_rows
     inputs = opened.inputs + opened.inputs_through @ implicit_rows
     signals = tuple(
-        _signals(layout, (matrix, sizes), inputs[k], outputs[k], k, component.state_count)
+        component_signals(layout, (matrix, sizes), inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
     if opened.holds:
@@ -204,7 +182,7 @@ def _slip(system: Interconnection, k: int, sign: float) -> tuple[Transition, Tra
     return component.slip(sign > 0)
 
 
-def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> _Open:
+def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> OpenMode:
     """Resolve the outputs that are explicit functions of inputs and states, and put the flow together."""
     count = len(system.components)
     gains, own = np.zeros(count), np.zeros((count, layout.size))
@@ -227,7 +205,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
     flow[: layout.order] += system.B @ outputs
     push = np.zeros((layout.size, len(implicit)))
     push[: layout.order] = system.B @ outputs_through
-    return _Open(flow, push, inputs, through, outputs, outputs_through, tuple(implicit), holds)
+    return OpenMode(flow, push, inputs, through, outputs, outputs_through, tuple(implicit), holds)
 
 
 def _inputs(
@@ -260,101 +238,6 @@ def _own_flow(system: Interconnection, layout: Layout, component_modes: tuple[in
         flow[layout.sine, layout.sine + 1] = system.drive.omega
         flow[layout.sine + 1, layout.sine] = -system.drive.omega
     return flow
-
-
-def _implicit_outputs(
-    system: Interconnection, layout: Layout, component_modes: tuple[int, ...], opened: _Open
-) -> Reals:
-    """Solve for the outputs that follow from a condition on the rates, one row each."""
-    if not opened.implicit:
-        return np.zeros((0, layout.size))
-    left, right, sizes = [], [], []
-    flow = opened.flow, np.zeros_like(opened.flow)
-    for column, k in enumerate(opened.implicit):
-        if opened.inputs_through[k].any():
-            raise IllPosedLoopError(f"{system.labels[k]}: its input depends at once on its own output")
-        component = system.components[k]
-        law = component.output_law(component_modes[k])
-        if isinstance(law, RateProportional):
-            row = law.coefficient * opened.inputs[k]
-            condition = -row @ opened.push
-            condition[column] += 1.0
-            left.append(condition)
-            right.append(row @ opened.flow)
-        else:
-            assert isinstance(law, Constrained)
-            row = component.switching_function(
-                _signals(layout, flow, opened.inputs[k], opened.outputs[k], k, component.state_count)
-            )
-            row = _differentiated(row, opened, column, system.labels[k])
-            left.append(row @ opened.push)
-            right.append(-row @ opened.flow)
-        sizes.append(abs(row) @ abs(opened.flow) if opened.holds else np.zeros(layout.size))
-    names = ", ".join(system.labels[k] for k in opened.implicit)
-    return least_outputs(np.array(left), np.array(right), names, np.array(sizes))
-
-
-def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = None) -> Reals:
-    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs.
-
-    So it is where frictions between three bodies all stick, or where two act between the same bodies: the
-    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit
-    although others do not (``trimmer.motion.coupled_relays``).
-
-    Args:
-        left: Factors of the m outputs in the conditions, m x m.
-        right: Right sides as rows over the extended state, m x n.
-        names: The components, for the error message.
-        sizes: Sums of the moduli of the terms of ``right``, m x n; what is less than their rounding is zero.
-
-    Returns:
-        The outputs as rows over the extended state, m x n.
-
-    Raises:
-        IllPosedLoopError: if the conditions contradict each other.
-    """
-    rows = abs(left).max(axis=1, keepdims=True)
-    columns = (abs(left) / rows).max(axis=0)
-    scaled, wanted = left / rows / columns, right / rows
-    inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
-    solution = inverse @ wanted
-    solution = solution + inverse @ (wanted - scaled @ solution)  # Where sizes differ widely, that counts.
-    missed = abs(scaled @ solution - wanted).max(axis=1)
-    if (missed > DEPENDENT * (abs(scaled) @ abs(solution) + abs(wanted)).max(axis=1)).any():
-        raise IllPosedLoopError(f"the outputs of {names} are not determined by the motion")
-    if sizes is not None:
-        solution = without_rounding(solution, abs(inverse) @ (sizes / rows))
-    outputs: Reals = np.asarray(solution / columns[:, None])
-    return outputs
-
-
-def without_rounding(values: Reals, sizes: Reals) -> Reals:
-    """Return values with zeros where they are rounding of terms of these sizes.
-
-    What is held does not move, and a force that is just at its limit does not exceed it, to the last digit.
-    """
-    return np.where(abs(values) > NEGLIGIBLE * sizes, values, 0.0)
-
-
-def _differentiated(row: Reals, opened: _Open, column: int, label: str) -> Reals:
-    """Differentiate a row along the flow until the output of that column acts on its rate."""
-    for _ in range(opened.flow.shape[0]):
-        if acts(row, opened.push[:, column]):
-            return row
-        row = row @ opened.flow
-    raise IllPosedLoopError(f"{label}: its input stays at zero, and its output is not determined")
-
-
-def _signals(
-    layout: Layout, flow: tuple[Reals, Reals], given: Reals, output: Reals, k: int, count: int
-) -> Signals:
-    """Return the rows of a component; ``flow``: matrix, and sizes of the terms of its entries."""
-    matrix, sizes = flow
-    rate = without_rounding(given @ matrix, abs(given) @ sizes)
-    first = layout.first_states[k]
-    states = tuple(layout.unit(first + each) for each in range(count))
-    curvature = without_rounding(rate @ matrix, abs(rate) @ sizes)
-    return Signals(given, rate, curvature, output, states, layout.one)
 
 
 def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:

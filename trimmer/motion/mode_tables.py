@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
-from trimmer.motion.coupled_relays import CoupledRelays, attracting
+from trimmer.motion.frictions.coupled_relays import CoupledRelays, attracting
+from trimmer.motion.frictions.stick import projection
 from trimmer.motion.interconnection import Layout
 from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
 from trimmer.motion.relay_component import HELD, RelayComponent
-from trimmer.motion.stick import projection
 from trimmer.motion.tables import Tables
 from trimmer.motion.taylor import (
     DEGREE,

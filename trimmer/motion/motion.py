@@ -179,8 +179,8 @@ class Motion:
 
         For friction this is its force, also while it sticks, where the force is what holding needs. Where
         several stick and the motion does not determine how they share the force, it is the share within the
-        limits that ``trimmer.motion.dry_friction.admissible_split`` gives. Shape (components,) + shape of the
-        times (s).
+        limits that ``trimmer.motion.frictions.dry_friction.admissible_split`` gives. Shape (components,) +
+        shape of the times (s).
 
         Raises:
             ValueError: see ``values``.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy
 from sympy import cos, pi, sin
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import CONTACT, SEPARATION
 from derivations.elements.backlash_closed_forms import (
     friction_fundamental,
@@ -13,7 +14,6 @@ from derivations.elements.backlash_closed_forms import (
 )
 from derivations.elements.backlash_harmonics import CONTACT_ANGLE, DECAY, MEANINGS
 from derivations.elements.proven_step import Equality, ProvenStep
-from derivations.unevaluated import product, total
 
 
 def step() -> ProvenStep:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy
 
+from derivations.algebra.unevaluated import total
 from derivations.dimensions import NUMBER, Dimension
 from derivations.elements.backlash import GAP
 from derivations.elements.backlash_closed_forms import friction_fundamental
@@ -23,7 +24,6 @@ from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.latex import latex
 from derivations.narrative import Formula
 from derivations.symbols import A, k2, omega
-from derivations.unevaluated import total
 
 ONE = sympy.Integer(1)
 

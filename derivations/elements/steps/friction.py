@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.friction import (
     DAMPING,
     FORCE,
@@ -17,7 +18,6 @@ from derivations.elements.proven_step import Equality, ProvenStep, cases, integr
 from derivations.latex import latex
 from derivations.narrative import Formula
 from derivations.symbols import A, omega
-from derivations.unevaluated import product, total
 
 ONE = sympy.Integer(1)
 VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)

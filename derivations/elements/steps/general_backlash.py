@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
@@ -29,7 +30,6 @@ from derivations.elements.proven_step import Equality, ProvenStep, cases, integr
 from derivations.elements.waveform import THETA, Segment
 from derivations.narrative import Formula
 from derivations.symbols import A
-from derivations.unevaluated import product, total
 
 ONE = sympy.Integer(1)
 GIVEN = (DECAYED, *MEANINGS)

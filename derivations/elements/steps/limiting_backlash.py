@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy
 
+from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import CONTACT, GAP, SEPARATION
 from derivations.elements.backlash_closed_forms import (
     contact_integral,
@@ -26,7 +27,6 @@ from derivations.elements.backlash_harmonics import (
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.proven_step import Equality, ProvenStep, Substitutions, cases, integral_over
 from derivations.symbols import A
-from derivations.unevaluated import product, total
 
 ONE = sympy.Integer(1)
 ODD = (turned(3 * sympy.pi / 2), -turned(sympy.pi / 2))

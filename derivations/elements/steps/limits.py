@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy
 from sympy import cos, exp, sin
 
+from derivations.algebra.unevaluated import total
 from derivations.elements.backlash import GAMMA, SEPARATION, limits, separation_angle
 from derivations.elements.backlash_closed_forms import (
     friction_fundamental,
@@ -16,7 +17,6 @@ from derivations.elements.backlash_closed_forms import (
 )
 from derivations.elements.backlash_harmonics import DECAY, FLIGHT, MEANINGS
 from derivations.elements.proven_step import Equality, ProvenStep
-from derivations.unevaluated import total
 
 FRICTION = r"\lim_{\gamma \to 0}"
 INERTIA = r"\lim_{\gamma \to \infty}"

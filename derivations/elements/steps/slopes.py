@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sympy import cos, exp
 
+from derivations.algebra.unevaluated import product
 from derivations.elements.backlash import GAMMA, SEPARATION
 from derivations.elements.backlash_slopes import (
     AFTER_EVALUATION,
@@ -20,7 +21,6 @@ from derivations.elements.backlash_slopes import (
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.latex import latex
 from derivations.narrative import Formula
-from derivations.unevaluated import product
 
 BY_RATIO = r"\frac{\partial N_1}{\partial (g/A)}"
 BY_LOG_GAMMA = r"\frac{\partial N_1}{\partial \ln\gamma}"

@@ -83,4 +83,4 @@ def equation_of_motion(known: Evidence) -> Record:
 
 
 again = section_2_2_2.state_space_in_laplace_domain.items
-laplace_domain = claim("eq-D.6", source="derivations/laplace.py")(again)
+laplace_domain = claim("eq-D.6", source="derivations/algebra/laplace.py")(again)

@@ -7,6 +7,7 @@ import mpmath
 import pytest
 import sympy
 
+from derivations.algebra.identity import UnprovenError
 from derivations.dimensions import DimensionError
 from derivations.elements import narrative as element_narrative
 from derivations.elements.backlash import GAP
@@ -14,7 +15,6 @@ from derivations.elements.equivalent_nonlinearity import units_check
 from derivations.elements.friction import DAMPING, FORCE, LEVEL
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.steps import friction
-from derivations.identity import UnprovenError
 from derivations.symbols import A, omega
 
 DIGITS = 40

@@ -4,6 +4,7 @@ import mpmath
 import pytest
 import sympy
 
+from derivations.algebra.identity import UnprovenError
 from derivations.elements import harmonics
 from derivations.elements.backlash import (
     CONTACT,
@@ -16,7 +17,6 @@ from derivations.elements.friction import DAMPING, FORCE, LEVEL, relay_waveform,
 from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.harmonics import HARMONIC, antiderivative, evaluated, first_half, odd_harmonic
 from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
-from derivations.identity import UnprovenError
 from derivations.symbols import A, omega
 
 x, g = sympy.symbols("x g", positive=True)

@@ -5,6 +5,7 @@ import pytest
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations.algebra.identity import UnprovenError
 from derivations.elements.backlash import GAMMA, SEPARATION
 from derivations.elements.backlash_closed_forms import general_fundamental, general_harmonic
 from derivations.elements.backlash_harmonics import FLIGHT, general_motion, in_phases
@@ -16,7 +17,6 @@ from derivations.elements.backlash_slopes import (
 )
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.proven_step import Equality
-from derivations.identity import UnprovenError
 from tests.derivations.symbolic_numpy import SymbolicNumPy, exact, integrated
 from trimmer.elements import (
     backlash_frequency,

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
+from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.equations_of_motion import accelerations
-from derivations.mechanism_derivation import derive_mechanism
 from derivations.symbols import t
 from trimmer.code_generation import symbolic_mechanism
 from trimmer.contact.flow import ExactFlow

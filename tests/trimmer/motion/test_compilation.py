@@ -73,8 +73,8 @@ def test_other_errors_are_not_hidden() -> None:
 def test_every_module_with_compiled_code_is_in_the_digest() -> None:
     folder = Path(compiled.__file__).parent
     using = {
-        path.stem
-        for path in folder.glob("*.py")
+        path.relative_to(folder).with_suffix("").as_posix()
+        for path in folder.rglob("*.py")
         if any(f"@{name}" in path.read_text(encoding="utf-8") for name in ("compiled", "inlined"))
     }
     assert using | {"compilation", "tables", "taylor"} == set(compiled.SOURCES)

@@ -29,7 +29,7 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
-from trimmer.motion.complementarity import complementary_mode
+from trimmer.motion.frictions.complementarity import complementary_mode
 from trimmer.motion.initial import initial_segment
 from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import LONGEST_CASCADE, REACHED_END

@@ -25,7 +25,7 @@ from report.record import ClaimRecord, Record, claim, text
 from report.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import linear_model, response_at
 
-LAPLACE = "derivations/laplace.py"
+LAPLACE = "derivations/algebra/laplace.py"
 b = sympy.Symbol("b", positive=True)
 tau = sympy.Symbol("t", real=True)
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}

@@ -7,8 +7,8 @@ import cmath
 import numpy as np
 import sympy
 
+from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
-from derivations.laplace import transform_of_derivative
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
 from report.claim import Impact
@@ -22,7 +22,7 @@ from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA
 from trimmer import response_at
 
-SOURCE = "derivations/laplace.py"
+SOURCE = "derivations/algebra/laplace.py"
 IN_TIME = "trimmer/linear/time_response.py"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy
 from sympy.polys.matrices import DomainMatrix
 
-from derivations import stability
+from derivations.algebra import stability
 from report.claim import Impact
 from report.evidence import Evidence
 from report.numbers.independent import examples
@@ -13,7 +13,7 @@ from report.numbers.linear_numbers import exact_values
 from report.parts import assertion, close, digits, equal, expression, made_here
 from report.record import Record, claim, text
 
-SOURCE = "derivations/stability.py"
+SOURCE = "derivations/algebra/stability.py"
 
 
 @claim("eq-2.22", source="derivations/transfer_function.py")

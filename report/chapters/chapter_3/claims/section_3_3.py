@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
+from derivations.algebra.identity import prove_equal
 from derivations.elements.coulomb_contact import friction_forces, power, relative_velocity
 from derivations.elements.friction import FORCE
-from derivations.identity import prove_equal
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
 from report.chapters.chapter_3.claims import driven_steady_motion as driven

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sympy
 
+from derivations.algebra.identity import UnprovenError
 from derivations.elements.backlash import GAMMA, limits, separation_angle
 from derivations.elements.proven_step import ProvenStep
 from derivations.elements.steps import contours, general_backlash, slopes
 from derivations.elements.steps.limits import step as limits_step
-from derivations.identity import UnprovenError
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
 from report.claim import Confirmation, Impact, Part
 from report.comparisons.assertion import Assertion

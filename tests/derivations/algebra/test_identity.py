@@ -3,7 +3,7 @@
 import pytest
 import sympy
 
-from derivations.identity import UnprovenError, prove_equal, prove_equal_matrices, require_equal
+from derivations.algebra.identity import UnprovenError, prove_equal, prove_equal_matrices, require_equal
 from derivations.symbols import k2, m1, q1, t
 
 x, y = sympy.symbols("x y", positive=True)

@@ -15,7 +15,7 @@ from functools import cache
 import sympy
 from sympy.core.function import AppliedUndef
 
-from derivations.exponentials import expands_to_zero
+from derivations.algebra.exponentials import expands_to_zero
 
 QUICK_POINTS = 2
 POINTS = 12

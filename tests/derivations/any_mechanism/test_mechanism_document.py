@@ -4,14 +4,14 @@ import pypandoc
 import pytest
 import sympy
 
+from derivations.any_mechanism.checks import mechanism_checks
+from derivations.any_mechanism.derivation import derive_mechanism
+from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.dimension_checks import require_consistent
 from derivations.dimensions import DimensionError
 from derivations.latex import latex_number, latex_text
 from derivations.latex_document import ValuedQuantity, mechanism_document
 from derivations.mechanism import Mechanism
-from derivations.mechanism_checks import mechanism_checks
-from derivations.mechanism_derivation import derive_mechanism
-from derivations.mechanism_narrative import mechanism_narrative
 from derivations.parts import ContactLaw, Damper, Spring
 from derivations.symbols import (
     KILOGRAM,

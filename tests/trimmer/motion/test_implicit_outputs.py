@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from trimmer import IllPosedLoopError
-from trimmer.motion.mode import least_outputs
+from trimmer.motion.implicit_outputs import least_outputs
 
 
 def test_conditions_that_repeat_each_other_share_the_output() -> None:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations.algebra.unevaluated import product, total
 from derivations.mechanism import elongation
 from derivations.parts import Contact, ContactLaw, Play
 from derivations.symbols import t
-from derivations.unevaluated import product, total
 
 
 @dataclass(frozen=True)

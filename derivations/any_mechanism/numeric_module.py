@@ -6,10 +6,11 @@ from collections.abc import Iterator, Mapping
 
 import sympy
 
+from derivations.any_mechanism.derivation import MechanismDerivation
+from derivations.any_mechanism.python_source import NumericFunction, function_source
 from derivations.equations_of_motion import MotionMatrices
+from derivations.linear_motion import LinearMotion
 from derivations.mechanism import Mechanism
-from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
-from derivations.python_source import NumericFunction, function_source
 from derivations.transfer_function import transfer_functions
 
 HEADER = '''"""{title} in numbers.

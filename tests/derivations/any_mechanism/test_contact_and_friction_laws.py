@@ -5,8 +5,8 @@ import itertools
 import pytest
 import sympy
 
-from derivations.contact_law import contact_statement
-from derivations.friction_law import friction_statement
+from derivations.any_mechanism.contact_law import contact_statement
+from derivations.any_mechanism.friction_law import friction_statement
 from derivations.mechanism import Mechanism
 from derivations.parts import ContactLaw, Play, Spring
 from derivations.symbols import t

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import sympy
 
+from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.dimension_checks import DimensionCheck
 from derivations.dimensions import ENERGY, FORCE, LENGTH, POWER, TIME, Dimension
+from derivations.linear_motion import LinearMotion
 from derivations.mechanism import Mechanism
-from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
 from derivations.symbols import Quantity, t
 
 Expected = Iterator[tuple[str, sympy.Expr, Dimension]]

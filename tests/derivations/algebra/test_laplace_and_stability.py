@@ -6,8 +6,8 @@ import scipy.linalg
 import scipy.signal
 import sympy
 
-from derivations.laplace import general_system, transform, transform_of_derivative
-from derivations.stability import (
+from derivations.algebra.laplace import general_system, transform, transform_of_derivative
+from derivations.algebra.stability import (
     LINEAR_PART,
     NONLINEAR_PART,
     NUMBER_OF_POLES,

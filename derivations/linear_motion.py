@@ -1,4 +1,4 @@
-"""The whole derivation of any mechanism as one record, from energies to state space and contact laws."""
+"""Energies and equations of motion of any mechanism as one record, checked in two ways."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 import sympy
 
-from derivations.contact_law import ContactStatement, contact_statement
+from derivations.algebra.identity import UnprovenError
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import MotionMatrices, lagrangian, motion_matrices, resultant_forces
-from derivations.friction_law import FrictionStatement, friction_statement
 from derivations.generalised_forces import generalised_forces
-from derivations.identity import UnprovenError
-from derivations.mechanism import Mechanism, closed
+from derivations.mechanism import Mechanism
 from derivations.newton_euler import require_newton_euler
 from derivations.power_balance import PowerBalance, power_balance
 from derivations.state_space import StateSpace, state_space
@@ -45,44 +43,6 @@ class LinearMotion:
     matrices: MotionMatrices
     space: StateSpace
     power: PowerBalance
-
-
-@dataclass(frozen=True)
-class MechanismDerivation:
-    """All that follows from a declared mechanism.
-
-    Attributes:
-        motion: With the tensions of contacts and the dry forces of frictions as they come.
-        closed: With every contact closed; the same as ``motion`` where there is none.
-        contacts: The law of each contact.
-        frictions: The law of each friction.
-    """
-
-    motion: LinearMotion
-    closed: LinearMotion
-    contacts: tuple[ContactStatement, ...]
-    frictions: tuple[FrictionStatement, ...]
-
-    @property
-    def mechanism(self) -> Mechanism:
-        """The mechanism that is derived."""
-        return self.motion.mechanism
-
-
-def derive_mechanism(mechanism: Mechanism) -> MechanismDerivation:
-    """Derive a mechanism, and check each set of equations by Newton's law and by its power balance.
-
-    Raises:
-        UnprovenError: if a check fails; the message names it.
-        ValueError: if the equations of motion are not linear.
-    """
-    motion = linear_motion(mechanism)
-    return MechanismDerivation(
-        motion=motion,
-        closed=linear_motion(closed(mechanism)) if mechanism.contacts else motion,
-        contacts=tuple(contact_statement(contact) for contact in mechanism.contacts),
-        frictions=tuple(friction_statement(mechanism, friction) for friction in mechanism.frictions),
-    )
 
 
 def linear_motion(mechanism: Mechanism) -> LinearMotion:

@@ -6,16 +6,24 @@ from collections.abc import Iterator
 
 import sympy
 
-from derivations.contact_law import ContactStatement
+from derivations.algebra.unevaluated import total
+from derivations.any_mechanism.contact_law import ContactStatement
+from derivations.any_mechanism.derivation import MechanismDerivation
+from derivations.any_mechanism.friction_law import FrictionStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
-from derivations.friction_law import FrictionStatement
 from derivations.latex import latex, latex_equation, latex_text
+from derivations.linear_motion import LinearMotion
 from derivations.mechanism import elongation, position
-from derivations.mechanism_derivation import LinearMotion, MechanismDerivation
-from derivations.narrative import Formula, Step
+from derivations.narrative import (
+    Formula,
+    Step,
+    elongations,
+    energies,
+    euler_lagrange_equation,
+    symmetric_matrices,
+)
 from derivations.parts import ContactLaw, End, Play
 from derivations.symbols import t
-from derivations.unevaluated import total
 
 ENDING = {
     ContactLaw.RELAXING: "It ends where $T$ would have to pull; the spring then relaxes by itself "
@@ -52,10 +60,6 @@ def _parts(derivation: MechanismDerivation) -> Step:
     forces = (
         Formula(latex_equation(force.value, force.law)) for force in mechanism.forces if force.law is not None
     )
-    springs = (
-        Formula(f"e_{{{latex(spring.stiffness)}}} = {latex(elongation(spring))}")
-        for spring in mechanism.springs
-    )
     between_springs = {(spring.start, spring.end) for spring in mechanism.springs}
     rates = (
         Formula(f"e_{{{latex(damper.damping)}}} = {latex(elongation(damper))}")
@@ -72,7 +76,7 @@ def _parts(derivation: MechanismDerivation) -> Step:
         "A pin moves as prescribed, relative to what carries it. Below stand these motions and the given "
         "forces, the elongation $e$ of each spring, of each damper that is not beside one, and the distance "
         "$s$ of the two ends of each contact: the position of one end less that of the other.",
-        (*pins, *forces, *springs, *rates, *distances),
+        (*pins, *forces, *elongations(mechanism), *rates, *distances),
     )
 
 
@@ -82,11 +86,7 @@ def _energies(motion: LinearMotion) -> Step:
         "Energies and dissipation",
         "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
         "half of the power that is lost, to the dampers and to viscous friction.",
-        (
-            Formula(latex_equation(sympy.Symbol("T"), motion.kinetic_energy)),
-            Formula(latex_equation(sympy.Symbol("U"), motion.potential_energy)),
-            Formula(latex_equation(sympy.Symbol("R"), motion.rayleigh_function)),
-        ),
+        energies(motion),
     )
 
 
@@ -103,15 +103,11 @@ def _virtual_work(motion: LinearMotion) -> Step:
 
 
 def _motion(motion: LinearMotion) -> Step:
-    general = (
-        r"\frac{d}{dt}\frac{\partial (T - U)}{\partial \dot{q}_i} - \frac{\partial (T - U)}{\partial q_i} + "
-        r"\frac{\partial R}{\partial \dot{q}_i} = Q_i"
-    )
     return Step(
         "motion",
         "Equations of motion",
         "The Euler-Lagrange equation of each body. The sum of forces by Newton's law gives the same lines.",
-        (Formula(general), *_balances(motion)),
+        (euler_lagrange_equation("Q_i"), *_balances(motion)),
     )
 
 
@@ -134,9 +130,7 @@ def _matrices(motion: LinearMotion) -> Step:
         "The equations of motion are linear in displacements and inputs, with symmetric matrices.",
         (
             Formula(f"M\\ddot q + C\\dot q + K q = {sum_of_inputs}"),
-            Formula(latex_equation(sympy.Symbol("M"), motion.matrices.mass)),
-            Formula(latex_equation(sympy.Symbol("C"), motion.matrices.damping)),
-            Formula(latex_equation(sympy.Symbol("K"), motion.matrices.stiffness)),
+            *symmetric_matrices(motion.matrices),
             *(Formula(f"{name} = {latex(matrix)}") for name, matrix, _ in driving),
         ),
     )

@@ -4,7 +4,7 @@ import pytest
 import sympy
 from sympy import I, cos, exp, pi, sin
 
-from derivations.exponentials import expands_to_zero
+from derivations.algebra.exponentials import expands_to_zero
 
 x, y, g = sympy.symbols("x y g", positive=True)
 n = sympy.Symbol("n", odd=True, positive=True)

@@ -1,0 +1,1 @@
+"""Proofs of identity, exponentials, Laplace transform, stability, and terms written without evaluation."""

@@ -1,0 +1,48 @@
+"""The whole derivation of any mechanism as one record, from energies to state space and contact laws."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derivations.any_mechanism.contact_law import ContactStatement, contact_statement
+from derivations.any_mechanism.friction_law import FrictionStatement, friction_statement
+from derivations.linear_motion import LinearMotion, linear_motion
+from derivations.mechanism import Mechanism, closed
+
+
+@dataclass(frozen=True)
+class MechanismDerivation:
+    """All that follows from a declared mechanism.
+
+    Attributes:
+        motion: With the tensions of contacts and the dry forces of frictions as they come.
+        closed: With every contact closed; the same as ``motion`` where there is none.
+        contacts: The law of each contact.
+        frictions: The law of each friction.
+    """
+
+    motion: LinearMotion
+    closed: LinearMotion
+    contacts: tuple[ContactStatement, ...]
+    frictions: tuple[FrictionStatement, ...]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism that is derived."""
+        return self.motion.mechanism
+
+
+def derive_mechanism(mechanism: Mechanism) -> MechanismDerivation:
+    """Derive a mechanism, and check each set of equations by Newton's law and by its power balance.
+
+    Raises:
+        UnprovenError: if a check fails; the message names it.
+        ValueError: if the equations of motion are not linear.
+    """
+    motion = linear_motion(mechanism)
+    return MechanismDerivation(
+        motion=motion,
+        closed=linear_motion(closed(mechanism)) if mechanism.contacts else motion,
+        contacts=tuple(contact_statement(contact) for contact in mechanism.contacts),
+        frictions=tuple(friction_statement(mechanism, friction) for friction in mechanism.frictions),
+    )
