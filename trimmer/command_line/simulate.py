@@ -13,15 +13,22 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.loop_options import unusable
-from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
-from trimmer.command_line.simulate_mechanism import (
+from trimmer.command_line.loops.loop_options import unusable
+from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop, impulse_of
+from trimmer.command_line.mechanisms.simulation import (
     add_mechanism,
     draw,
     mechanism_motion,
     mechanism_signals,
     refuse_options_of_the_other,
+)
+from trimmer.command_line.parser import (
+    ENDED_EARLY,
+    INTERRUPTED,
+    OptionError,
+    refuse_unused,
+    require_positive,
+    tell,
 )
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
@@ -33,8 +40,6 @@ if TYPE_CHECKING:
 
 MOST_SAMPLES = 50_000_000
 """Samples of a signal that still fit into memory with room to spare."""
-ENDED_EARLY = 3
-"""Exit code of a simulation that did not reach the end that was asked for."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -86,13 +91,13 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
     if arguments.file is not None:
         _check_targets(arguments)
-        from trimmer.command_line.mechanism_motion_text import as_json, as_text
+        from trimmer.command_line.mechanisms.motion_text import as_json, as_text
 
         moved = mechanism_motion(arguments)
         return moved, (as_json if arguments.json else as_text)(moved)
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     _check_targets(arguments)
-    from trimmer.command_line import motion_text
+    from trimmer.command_line.loops import motion_text
     from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 
     try:

@@ -16,6 +16,11 @@ def add_mechanism_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
     )
+    add_set_option(parser)
+
+
+def add_set_option(parser: ArgumentParser) -> None:
+    """Add ``--set``."""
     parser.add_argument(
         "--set",
         action="append",
