@@ -14,9 +14,9 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
-from trimmer.command_line.signals.signal_options import positive_whole
 
 if TYPE_CHECKING:
     from trimmer.branches.follow import FollowedBranch

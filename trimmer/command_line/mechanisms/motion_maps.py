@@ -15,10 +15,14 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
-from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.mechanisms.mechanism_options import (
+    add_mechanism_options,
+    add_seed_option,
+    chosen_mechanism,
+)
+from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
-from trimmer.command_line.signals.signal_options import positive_whole
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
@@ -62,7 +66,7 @@ def _add_search_options(parser: ArgumentParser) -> None:
         metavar="N",
         help="starts of each cell: rest, or the start in the file, and then random ones (default: 1)",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    add_seed_option(parser)
     parser.add_argument(
         "--coexisting",
         action="store_true",

@@ -13,12 +13,16 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
-from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.mechanisms.mechanism_options import (
+    add_mechanism_options,
+    add_seed_option,
+    chosen_mechanism,
+)
 from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
+from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
-from trimmer.command_line.signals.signal_options import positive_whole
 
 if TYPE_CHECKING:
     from trimmer.response.response import Response
@@ -34,7 +38,7 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="number of starts; those after the first one are random (default: 1)",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    add_seed_option(parser)
     parser.add_argument(
         "--periods",
         type=positive_whole,

@@ -15,7 +15,6 @@ from trimmer.command_line.parser import OptionError, as_option, is_given
 
 if TYPE_CHECKING:
     from trimmer.response.motion import MechanismMotion
-    from trimmer.signals.signal import Signal
 
 OF_LOOPS: tuple[str, ...] = ("element", "gap", "time_constant", "force", "parameters", "output", "channels")
 OF_LOOPS += ("drive", "amplitude", "impulse")
@@ -73,16 +72,3 @@ def draw(arguments: Namespace, motion: MechanismMotion) -> None:
     from trimmer.drawing.simulated import draw_simulated
 
     write_picture(arguments, partial(draw_simulated, motion))
-
-
-def mechanism_signals(motion: MechanismMotion, sample_rate: float) -> list[Signal]:
-    """Sample the outputs, or the displacements of the bodies if there are none, m."""
-    import numpy as np
-
-    from trimmer.signals.signal import Signal
-
-    times = np.arange(int(motion.duration * sample_rate)) / sample_rate
-    outputs, bodies = motion.mechanism.outputs, motion.mechanism.bodies
-    named = [(name, motion.output(name, times)) for name in outputs]
-    named = named or [(name, motion.displacement(name, times)) for name in bodies]
-    return [Signal(values, sample_rate, name, "m") for name, values in named]

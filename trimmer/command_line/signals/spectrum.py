@@ -16,14 +16,10 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused
-from trimmer.command_line.signals.signal_options import (
-    add_signal_options,
-    chosen_signal,
-    positive,
-    positive_whole,
-)
+from trimmer.command_line.signals.signal_options import add_signal_options, chosen_signal
 from trimmer.files import STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
