@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import difflib
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from trimmer.messages import shown_value
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
-from trimmer.toml_files import is_mechanism_file, read_text
+from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
 _TEMPLATE_HEAD = """\
 # Parameters of a hair trimmer, in SI units.
@@ -53,12 +52,7 @@ def parameters_as_toml(parameters: TrimmerParameters) -> str:
 
 def _parsed(path: Path) -> dict[str, Any]:
     text = read_text(path, ParameterError, "'trimmer parameters --output FILE' writes one to start from")
-    try:
-        content = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # ValueError: TOML syntax, or an integer of too many digits
-        raise ParameterError(
-            f"{path}: not valid TOML: {error}; write one 'key = number' per line, as in 'm1 = 0.035'"
-        ) from error
+    content = parsed(text, str(path), ParameterError, "write one 'key = number' per line, as in 'm1 = 0.035'")
     if is_mechanism_file(content):
         raise ParameterError(
             f"{path}: this is a mechanism, for 'trimmer respond FILE' and 'trimmer simulate FILE'; "

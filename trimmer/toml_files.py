@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from trimmer.errors import TrimmerError
 from trimmer.files import read_content
@@ -32,6 +34,24 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         raise error(message) from reason
     except OSError as reason:
         raise error(f"{path}: cannot be read: {reason.strerror or reason}") from reason
+
+
+def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict[str, Any]:
+    """Return the content of a file from its text.
+
+    Args:
+        text: The text.
+        name: What messages call the file.
+        error: What is raised.
+        advice: How a line of such a file is written, for the message.
+
+    Raises:
+        TrimmerError: of the type that is given, if the text is not TOML.
+    """
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as reason:  # ValueError: syntax, or an integer of too many digits
+        raise error(f"{name}: not valid TOML: {reason}; {advice}") from reason
 
 
 def is_parameter_file(content: Mapping[str, object]) -> bool:

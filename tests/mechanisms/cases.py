@@ -8,8 +8,10 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Play, Stop
 
 
-def trimmer(law: ContactLaw = ContactLaw.RELAXING, friction: float = 1.0, gap: float = 40e-6) -> Mechanism:
-    """The thesis's trimmer with play."""
+def trimmer(
+    law: ContactLaw = ContactLaw.RELAXING, friction: float = 1.0, gap: float = 40e-6, damping: float = 0.4
+) -> Mechanism:
+    """The thesis's trimmer with play; the damping is that of the bridge, and a friction of 0 N is none."""
     return Mechanism(
         bodies={
             "motor": Body(0.035),
@@ -25,8 +27,8 @@ def trimmer(law: ContactLaw = ContactLaw.RELAXING, friction: float = 1.0, gap: f
             "guard spring": Link(("housing", "guard"), 100e3, 4.0),
             "coil spring": Link(("housing", "cutter"), 1e3),
         },
-        plays={"bridge": Play(("cutter", "pin"), 30e3, 0.4, gap, law)},
-        frictions={"blade": Friction(("guard", "cutter"), friction)},
+        plays={"bridge": Play(("cutter", "pin"), 30e3, damping, gap, law)},
+        frictions={"blade": Friction(("guard", "cutter"), friction)} if friction else {},
     )
 
 

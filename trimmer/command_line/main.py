@@ -11,21 +11,12 @@ from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 
 import trimmer
-from trimmer.command_line import (
-    derive,
-    follow,
-    identify,
-    limit_cycles,
-    linear,
-    motion_maps,
-    orbits,
-    parameters,
-    respond,
-    simulate,
-    spectrum,
-)
+from trimmer.command_line import derive, parameters, simulate
 from trimmer.command_line.command import Command
+from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
+from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
+from trimmer.command_line.signals import spectrum
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"

@@ -14,6 +14,8 @@ from trimmer.errors import TrimmerError
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
+ENDED_EARLY = 3
+"""Exit code of a motion or a branch that did not come to the end that was asked for."""
 INTERRUPTED = 130
 """Exit code after an interrupt, as a shell gives it."""
 

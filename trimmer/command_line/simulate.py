@@ -13,15 +13,21 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.loop_options import unusable
-from trimmer.command_line.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, require_positive, tell
-from trimmer.command_line.simulate_mechanism import (
+from trimmer.command_line.loops.loop_options import unusable
+from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop, impulse_of
+from trimmer.command_line.mechanisms.simulation import (
     add_mechanism,
     draw,
     mechanism_motion,
-    mechanism_signals,
     refuse_options_of_the_other,
+)
+from trimmer.command_line.parser import (
+    ENDED_EARLY,
+    INTERRUPTED,
+    OptionError,
+    refuse_unused,
+    require_positive,
+    tell,
 )
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
@@ -33,8 +39,6 @@ if TYPE_CHECKING:
 
 MOST_SAMPLES = 50_000_000
 """Samples of a signal that still fit into memory with room to spare."""
-ENDED_EARLY = 3
-"""Exit code of a simulation that did not reach the end that was asked for."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -86,13 +90,13 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
     if arguments.file is not None:
         _check_targets(arguments)
-        from trimmer.command_line.mechanism_motion_text import as_json, as_text
+        from trimmer.command_line.mechanisms import motion_text as of_mechanism
 
         moved = mechanism_motion(arguments)
-        return moved, (as_json if arguments.json else as_text)(moved)
+        return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     _check_targets(arguments)
-    from trimmer.command_line import motion_text
+    from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 
     try:
@@ -101,7 +105,7 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
         motion = interrupt.motion
     except ValueError as error:
         raise unusable(arguments, error) from error
-    return motion, (motion_text.as_json if arguments.json else motion_text.as_text)(motion)
+    return motion, (of_loop.as_json if arguments.json else of_loop.as_text)(motion)
 
 
 def _check_targets(arguments: Namespace) -> None:
@@ -155,18 +159,18 @@ def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signa
     """Sample the outputs; of a loop, its output, and input and output of the backlash, m."""
     import numpy as np
 
+    from trimmer.command_line.loops import motion_text as of_loop
+    from trimmer.command_line.mechanisms import motion_text as of_mechanism
     from trimmer.motion.motion import Motion
     from trimmer.signals.signal import Signal
 
-    if not isinstance(motion, Motion):
-        return mechanism_signals(motion, sample_rate)
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate
-    named = (
-        (motion.loop.model.output_labels[0], motion.output(times)),
-        ("pin", motion.element_input(times)),
-        ("bridge", motion.element_output(times)),
+    sampled = (
+        of_loop.displacements(motion, times)
+        if isinstance(motion, Motion)
+        else of_mechanism.displacements(motion, times)
     )
-    return [Signal(values, sample_rate, name, "m") for name, values in named]
+    return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]
 
 
 COMMAND = Command("simulate", "exact motion with play and friction, as text, CSV or sound", _configure, _run)

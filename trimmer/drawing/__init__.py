@@ -1,4 +1,4 @@
-"""Pictures of motions of mechanisms: each function draws into axes that it is given, so that others may too.
+"""Pictures: each function draws into axes that it is given, or returns the content of a whole file.
 
 Matplotlib is imported by these modules alone; import them where a picture is wanted.
 """

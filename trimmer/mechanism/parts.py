@@ -60,8 +60,19 @@ class Pin:
     symbol: str | None = None
 
 
+class _Damped:
+    """What has a stiffness with a symbol, and a damping beside it."""
+
+    symbol: str | None
+
+    @property
+    def damping_symbol(self) -> str | None:
+        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
+        return f"c{self.symbol[1:]}" if self.symbol else None
+
+
 @dataclass(frozen=True)
-class Link:
+class Link(_Damped):
     """A spring and a damper side by side.
 
     Attributes:
@@ -76,21 +87,16 @@ class Link:
     damping: float = 0.0
     symbol: str | None = None
 
-    @property
-    def damping_symbol(self) -> str | None:
-        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
-        return _damping_symbol(self.symbol)
-
 
 @dataclass(frozen=True)
-class Play:
-    """A link behind a slot, with contact on both sides.
+class Contact(_Damped):
+    """A link that acts in contact only: a play or a stop.
 
     Attributes:
         between: Names of start and end.
         stiffness: N/m.
         damping: N s/m.
-        gap: Total clearance, m.
+        gap: Of a play the total clearance, of a stop the distance at which contact begins, m.
         law: The contact law.
         symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
     """
@@ -102,36 +108,21 @@ class Play:
     law: ContactLaw = ContactLaw.RELAXING
     symbol: str | None = None
 
-    @property
-    def damping_symbol(self) -> str | None:
-        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
-        return _damping_symbol(self.symbol)
+
+@dataclass(frozen=True)
+class Play(Contact):
+    """A link behind a slot, with contact on both sides; its gap is the total clearance.
+
+    Fields: ``Contact``.
+    """
 
 
 @dataclass(frozen=True)
-class Stop:
-    """A link that acts while ``end`` is farther from ``start`` than the gap.
+class Stop(Contact):
+    """A link that acts while ``end`` is farther from ``start`` than the gap; a negative one is a preload.
 
-    Attributes:
-        between: Names of start and end.
-        stiffness: N/m.
-        damping: N s/m.
-        gap: Distance at which contact begins, m; a negative one is a preload.
-        law: The contact law.
-        symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
+    Fields: ``Contact``.
     """
-
-    between: tuple[str, str]
-    stiffness: float = 0.0
-    damping: float = 0.0
-    gap: float = 0.0
-    law: ContactLaw = ContactLaw.RELAXING
-    symbol: str | None = None
-
-    @property
-    def damping_symbol(self) -> str | None:
-        """Symbol of the damping: that of the stiffness with c for its first letter, as c_2 beside k_2."""
-        return _damping_symbol(self.symbol)
 
 
 @dataclass(frozen=True)
@@ -190,7 +181,3 @@ class Output:
     """
 
     weights: Mapping[str, float]
-
-
-def _damping_symbol(symbol: str | None) -> str | None:
-    return f"c{symbol[1:]}" if symbol else None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, fields
 from pathlib import Path
@@ -25,7 +24,7 @@ from trimmer.mechanism.quantities import (
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
-from trimmer.toml_files import is_parameter_file, read_text
+from trimmer.toml_files import is_parameter_file, parsed, read_text
 
 SECTIONS = (*PARTS, "outputs", "start")
 KEYS = ("title", "frequency", *SECTIONS)
@@ -58,13 +57,8 @@ def mechanism_of_text(text: str, name: str) -> Mechanism:
 
 
 def _parsed(text: str, name: str) -> dict[str, Any]:
-    try:
-        content = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # ValueError: TOML syntax, or an integer of too many digits
-        raise MechanismError(
-            f"{name}: not valid TOML: {error}; "
-            "a part is written as in 'motor = { mass = 0.035 }' below [bodies]"
-        ) from error
+    advice = "a part is written as in 'motor = { mass = 0.035 }' below [bodies]"
+    content = parsed(text, name, MechanismError, advice)
     if is_parameter_file(content):
         raise MechanismError(
             f"{name}: this is a parameter file, for 'trimmer linear --parameters FILE' and other commands "

@@ -9,7 +9,17 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import (
+    GROUND,
+    Body,
+    Contact,
+    ContactLaw,
+    Force,
+    Friction,
+    Link,
+    Output,
+    Pin,
+)
 from trimmer.mechanism.problems import Problem
 from trimmer.messages import listed, near_match
 
@@ -94,7 +104,7 @@ def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str
 
 def _contacts(content: Mapping[str, Any]) -> Iterator[Problem]:
     for section in ("plays", "stops"):
-        contacts: Mapping[str, Play | Stop] = content[section]
+        contacts: Mapping[str, Contact] = content[section]
         for name, part in contacts.items():
             relaxing = ContactLaw.chosen(part.law, "law") is ContactLaw.RELAXING
             if relaxing and part.stiffness == 0 and part.damping > 0:
@@ -180,7 +190,7 @@ def _symbols(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 def _symbols_of(part: Any) -> list[str]:
     """Return the symbol that a part carries, if any, and that of its damping."""
-    symbols = (part.symbol, part.damping_symbol) if isinstance(part, Link | Play | Stop) else (part.symbol,)
+    symbols = (part.symbol, part.damping_symbol) if isinstance(part, Link | Contact) else (part.symbol,)
     return [symbol for symbol in symbols if symbol is not None]
 
 

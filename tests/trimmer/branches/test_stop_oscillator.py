@@ -5,20 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.trimmer.branches.published import DEAD_ZONE, OSCILLATOR_WITH_STOP
 from tests.trimmer.branches.stop_oscillator import StopOscillator, of_dead_zone, of_pyharm
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
 from trimmer.branches.settings import FollowSettings
-from trimmer.branches.special import SpecialKind
-
-PYHARM = [
-    (SpecialKind.GRAZING, 5.534678554),
-    (SpecialKind.PERIOD_DOUBLING, 5.5567187941),
-    (SpecialKind.PERIOD_DOUBLING, 5.7079092816),
-    (SpecialKind.FOLD, 8.566393659),
-    (SpecialKind.FOLD, 6.9976281194),
-    (SpecialKind.GRAZING, 6.997666276),
-]
 
 
 def followed(map: StopOscillator, start: float, stop: float, periods: int, switches: int = 0) -> Branch:
@@ -46,8 +37,10 @@ def test_derivatives_of_the_closed_form() -> None:
 def test_oscillator_with_a_stop() -> None:
     branch = followed(of_pyharm(), 5.0, 12.0, 60)
     assert branch.reason is BranchEnd.LEFT_AT_STOP
-    assert [point.kind for point in branch.special] == [kind for kind, _ in PYHARM]
-    assert [point.value for point in branch.special] == pytest.approx([each for _, each in PYHARM], rel=2e-10)
+    assert [point.kind for point in branch.special] == [kind for kind, _ in OSCILLATOR_WITH_STOP]
+    assert [point.value for point in branch.special] == pytest.approx(
+        [each for _, each in OSCILLATOR_WITH_STOP], rel=2e-10
+    )
 
 
 @pytest.mark.slow
@@ -73,13 +66,7 @@ def test_period_doubled_branch_joins_at_its_other_end() -> None:
 
 def test_dead_zone() -> None:
     branch = followed(of_dead_zone(), 0.5, 1.6, 200)
-    expected = [
-        (SpecialKind.GRAZING, 0.8206310877),
-        (SpecialKind.FOLD, 0.8284639844),
-        (SpecialKind.FOLD, 0.7080316187),
-        (SpecialKind.GRAZING, 1.4070884660),
-    ]
-    assert [point.kind for point in branch.special] == [kind for kind, _ in expected]
+    assert [point.kind for point in branch.special] == [kind for kind, _ in DEAD_ZONE]
     assert [point.value for point in branch.special] == pytest.approx(
-        [each for _, each in expected], rel=1e-10
+        [each for _, each in DEAD_ZONE], rel=1e-10
     )

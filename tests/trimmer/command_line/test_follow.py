@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from tests.json_document import documented, keys
-from trimmer.command_line.branch_picture import length_unit
 from trimmer.command_line.main import main
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -53,14 +52,6 @@ def test_text_tells_stretches_special_points_and_the_end(capsys: pytest.CaptureF
     assert sum(map(int, stretches)) == int(count)
     assert "symmetry-breaking  120.517308585" in shown
     assert "End: it leaves the interval at the other end, at 120.8" in shown
-
-
-@pytest.mark.parametrize(
-    ("largest", "unit", "metres"),
-    [(3.1, "m", 1.0), (3.1e-3, "mm", 1e-3), (2e-5, "µm", 1e-6), (3e-9, "nm", 1e-9), (0.0, "m", 1.0)],
-)
-def test_unit_of_strokes_in_the_picture(largest: float, unit: str, metres: float) -> None:
-    assert length_unit(largest) == (unit, metres)
 
 
 def test_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,8 +12,8 @@ import control
 import pytest
 
 from trimmer import InertiaBacklash, harmonic_balance, periodic_orbits
+from trimmer.command_line.loops.orbits_text import as_json, as_text
 from trimmer.command_line.main import main
-from trimmer.command_line.orbits_text import as_json, as_text
 from trimmer.parameters import TrimmerParameters
 
 PLAY = ["simulate", "--element", "friction", "--gap", "4e-6", "--channels", "displacement"]

@@ -3,37 +3,16 @@
 import numpy as np
 import pytest
 
+from tests.mechanisms.cases import trimmer
 from trimmer import FrictionBacklash
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Friction, Link, Pin, Play
+from trimmer.mechanism.parts import Body, ContactLaw, Friction, Pin, Play
 
 FREQUENCY = 110.0
 AMPLITUDE = 1.5e-3
-
-
-def trimmer(gap=40e-6, force=0.0, damping=0.4, law=ContactLaw.RELAXING):
-    """Return the trimmer of the thesis with a bridge that has two-way contact."""
-    return Mechanism(
-        bodies={
-            "motor": Body(0.035),
-            "cutter": Body(0.003),
-            "housing": Body(0.005),
-            "guard": Body(0.030),
-        },
-        frequency=FREQUENCY,
-        pins={"pin": Pin("motor", AMPLITUDE)},
-        links={
-            "motor mount": Link(("ground", "motor"), 200e3, 3.5),
-            "housing mount": Link(("ground", "housing"), 150e3, 1.0),
-            "guard spring": Link(("housing", "guard"), 100e3, 4.0),
-            "coil spring": Link(("housing", "cutter"), 1e3),
-        },
-        plays={"bridge": Play(("cutter", "pin"), 30e3, damping, gap, law)},
-        frictions={"blade": Friction(("guard", "cutter"), force)} if force else {},
-    )
 
 
 def settled(mechanism, periods):
@@ -70,13 +49,13 @@ def linear_response():
 
 @pytest.mark.parametrize("law", [ContactLaw.RELAXING, ContactLaw.PULLING])
 def test_without_gap_it_is_the_linear_trimmer_with_both_channels_of_the_pin(law):
-    course = settled(trimmer(gap=0.0, law=law), 600)
+    course = settled(trimmer(law, friction=0.0, gap=0.0), 600)
     found = [first_harmonic(course, row) for row in np.eye(course.log.state.shape[1])[:4]]
     np.testing.assert_allclose(found, linear_response(), rtol=1e-11)
 
 
 def test_the_matrices_of_the_linear_part_are_those_of_the_flow():
-    mechanism = trimmer(gap=0.0)
+    mechanism = trimmer(friction=0.0, gap=0.0)
     flow = ExactFlow(mechanism)
     instant = flow.rest()
     matrix = flow.modes[flow.modes.number(instant.statuses)].flow
@@ -97,7 +76,7 @@ def test_the_matrices_of_the_linear_part_are_those_of_the_flow():
 def test_a_small_gap_departs_from_the_linear_trimmer_in_proportion():
     linear = linear_response()[1]
     departures = [
-        abs(first_harmonic(settled(trimmer(gap=gap), 600), np.eye(12)[1]) - linear) / gap
+        abs(first_harmonic(settled(trimmer(friction=0.0, gap=gap), 600), np.eye(12)[1]) - linear) / gap
         for gap in (1e-7, 1e-8)
     ]
     assert departures[0] == pytest.approx(departures[1], rel=1e-2)
@@ -107,7 +86,7 @@ def test_a_small_gap_departs_from_the_linear_trimmer_in_proportion():
 def test_without_damping_all_laws_are_the_dead_zone():
     ends = []
     for law in ContactLaw:
-        flow = ExactFlow(trimmer(damping=0.0, force=1.0, law=law))
+        flow = ExactFlow(trimmer(law, damping=0.0))
         ends.append(flow.strobe(flow.rest(), 3).states[-1][:8])
     np.testing.assert_allclose(ends[1], ends[0], rtol=1e-13)
     np.testing.assert_allclose(ends[2], ends[0], rtol=1e-13)
@@ -115,7 +94,7 @@ def test_without_damping_all_laws_are_the_dead_zone():
 
 def test_with_little_damping_a_relaxing_contact_approaches_the_dead_zone_in_proportion():
     def after(damping):
-        flow = ExactFlow(trimmer(damping=damping, force=1.0))
+        flow = ExactFlow(trimmer(damping=damping))
         return flow.strobe(flow.rest(), 1).states[-1][:8]
 
     dead_zone = after(0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
@@ -13,18 +14,21 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.map_options import EXAMPLE, FORM, varied_values
-from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
-from trimmer.command_line.parser import OptionError, as_option, refuse_unused, tell
-from trimmer.command_line.signal_options import positive_whole
+from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
+from trimmer.command_line.mechanisms.mechanism_options import (
+    add_mechanism_options,
+    add_seed_option,
+    chosen_mechanism,
+)
+from trimmer.command_line.number_options import positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
     from trimmer.maps.result import MotionMap
     from trimmer.maps.special_curves import SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
-
-INTERRUPTED = 130
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -37,10 +41,8 @@ def _configure(parser: ArgumentParser) -> None:
         help=f"vary a number from A to B in N values, as in {EXAMPLE}; once for a line, twice for a map",
     )
     _add_search_options(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
-    parser.add_argument(
-        "--plot", type=file_to_write, metavar="FILE", help="draw the map into an .svg, .png or .pdf file"
-    )
+    add_json_option(parser)
+    add_plot_option(parser, "the map")
     parser.add_argument(
         "--output",
         type=file_to_write,
@@ -64,7 +66,7 @@ def _add_search_options(parser: ArgumentParser) -> None:
         metavar="N",
         help="starts of each cell: rest, or the start in the file, and then random ones (default: 1)",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    add_seed_option(parser)
     parser.add_argument(
         "--coexisting",
         action="store_true",
@@ -164,17 +166,14 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
 
 
 def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None) -> None:
-    if arguments.plot is None:
-        return
-    from trimmer.command_line.map_picture import draw
-    from trimmer.files import write_atomically
+    if arguments.plot is not None:
+        from trimmer.drawing.motion_map import draw_motion_map
 
-    picture = draw(result, arguments.plot.suffix.lower()[1:], special)
-    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+        write_picture(arguments, partial(draw_motion_map, result, special))
 
 
 def _told(arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None) -> str:
-    from trimmer.command_line.map_text import as_json, as_text
+    from trimmer.command_line.mechanisms.map_text import as_json, as_text
 
     if arguments.json:
         return as_json(result, searched, special)

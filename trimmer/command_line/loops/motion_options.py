@@ -6,7 +6,7 @@ import math
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.loop_options import (
+from trimmer.command_line.loops.loop_options import (
     ELEMENT_OPTIONS,
     add_element_options,
     add_loop_options,

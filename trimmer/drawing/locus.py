@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from trimmer.drawing.content import content_of
 from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
@@ -21,11 +20,9 @@ if TYPE_CHECKING:
 
 _POINTS = 4000
 _SIZE = (6.4, 5.0)
-_DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
-"""Metadata without a date, so that the same picture has the same bytes."""
 
 
-def draw(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
+def draw_loci(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
     """Draw G and -1/N, mark the limit cycles, and return the content of the file.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
@@ -33,7 +30,7 @@ def draw(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
     Args:
         loop: The closed loop.
         balance: Limit cycles; its certificate gives the range of frequencies, rad/s.
-        file_format: One of ``FORMATS``.
+        file_format: ``svg``, ``png`` or ``pdf``.
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
@@ -59,10 +56,7 @@ def draw(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
     axes.set_ylabel("imaginary part")
     axes.grid(alpha=0.3)
     axes.legend(fontsize="small")
-    content = io.BytesIO()
-    with rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
-        figure.savefig(content, format=file_format, metadata=_DATELESS[file_format])
-    return content.getvalue()
+    return content_of(figure, file_format)
 
 
 def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, Complexes]]:

@@ -3,33 +3,23 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from trimmer.command_line.motion_summary import SHARE, amplitudes, last_times, summary_lines
 from trimmer.motion.switched_component import EventKind
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.motion.motion import Motion
 
-SHARE = 0.1
-"""Part of the duration, at the end of the motion, that the summary describes."""
-POINTS = 20_001
 REPEATING = (EventKind.IMPACT, EventKind.SWITCH)
 ONE_SIDE = ("upper contact", "plus")
 
 
 def as_text(motion: Motion) -> str:
     """Return a summary of a motion: outcome, number of events of each kind, amplitudes (m) at the end."""
-    counts = Counter((event.component, event.kind.value) for event in motion.events)
-    lines = [
-        f"Motion of {motion.duration:.6g} s: {motion.outcome.value}",
-        *(f"  {component}: {number} x {kind}" for (component, kind), number in sorted(counts.items())),
-    ]
-    if not counts:
-        lines.append("  no event: the motion is linear")
-    lines.append(f"The last {SHARE:.0%} of it, half of peak to peak:")
+    events = ((event.component, event.kind.value) for event in motion.events)
+    lines = summary_lines(motion.duration, motion.outcome.value, events)
     lines += [f"  {name:<8}{value:.6g} m" for name, value in _ranges(motion).items()]
     frequency = _frequency(motion)
     if frequency is not None:
@@ -55,14 +45,17 @@ def as_json(motion: Motion) -> str:
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def _ranges(motion: Motion) -> dict[str, float]:
-    times = np.linspace((1.0 - SHARE) * motion.duration, motion.duration, POINTS)
-    signals = {
+def displacements(motion: Motion, times: Reals) -> dict[str, Reals]:
+    """Return the output, and input and output of the backlash, m, by their names."""
+    return {
         motion.loop.model.output_labels[0]: motion.output(times),
         "pin": motion.element_input(times),
         "bridge": motion.element_output(times),
     }
-    return {name: 0.5 * float(np.ptp(values)) for name, values in signals.items()}
+
+
+def _ranges(motion: Motion) -> dict[str, float]:
+    return amplitudes(displacements(motion, last_times(motion.duration)))
 
 
 def _frequency(motion: Motion) -> float | None:

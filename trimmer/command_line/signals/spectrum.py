@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
@@ -14,14 +15,16 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.number_options import positive, positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused
-from trimmer.command_line.signal_options import add_signal_options, chosen_signal, positive, positive_whole
+from trimmer.command_line.signals.signal_options import add_signal_options, chosen_signal
 from trimmer.files import STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.command_line.spectrum_text import Predictions
+    from trimmer.command_line.signals.spectrum_text import Predictions
     from trimmer.signals.signal import Signal
     from trimmer.signals.wav import WavFile
     from trimmer.spectra.analysis import SpectrumAnalysis
@@ -57,10 +60,8 @@ def _configure(parser: ArgumentParser) -> None:
         "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
     )
     add_loop_options(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
-    parser.add_argument(
-        "--plot", type=file_to_write, metavar="FILE", help="draw the spectrum into an .svg, .png or .pdf file"
-    )
+    add_json_option(parser)
+    add_plot_option(parser, "the spectrum")
     parser.add_argument(
         "--wav", type=file_to_write, metavar="FILE", help="write the signal as sound into a .wav file"
     )
@@ -71,7 +72,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.spectrum_text import as_json, as_text
+    from trimmer.command_line.signals.spectrum_text import as_json, as_text
     from trimmer.signals.signal import SignalError
 
     _check(arguments)
@@ -103,7 +104,7 @@ def _check(arguments: Namespace) -> None:
 def _predictions(arguments: Namespace) -> Predictions:
     """Find natural modes, and limit cycles if a gap is given."""
     from trimmer.balance.solve import harmonic_balance
-    from trimmer.command_line.spectrum_text import Predictions
+    from trimmer.command_line.signals.spectrum_text import Predictions
     from trimmer.elements.friction_backlash import FrictionBacklash
     from trimmer.linear.modes import modes
 
@@ -138,11 +139,9 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
 
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
     if arguments.plot is not None:
-        from trimmer.command_line.spectrum_picture import draw
-        from trimmer.files import write_atomically
+        from trimmer.drawing.spectrum import draw_spectrum
 
-        picture = draw(analysis, arguments.plot.suffix[1:].lower())
-        write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+        write_picture(arguments, partial(draw_spectrum, analysis))
 
 
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:

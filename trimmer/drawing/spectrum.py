@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from trimmer.drawing.content import content_of
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
 
 if TYPE_CHECKING:
@@ -20,7 +19,6 @@ _SIZE = (6.4, 4.0)
 _POINTS = 4000
 _LABELLED = 6
 _DYNAMIC_RANGE = 1e-7
-_DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 _MARKERS = {
     Harmonic: ("o", "harmonic of the drive"),
     NaturalMode: ("s", "natural mode"),
@@ -29,14 +27,14 @@ _MARKERS = {
 }
 
 
-def draw(analysis: SpectrumAnalysis, file_format: str) -> bytes:
+def draw_spectrum(analysis: SpectrumAnalysis, file_format: str) -> bytes:
     """Draw a spectrum up to a little above its highest peak, and return the content of the file.
 
     Peaks are marked by their best explanation; the largest have their frequency, Hz, written beside them.
 
     Args:
         analysis: The spectrum and its classified peaks.
-        file_format: One of ``locus_picture.FORMATS``.
+        file_format: ``svg``, ``png`` or ``pdf``.
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.add_subplot()
@@ -60,10 +58,7 @@ def draw(analysis: SpectrumAnalysis, file_format: str) -> bytes:
     axes.grid(alpha=0.3)
     if analysis.peaks:
         axes.legend(fontsize="small")
-    content = io.BytesIO()
-    with rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
-        figure.savefig(content, format=file_format, metadata=_DATELESS[file_format])
-    return content.getvalue()
+    return content_of(figure, file_format)
 
 
 def _origin(classified: ClassifiedPeak) -> object:

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
+from functools import partial
 
 from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
-    file_to_write,
     show,
 )
-from trimmer.command_line.loop_options import (
+from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
     closed_loop,
 )
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError
 
 
@@ -31,29 +32,23 @@ def _configure(parser: ArgumentParser) -> None:
         metavar=("LOWEST", "HIGHEST"),
         help="angular frequencies to search, rad/s (default: all)",
     )
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
-    parser.add_argument(
-        "--plot",
-        type=file_to_write,
-        metavar="FILE",
-        help="draw G and -1/N with the intersections into an .svg, .png or .pdf file",
-    )
+    add_json_option(parser)
+    add_plot_option(parser, "G and -1/N with the intersections")
     add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
     from trimmer.balance.solve import harmonic_balance
-    from trimmer.command_line.limit_cycles_text import as_json, as_text
-    from trimmer.command_line.locus_picture import draw
-    from trimmer.files import write_atomically
+    from trimmer.command_line.loops.limit_cycles_text import as_json, as_text
 
     loop = closed_loop(arguments)
     omegas = _omega_range(arguments)
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     balance = harmonic_balance(loop, omegas)
     if arguments.plot is not None:
-        picture = draw(loop, balance, arguments.plot.suffix[1:].lower())
-        write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+        from trimmer.drawing.locus import draw_loci
+
+        write_picture(arguments, partial(draw_loci, loop, balance))
     show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
@@ -10,14 +11,18 @@ from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
-    file_to_write,
     show,
 )
-from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.mechanisms.mechanism_options import (
+    add_mechanism_options,
+    add_seed_option,
+    chosen_mechanism,
+)
+from trimmer.command_line.mechanisms.patience import patience
+from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
+from trimmer.command_line.number_options import positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
-from trimmer.command_line.patience import patience
-from trimmer.command_line.signal_options import positive_whole
-from trimmer.command_line.state_option import add_state_option, chosen_state
 
 if TYPE_CHECKING:
     from trimmer.response.response import Response
@@ -33,7 +38,7 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="number of starts; those after the first one are random (default: 1)",
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+    add_seed_option(parser)
     parser.add_argument(
         "--periods",
         type=positive_whole,
@@ -41,19 +46,13 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="drive periods to wait for a motion to settle (default: 1000)",
     )
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
-    parser.add_argument(
-        "--plot",
-        type=file_to_write,
-        metavar="FILE",
-        help="draw the motion with contact and stick, phase plane and Poincaré section into an .svg, .png or "
-        ".pdf file",
-    )
+    add_json_option(parser)
+    add_plot_option(parser, "the motion with contact and stick, phase plane and Poincaré section")
     add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.respond_text import as_json, as_text
+    from trimmer.command_line.mechanisms.respond_text import as_json, as_text
     from trimmer.response.respond import respond
 
     if arguments.starts == 1:
@@ -84,10 +83,8 @@ def _draw(arguments: Namespace, response: Response) -> bool:
         tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
         return False
     from trimmer.drawing.response import draw_response
-    from trimmer.files import write_atomically
 
-    picture = draw_response(response, arguments.plot.suffix[1:].lower())
-    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+    write_picture(arguments, partial(draw_response, response))
     return True
 
 

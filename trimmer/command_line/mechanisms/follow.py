@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command
@@ -10,18 +11,15 @@ from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
-    file_to_write,
     show,
 )
-from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
-from trimmer.command_line.parser import OptionError, tell
-from trimmer.command_line.signal_options import positive_whole
+from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.number_options import positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
 
 if TYPE_CHECKING:
     from trimmer.branches.follow import FollowedBranch
-
-ENDED_EARLY = 3
-"""Exit code of a branch that could not be followed to an end."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -66,15 +64,13 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
     )
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
-    parser.add_argument(
-        "--plot", type=file_to_write, metavar="FILE", help="draw the branch into an .svg, .png or .pdf file"
-    )
+    add_json_option(parser)
+    add_plot_option(parser, "the branch")
     add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.follow_text import as_json, as_text
+    from trimmer.command_line.mechanisms.follow_text import as_json, as_text
 
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
     branch = _branch(arguments)
@@ -105,11 +101,9 @@ def _branch(arguments: Namespace) -> FollowedBranch:
 
 def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
     if arguments.plot is not None and branch.points:
-        from trimmer.command_line.branch_picture import draw
-        from trimmer.files import write_atomically
+        from trimmer.drawing.branch import draw_branch
 
-        picture = draw(branch, arguments.plot.suffix[1:].lower())
-        write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
+        write_picture(arguments, partial(draw_branch, branch))
 
 
 COMMAND = Command("follow", "exact periodic motions of a mechanism over any of its numbers", _configure, _run)

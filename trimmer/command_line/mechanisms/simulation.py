@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.file_options import file_to_read, file_to_write
-from trimmer.command_line.mechanism_options import chosen_mechanism
+from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.mechanisms.mechanism_options import add_set_option, chosen_mechanism
+from trimmer.command_line.mechanisms.patience import patience
+from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
+from trimmer.command_line.output_options import add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option, is_given
-from trimmer.command_line.patience import patience
-from trimmer.command_line.state_option import add_state_option, chosen_state
 
 if TYPE_CHECKING:
     from trimmer.response.motion import MechanismMotion
-    from trimmer.signals.signal import Signal
 
 OF_LOOPS: tuple[str, ...] = ("element", "gap", "time_constant", "force", "parameters", "output", "channels")
 OF_LOOPS += ("drive", "amplitude", "impulse")
@@ -29,21 +30,9 @@ def add_mechanism(parser: ArgumentParser) -> None:
         metavar="FILE",
         help="mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves",
     )
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="PLACE=VALUE",
-        help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
-    )
+    add_set_option(parser)
     add_state_option(parser)
-    parser.add_argument(
-        "--plot",
-        type=file_to_write,
-        metavar="FILE",
-        help="draw a mechanism's motion with contact and stick, and its phase plane, into an .svg, .png or "
-        ".pdf file",
-    )
+    add_plot_option(parser, "a mechanism's motion with contact and stick, and its phase plane,")
 
 
 def refuse_options_of_the_other(arguments: Namespace) -> None:
@@ -81,20 +70,5 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
 def draw(arguments: Namespace, motion: MechanismMotion) -> None:
     """Draw the picture that is wanted."""
     from trimmer.drawing.simulated import draw_simulated
-    from trimmer.files import write_atomically
 
-    picture = draw_simulated(motion, arguments.plot.suffix[1:].lower())
-    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)
-
-
-def mechanism_signals(motion: MechanismMotion, sample_rate: float) -> list[Signal]:
-    """Sample the outputs, or the displacements of the bodies if there are none, m."""
-    import numpy as np
-
-    from trimmer.signals.signal import Signal
-
-    times = np.arange(int(motion.duration * sample_rate)) / sample_rate
-    outputs, bodies = motion.mechanism.outputs, motion.mechanism.bodies
-    named = [(name, motion.output(name, times)) for name in outputs]
-    named = named or [(name, motion.displacement(name, times)) for name in bodies]
-    return [Signal(values, sample_rate, name, "m") for name, values in named]
+    write_picture(arguments, partial(draw_simulated, motion))

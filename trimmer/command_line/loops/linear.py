@@ -5,24 +5,22 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import add_loop_options
+from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
+from trimmer.command_line.output_options import add_json_option
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_loop_options(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    add_json_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.linear_text import as_json, as_text
+    from trimmer.command_line.loops.linear_text import as_json, as_text
     from trimmer.displacement import Displacement
     from trimmer.linear.summary import summarise
-    from trimmer.parameters import TrimmerParameters
 
     output = Displacement.parse(arguments.output)
-    chosen = arguments.parameters
-    parameters = TrimmerParameters.thesis() if chosen is None else TrimmerParameters.from_toml(chosen)
-    summary = summarise(parameters, output, arguments.channels)
+    summary = summarise(chosen_parameters(arguments), output, arguments.channels)
     print(as_json(summary) if arguments.json else as_text(summary))
     return 0
 

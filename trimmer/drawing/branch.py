@@ -5,15 +5,15 @@ A colour stands for a number of drive periods, so that an asymmetric branch has 
 
 from __future__ import annotations
 
-import io
 import itertools
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from trimmer.branches.special import SpecialKind
+from trimmer.drawing.content import content_of
+from trimmer.drawing.units import name_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
     from trimmer.branches.follow import FollowedBranch
 
 _WIDTH, _HEIGHT = 6.4, 3.2
-_UNITS = (("m", 1.0), ("mm", 1e-3), ("µm", 1e-6), ("nm", 1e-9))
-_LEAST = 0.1
-"""Largest length in a unit, below which the next smaller one is used."""
-_DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 _MARKERS = {
     SpecialKind.GRAZING: "o",
     SpecialKind.STICK: "s",
@@ -35,7 +31,7 @@ _MARKERS = {
 }
 
 
-def draw(branch: FollowedBranch, file_format: str) -> bytes:
+def draw_branch(branch: FollowedBranch, file_format: str) -> bytes:
     """Draw a branch and those that part from it, one panel per output, and return the content of the file.
 
     Args:
@@ -48,25 +44,14 @@ def draw(branch: FollowedBranch, file_format: str) -> bytes:
     shown = list(_all(branch))
     periods = sorted({each.periods for each in shown})
     for name, axes in zip(names, panels, strict=False):
-        unit, metres = length_unit(
-            max((point.outputs[name].peak_to_peak for each in shown for point in each.points), default=0.0)
-        )
         for each in shown:
-            _draw_line(axes, each, name, metres, f"C{periods.index(each.periods) % 10}")
-            _draw_special(axes, each, name, metres)
-        axes.set_ylabel(f"{name}, peak to peak, {unit}", parse_math=False)
-        axes.set_xlabel(f"{branch.map.place}, {branch.unit}", parse_math=False)
+            _draw_line(axes, each, name, f"C{periods.index(each.periods) % 10}")
+            _draw_special(axes, each, name)
+        name_axis(axes.xaxis, branch.map.place, "" if branch.unit == "1" else branch.unit)
+        name_axis(axes.yaxis, f"{name}, peak to peak", "m")
         axes.grid(alpha=0.3)
         _add_legend(axes)
-    content = io.BytesIO()
-    with rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
-        figure.savefig(content, format=file_format, metadata=_DATELESS[file_format])
-    return content.getvalue()
-
-
-def length_unit(largest: float) -> tuple[str, float]:
-    """Return the unit in which lengths up to a largest one, m, are easily read, and how many metres it is."""
-    return next((each for each in _UNITS if largest >= _LEAST * each[1]), _UNITS[0])
+    return content_of(figure, file_format)
 
 
 def _all(branch: FollowedBranch) -> Iterator[FollowedBranch]:
@@ -75,10 +60,10 @@ def _all(branch: FollowedBranch) -> Iterator[FollowedBranch]:
         yield from _all(other)
 
 
-def _draw_line(axes: Axes, branch: FollowedBranch, name: str, metres: float, colour: str) -> None:
+def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> None:
     """Draw stable stretches solid, unstable ones dashed."""
     values = [point.value for point in branch.points]
-    strokes = [point.outputs[name].peak_to_peak / metres for point in branch.points]
+    strokes = [point.outputs[name].peak_to_peak for point in branch.points]
     for stable, group in itertools.groupby(range(len(values)), key=lambda at: branch.points[at].stable):
         places = list(group)
         part = slice(max(places[0] - 1, 0), places[-1] + 1)
@@ -92,12 +77,12 @@ def _draw_line(axes: Axes, branch: FollowedBranch, name: str, metres: float, col
         )
 
 
-def _draw_special(axes: Axes, branch: FollowedBranch, name: str, metres: float) -> None:
+def _draw_special(axes: Axes, branch: FollowedBranch, name: str) -> None:
     for special in branch.special:
         measures = branch.outputs_at(special)
         axes.plot(
             special.value,
-            measures[name].peak_to_peak / metres,
+            measures[name].peak_to_peak,
             _MARKERS[special.kind],
             color="black",
             fillstyle="none",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import add_loop_options, linear_part
+from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
+from trimmer.command_line.output_options import add_json_option
 from trimmer.command_line.parser import OptionError, require_positive
 
 
@@ -22,12 +23,12 @@ def _configure(parser: ArgumentParser) -> None:
         help="how far the frequency may be off, either way, Hz (default: 0); gives M/D as an interval",
     )
     add_loop_options(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    add_json_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
     from trimmer.balance.identification import identify_time_constant
-    from trimmer.command_line.limit_cycles_text import identified_as_json, identified_as_text
+    from trimmer.command_line.loops.limit_cycles_text import identified_as_json, identified_as_text
 
     require_positive(arguments, "gap", "m")
     require_positive(arguments, "frequency", "Hz")

@@ -6,24 +6,25 @@ import warnings
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command
-from trimmer.command_line.loop_options import (
+from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
     closed_loop,
     unusable,
 )
+from trimmer.command_line.output_options import add_json_option
 from trimmer.command_line.parser import INTERRUPTED, tell
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_element_options(parser)
     add_loop_options(parser)
-    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+    add_json_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
     from trimmer.balance.solve import harmonic_balance
-    from trimmer.command_line.orbits_text import as_json, as_text
+    from trimmer.command_line.loops.orbits_text import as_json, as_text
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
     from trimmer.orbits.search import OrbitSearchInterrupted

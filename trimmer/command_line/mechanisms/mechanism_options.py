@@ -1,4 +1,4 @@
-"""The file of a mechanism, and numbers set in it, as options of a command."""
+"""The file of a mechanism, numbers set in it, and the seed of random starts, as options of a command."""
 
 from __future__ import annotations
 
@@ -16,6 +16,11 @@ def add_mechanism_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
     )
+    add_set_option(parser)
+
+
+def add_set_option(parser: ArgumentParser) -> None:
+    """Add ``--set``."""
     parser.add_argument(
         "--set",
         action="append",
@@ -23,6 +28,11 @@ def add_mechanism_options(parser: ArgumentParser) -> None:
         metavar="PLACE=VALUE",
         help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
     )
+
+
+def add_seed_option(parser: ArgumentParser) -> None:
+    """Add ``--seed``."""
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
 
 
 def chosen_mechanism(arguments: Namespace) -> Mechanism:

@@ -6,8 +6,8 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.json_values import finite, pair
+from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:

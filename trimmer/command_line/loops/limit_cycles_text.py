@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
-from trimmer.command_line.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.json_values import finite
+from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:

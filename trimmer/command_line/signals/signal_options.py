@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import os
-from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from collections.abc import Callable
+from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.number_options import positive
 
 if TYPE_CHECKING:
     from trimmer.signals.signal import Signal
@@ -16,32 +15,6 @@ if TYPE_CHECKING:
 DELIMITERS = ("comma", "semicolon", "tab")
 DECIMAL_SIGNS = ("point", "comma")
 MISSING_VALUES = ("refuse", "interpolate")
-
-
-def positive(unit: str) -> Callable[[str], float]:
-    """Make the type of an option whose values are positive finite numbers, in a unit."""
-
-    def number(text: str) -> float:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not 0 < value < math.inf:
-            raise ArgumentTypeError(f"{text!r} is not a positive number ({unit})")
-        return value
-
-    return number
-
-
-def positive_whole(text: str) -> int:
-    """Return the positive whole number that a text states, as the type of an option.
-
-    Raises:
-        ArgumentTypeError: if it states none.
-    """
-    if not text.isdecimal() or int(text) == 0:
-        raise ArgumentTypeError(f"{text!r} is not a positive whole number")
-    return int(text)
 
 
 def column(text: str) -> str:

@@ -3,32 +3,21 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.response.energy import MechanismEnergy
     from trimmer.response.motion import MechanismMotion
-
-SHARE = 0.1
-"""Part of the duration, at the end of the motion, that the summary describes."""
-POINTS = 20_001
 
 
 def as_text(motion: MechanismMotion) -> str:
     """Return a summary of a motion: outcome, events of each part, outputs at the end, energy."""
-    counts = Counter((event.part, event.kind.value) for event in motion.events)
-    lines = [
-        f"Motion of {motion.duration:.6g} s: {motion.message}",
-        *(f"  {part}: {number} x {kind}" for (part, kind), number in sorted(counts.items())),
-    ]
-    if not counts:
-        lines.append("  no event: the motion is linear")
-    lines.append(f"The last {SHARE:.0%} of it, half of peak to peak:")
+    events = ((event.part, event.kind.value) for event in motion.events)
+    lines = summary_lines(motion.duration, motion.message, events)
     lines += table(("output", "m"), [(name, f"{value:.6g}") for name, value in _ranges(motion).items()])
     return "\n".join([*lines, *_energy_text(motion.energy)])
 
@@ -57,9 +46,17 @@ def as_json(motion: MechanismMotion) -> str:
     return json.dumps(content, indent=2, allow_nan=False)
 
 
+def displacements(motion: MechanismMotion, times: Reals) -> dict[str, Reals]:
+    """Return the outputs, or the displacements of the bodies if there are none, m, by their names."""
+    mechanism = motion.mechanism
+    if mechanism.outputs:
+        return {name: motion.output(name, times) for name in mechanism.outputs}
+    return {name: motion.displacement(name, times) for name in mechanism.bodies}
+
+
 def _ranges(motion: MechanismMotion) -> dict[str, float]:
-    times = np.linspace((1.0 - SHARE) * motion.duration, motion.duration, POINTS)
-    return {name: 0.5 * float(np.ptp(motion.output(name, times))) for name in motion.mechanism.outputs}
+    times = last_times(motion.duration)
+    return amplitudes({name: motion.output(name, times) for name in motion.mechanism.outputs})
 
 
 def _energy_text(energy: MechanismEnergy) -> list[str]:

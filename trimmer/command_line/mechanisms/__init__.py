@@ -1,0 +1,1 @@
+"""The subcommands for any mechanism, with their options and texts."""

@@ -1,0 +1,33 @@
+"""Types of options whose values are numbers."""
+
+from __future__ import annotations
+
+import math
+from argparse import ArgumentTypeError
+from collections.abc import Callable
+
+
+def positive(unit: str) -> Callable[[str], float]:
+    """Make the type of an option whose values are positive finite numbers, in a unit."""
+
+    def number(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not 0 < value < math.inf:
+            raise ArgumentTypeError(f"{text!r} is not a positive number ({unit})")
+        return value
+
+    return number
+
+
+def positive_whole(text: str) -> int:
+    """Return the positive whole number that a text states, as the type of an option.
+
+    Raises:
+        ArgumentTypeError: if it states none.
+    """
+    if not text.isdecimal() or int(text) == 0:
+        raise ArgumentTypeError(f"{text!r} is not a positive whole number")
+    return int(text)

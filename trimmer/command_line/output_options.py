@@ -1,0 +1,40 @@
+"""Options of how a result is shown: as JSON, or as a picture in a file."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+
+from trimmer.command_line.file_options import file_to_write
+from trimmer.files import write_atomically
+
+
+def add_json_option(parser: ArgumentParser) -> None:
+    """Add ``--json``."""
+    parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+
+
+def add_plot_option(parser: ArgumentParser, what: str) -> None:
+    """Add ``--plot``.
+
+    Args:
+        parser: The parser of the command.
+        what: What is drawn, for the help, such as "the branch".
+    """
+    parser.add_argument(
+        "--plot", type=file_to_write, metavar="FILE", help=f"draw {what} into an .svg, .png or .pdf file"
+    )
+
+
+def write_picture(arguments: Namespace, draw: Callable[[str], bytes]) -> None:
+    """Write the file that ``--plot`` names.
+
+    Args:
+        arguments: The options, with ``--plot``.
+        draw: Returns the content of the file for its format: ``svg``, ``png`` or ``pdf``.
+
+    Raises:
+        TrimmerError: if it cannot be written.
+    """
+    picture = draw(arguments.plot.suffix[1:].lower())
+    write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)

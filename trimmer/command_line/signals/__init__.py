@@ -1,0 +1,1 @@
+"""The subcommand for measured signals, with its options and texts."""
