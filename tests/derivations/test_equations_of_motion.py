@@ -66,8 +66,10 @@ def test_matrices_are_symmetric_and_dissipation_is_not_negative(mechanism):
     assert sympy.expand(quadratic - without_pin) == 0
 
 
-def test_power_balance_holds_and_notices_a_wrong_energy(mechanism):
-    assert power_balance(mechanism).holds
+def test_power_balance_holds_and_notices_what_is_left_over_and_a_damper_that_pushes(mechanism):
+    balance = power_balance(mechanism)
+    assert balance.holds
+    assert not replace(balance, residual=symbols.c1).holds
     pushing = Damper(-symbols.c1, Ground(), mechanism.bodies[0])
     unstable = replace(mechanism, dampers=(pushing, *mechanism.dampers[1:]))
     assert not power_balance(unstable).holds

@@ -95,10 +95,11 @@ class Bent(Single):
     right: float
     size: int = 1
     mirrored: bool = False
+    phase: Phase = Phase.UPPER
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         slope = self.right if state[0] >= 0.0 else self.left
-        contacts = {("stop", Phase.UPPER): int(state[0] >= 0.0)}
+        contacts = {("stop", self.phase): int(state[0] >= 0.0)}
         return Given(value + slope * state, np.array([[slope]]), np.ones(1), np.ones(1), contacts)
 
 

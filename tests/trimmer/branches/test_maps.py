@@ -19,6 +19,7 @@ from tests.trimmer.branches.maps import (
 )
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
+from trimmer.branches.period_map import Phase
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 
@@ -79,9 +80,19 @@ def test_torus() -> None:
     assert branch.special[0].value == pytest.approx(2.0, rel=1e-12)
 
 
-def test_corner_that_the_branch_passes() -> None:
-    branch = continuation(Bent(0.5, -0.5), np.array([-1.0]), -1.0, 1.0)
-    assert [point.kind for point in branch.special] == [SpecialKind.GRAZING]
+@pytest.mark.parametrize(
+    ("phase", "kind"),
+    [
+        (Phase.UPPER, SpecialKind.GRAZING),
+        (Phase.LOWER, SpecialKind.GRAZING),
+        (Phase.EITHER, SpecialKind.GRAZING),
+        (Phase.STICK, SpecialKind.STICK),
+    ],
+)
+def test_corner_that_the_branch_passes(phase: Phase, kind: SpecialKind) -> None:
+    branch = continuation(Bent(0.5, -0.5, phase=phase), np.array([-1.0]), -1.0, 1.0)
+    assert [point.kind for point in branch.special] == [kind]
+    assert branch.special[0].note == f"stop: {phase.value}, +1"
     assert branch.special[0].value == pytest.approx(0.0, abs=1e-12)
     assert branch.special[0].parts == ("stop",)
     assert branch.reason is BranchEnd.LEFT_AT_STOP

@@ -36,10 +36,11 @@ QUICK_TRICKY = (
 )
 
 
-def compare(mechanism: Mechanism, periods: float) -> None:
-    """Hold the exact motion against brute force as far as that is known."""
+def compare(mechanism: Mechanism, periods: float, known: float = 0.0) -> None:
+    """Hold the exact motion against brute force as far as that is known, for a share of the time at least."""
     period = 1 / mechanism.frequency
     brute = trusted(mechanism, periods * period, LARGEST)
+    assert brute.horizon >= known * periods * period
     exact = exact_motion(mechanism, periods * period)
     enough = max(10 * brute.error, 1e-11)
     parted = difference(exact.events, brute.motion.events, enough * period)
@@ -57,7 +58,7 @@ def states_apart(exact, brute: Trusted) -> float:
 
 @pytest.mark.parametrize("seed", QUICK_SEEDS)
 def test_a_random_mechanism(seed):
-    compare(random_mechanism(seed), 2)
+    compare(random_mechanism(seed), 2, known=0.8)
 
 
 @pytest.mark.slow
@@ -68,7 +69,7 @@ def test_many_random_mechanisms(seed):
 
 @pytest.mark.parametrize("name", QUICK_TRICKY)
 def test_what_is_easy_to_get_wrong(name):
-    compare(TRICKY[name](), 2)
+    compare(TRICKY[name](), 2, known=0.8)
 
 
 @pytest.mark.slow

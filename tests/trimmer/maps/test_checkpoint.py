@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import signal
@@ -61,7 +62,10 @@ def test_the_file_says_all_that_it_depends_on(file: Path, whole) -> None:
     assert header["places"] == list(PLACES)
     assert header["values"] == list(PLACES.values())
     assert header["settings"]["most_periods"] == 300
-    assert len(header["inputs"]) == 64
+    # The digest of the keys above as JSON with sorted keys; so another program can know the inputs again.
+    content = {name: header[name] for name in ("mechanism", "places", "settings", "values")}
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    assert header["inputs"] == digest
     assert sorted(cell["number"] for cell in cells) == list(range(6))
     assert read_inputs(file) == whole.inputs
 
@@ -113,6 +117,18 @@ def test_a_file_of_other_inputs_is_refused(file: Path, changes, message: str) ->
     with pytest.raises(MapFileError, match=f"begun with {message}"):
         motion_map(**settings, runner=SERIAL, file=file, resume=True)
     assert file.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "message"),
+    [("inputs", "0" * 64, "other inputs"), ("program", "0.0", "another version of this program")],
+)
+def test_a_file_with_another_header_is_refused(file: Path, key: str, value: str, message: str) -> None:
+    interrupted(file, 1)
+    header, cell = file.read_text("utf-8").splitlines()
+    file.write_text(f"{json.dumps({**json.loads(header), key: value})}\n{cell}\n", "utf-8")
+    with pytest.raises(MapFileError, match=f"begun with {message}"):
+        resume(file)
 
 
 def test_a_map_that_is_there_is_not_lost(file: Path) -> None:

@@ -1,0 +1,83 @@
+"""Whether a motion comes again, on series of states that are written down."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from trimmer.response.recurrence import candidates, has_returned, settles_to
+
+SIZES = np.array([2.0, 5.0])
+
+
+def repeating(period: int, count: int) -> np.ndarray:
+    """States that come again after some periods, to the last digit."""
+    angles = 2 * np.pi * np.arange(period) / period
+    orbit = np.array([np.cos(angles), np.sin(angles)]).T * SIZES
+    return np.tile(orbit, (count // period + 1, 1))[:count]
+
+
+@pytest.mark.parametrize("period", [1, 2, 5])
+def test_the_first_close_return_is_the_period(period: int) -> None:
+    assert candidates(repeating(period, 40), SIZES, 24) == [period]
+
+
+def test_a_much_closer_return_goes_first() -> None:
+    states = repeating(6, 40)
+    states[-1 - 3] = states[-1] + 0.05 * SIZES
+    assert candidates(states, SIZES, 24) == [6, 3]
+
+
+def test_what_is_too_long_for_the_states_is_no_candidate() -> None:
+    states = repeating(5, 10)
+    assert candidates(states, SIZES, 24) == []
+    assert candidates(repeating(5, 11), SIZES, 24) == [5]
+    assert candidates(repeating(5, 40), SIZES, 4) == []
+    assert candidates(states[:1], SIZES, 24) == []
+
+
+def test_it_has_returned_after_three_returns_to_rounding() -> None:
+    states = repeating(3, 12)
+    assert has_returned(states, SIZES, 3)
+    assert not has_returned(states[:9], SIZES, 3)
+    assert not has_returned(states, SIZES, 2)
+    for place in (-4, -7, -10):
+        moved = states.copy()
+        moved[place] += 1e-9 * SIZES
+        assert not has_returned(moved, SIZES, 3)
+
+
+def orbit(monodromy: np.ndarray, growth: float = 1.0) -> SimpleNamespace:
+    return SimpleNamespace(
+        periods=1, sizes=SIZES, monodromy=monodromy, growth=growth, instant=SimpleNamespace(state=SIZES)
+    )
+
+
+LEANING = np.array([[0.5, 0.4], [0.0, 0.3]])
+
+
+def approaching(matrix: np.ndarray, first: float = 0.05) -> np.ndarray:
+    apart = [np.array([first, first])]
+    for _ in range(6):
+        apart.append(matrix @ apart[-1])
+    return (1 + np.array(apart)) * SIZES
+
+
+def test_a_motion_settles_as_the_derivative_of_its_return_says() -> None:
+    assert settles_to(orbit(LEANING), approaching(LEANING))
+    assert not settles_to(orbit(LEANING.T), approaching(LEANING))
+    assert not settles_to(orbit(0.6 * LEANING), approaching(LEANING))
+
+
+def test_far_away_multipliers_say_nothing() -> None:
+    assert not settles_to(orbit(LEANING), approaching(LEANING, 5.0))
+    assert not settles_to(orbit(LEANING, growth=1e4), approaching(LEANING))
+
+
+def test_a_distance_of_rounding_is_none() -> None:
+    near = np.tile(SIZES, (5, 1)) * (1 + 1e-10)
+    assert settles_to(orbit(0 * LEANING), near)
+    assert not settles_to(orbit(0 * LEANING), near[:3])
+    assert not settles_to(orbit(0 * LEANING), np.tile(SIZES, (5, 1)) * (1 + 1e-6))
