@@ -3,21 +3,21 @@
 import numpy as np
 import pytest
 
-from tests.trimmer.contact.test_limits import trimmer
+from tests.mechanisms.cases import trimmer
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Friction, Link, Pin
 
 
 def test_no_period_is_refused():
-    flow = ExactFlow(trimmer())
+    flow = ExactFlow(trimmer(friction=0.0))
     with pytest.raises(ValueError, match="at least 1, not 0"):
         flow.strobe(flow.rest(), 0)
 
 
 @pytest.mark.parametrize("periods", [0.3, 1.0, 2.5])
 def test_a_motion_goes_on_where_it_ended(periods):
-    flow = ExactFlow(trimmer(force=1.0))
+    flow = ExactFlow(trimmer())
     begun = flow.timed(flow.rest(), periods * flow.period)
     assert begun.end.periods == int(periods)
     assert begun.end.phase == pytest.approx((periods % 1) * flow.period, abs=1e-15)

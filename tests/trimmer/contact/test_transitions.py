@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.contact.test_limits import trimmer
+from tests.mechanisms.cases import trimmer
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.contact.statuses import CONTACT_BROKEN, CONTACT_MADE, STICK, STICK_BEGUN, STICK_ENDED
 from trimmer.contact.transitions import transition
@@ -62,7 +62,7 @@ def checked(course: Course) -> Counter[int]:
 
 @pytest.mark.parametrize("law", list(ContactLaw))
 def test_contacts(law: ContactLaw) -> None:
-    flow = ExactFlow(trimmer(law=law))
+    flow = ExactFlow(trimmer(law, friction=0.0))
     seen = checked(flow.course(flow.strobe(flow.rest(), 20).end, 2))
     assert min(seen[CONTACT_MADE], seen[CONTACT_BROKEN]) > 3
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.trimmer.contact.test_limits import trimmer
+from tests.mechanisms.cases import trimmer
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, ContactLaw, Friction, Link, Pin, Stop
@@ -24,7 +24,7 @@ def differences(flow, instant, steps):
 
 @pytest.mark.parametrize("law", [ContactLaw.TRUNCATED, ContactLaw.PULLING])
 def test_play_and_sliding_friction(law):
-    flow = ExactFlow(trimmer(force=1.0, law=law))
+    flow = ExactFlow(trimmer(law))
     instant = flow.strobe(flow.rest(), 20).end
     found = flow.course(instant, 1).monodromy
     steps = [1e-9] * 4 + [1e-6] * 4
@@ -35,10 +35,10 @@ def test_play_and_sliding_friction(law):
 
 
 def test_a_relaxing_spring_that_contact_sets_again_is_forgotten():
-    flow = ExactFlow(trimmer(force=1.0))
+    flow = ExactFlow(trimmer())
     instant = flow.strobe(flow.rest(), 300).end
     multipliers = np.linalg.eigvals(flow.course(instant, 1).monodromy)
-    truncated = ExactFlow(trimmer(force=1.0, law=ContactLaw.TRUNCATED))
+    truncated = ExactFlow(trimmer(ContactLaw.TRUNCATED))
     instant = truncated.strobe(truncated.rest(), 300).end
     others = np.linalg.eigvals(truncated.course(instant, 1).monodromy)
     assert min(abs(multipliers)) < 1e-12
