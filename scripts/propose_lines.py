@@ -1,7 +1,7 @@
 """Propose places in a text copy of the thesis for the claims on what carries a number.
 
-python scripts/propose_lines.py COPY               id,first,last,paragraph of each numbered claim
-python scripts/propose_lines.py COPY --paragraphs  section,paragraph,first,last and how it begins
+``propose_lines.py COPY`` prints id, first and last line, and paragraph of each such claim;
+``propose_lines.py COPY --paragraphs`` the section, number, lines and beginning of each paragraph.
 """
 
 from __future__ import annotations

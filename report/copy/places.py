@@ -42,7 +42,7 @@ class Places:
     def sections(self) -> Mapping[str, Range]:
         """Lines of each chapter and section with all that is in it, by its number or letter."""
         heads = [(_heading(block), block.first) for block in self.blocks if block.kind is BlockKind.HEADING]
-        ranges = {}
+        ranges: dict[str, Range] = {}
         for index, (number, first) in enumerate(heads):
             ends = (start - 1 for other, start in heads[index + 1 :] if not other.startswith(f"{number}."))
             ranges.setdefault(number, (first, next(ends, len(self.lines))))
