@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from report.copy.places import Places
+from report.copy.reading import split
 from report.inventory import read_inventory
 
 UNNUMBERED = {
@@ -29,7 +30,7 @@ def main() -> int:
     parser.add_argument("copy", type=Path)
     parser.add_argument("--paragraphs", action="store_true")
     arguments = parser.parse_args()
-    places = Places(arguments.copy.read_text(encoding="utf-8").split("\n"))
+    places = Places(split(arguments.copy.read_text(encoding="utf-8")))
     rows = _paragraphs(places) if arguments.paragraphs else _claims(places)
     csv.writer(sys.stdout, lineterminator="\n").writerows(rows)
     return 0
