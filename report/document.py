@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.claim import Finding
+from report.text_copy import TextCopy
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,7 @@ class Document:
     nomenclature: tuple[NomenclatureRow, ...]
     parameters: tuple[ParameterRow, ...]
     provenance: Provenance
+    text_copy: TextCopy
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
     answers: tuple[Answer, ...] = ()

@@ -26,6 +26,7 @@ from report.document import (
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
+from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -93,6 +94,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
         provenance=provenance(),
+        text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,

@@ -11,12 +11,14 @@ from report.document import Chapter, Document
 
 SYMBOLS = {
     Verdict.REPRODUCED: "✓",
+    Verdict.COPY: "¶",
     Verdict.EXPLAINED: "≈",
     Verdict.NOT_CHECKABLE: "?",
     Verdict.ERRATUM: "✗",
 }
 MEANINGS = {
     Verdict.REPRODUCED: "follows from the thesis's own model, to every printed digit",
+    Verdict.COPY: "differs by what a page read by machine explains; the page decides",
     Verdict.EXPLAINED: "does not follow, but comes out when a named slip made earlier is repeated",
     Verdict.NOT_CHECKABLE: "needs something the thesis does not give; the finding says what",
     Verdict.ERRATUM: "is wrong in this place; the right form or value stands beside it",

@@ -15,11 +15,12 @@ NAME: Final = "verdicts"
 
 COLOURS: Final = {
     Verdict.REPRODUCED: "#17663a",
+    Verdict.COPY: "#6a4a8c",
     Verdict.EXPLAINED: "#1b4f8a",
     Verdict.NOT_CHECKABLE: "#55585e",
     Verdict.ERRATUM: "#a3231f",
 }
-_WIDTH, _LABEL_WIDTH, _PANEL_WIDTH = 384, 42, 87
+_WIDTH, _LABEL_WIDTH, _PANEL_WIDTH = 472, 42, 87
 _LONGEST_BAR = 56
 _HEAD_HEIGHT, _ROW_HEIGHT, _BAR_HEIGHT = 42, 17, 10
 _TEXT_BASELINE = 12.5

@@ -18,6 +18,7 @@ from report.document import (
     Provenance,
     Section,
 )
+from report.text_copy import TextCopy
 from tests.report.rendering.sample_figures import figures
 from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two
 from tests.report.rendering.sample_formulas import (
@@ -140,6 +141,7 @@ def sample() -> Document:
         provenance=Provenance(
             "0.1.0", "0123abc", "2026-05-04T10:11:12+02:00", (("sympy", "1.14.0"), ("typst", "0.15.0"))
         ),
+        text_copy=TextCopy("0" * 64, 1200),
         programs=programs(),
         describing_functions=describing_functions(),
         answers=answers(),

@@ -35,7 +35,7 @@ def finding(
 ) -> Finding:
     """Return a finding with the worst verdict of its parts."""
     parts = tuple(parts)
-    worst = max((p.verdict for p in parts), key=lambda verdict: verdict.severity)
+    worst = max((p.verdict for p in parts), key=lambda verdict: verdict.rank)
     return Finding(id, kind, section, title, worst, explanation, consequence, impact, source, parts)
 
 
@@ -178,6 +178,14 @@ def chapter_five() -> tuple[Finding, ...]:
                 ),
             ],
             "The coefficient is a sum of many products.",
+        ),
+        finding(
+            "eq-5.1",
+            Kind.EQUATION,
+            "5.1.1",
+            "numerator",
+            [part(Verdict.COPY, Number("707.6"), Number("7.076e7"), slip="the sign of the power is lost")],
+            "The copy has no power of ten where the coefficient needs one.",
         ),
         finding(
             "txt-5.2.1-impulse-1e-8",
