@@ -62,9 +62,9 @@ def read_reader_copy(path: Path, judged: str, *, accept_other: bool = False) -> 
     digest = hashlib.sha256(content).hexdigest()
     if digest != judged and not accept_other:
         raise OtherCopyError(
-            f"--thesis {path}: is another text than the one that was judged: its SHA-256 is {digest}, that of "
-            f"the text judged {judged}; give that text, or add --other-copy to show this one, whose lines may "
-            "not fit"
+            f"--thesis {path}: is another text than the one that was judged: its SHA-256 is {digest}, that "
+            f"of the text judged {judged}; give that text, or add --other-copy to show this one, whose lines "
+            "may not fit"
         )
     return ReaderCopy(lines, digest, digest == judged)
 
@@ -82,6 +82,6 @@ def _decoded(content: bytes, path: Path) -> str:
         line = content.count(b"\n", 0, error.start) + 1
         found = content[error.start : error.start + SHOWN_BYTES].hex(" ")
         raise CopyFileError(
-            f"--thesis {path}: is no text in UTF-8 (line {line} has the bytes {found}): give the text copy, not "
-            "the PDF, and save it as UTF-8"
+            f"--thesis {path}: is no text in UTF-8 (line {line} has the bytes {found}): give the text copy, "
+            "not the PDF, and save it as UTF-8"
         ) from error
