@@ -1,7 +1,8 @@
 """Propose places in a text copy of the thesis for the claims on what carries a number.
 
 ``propose_lines.py COPY`` prints id, first and last line, and paragraph of each such claim;
-``propose_lines.py COPY --paragraphs`` the section, number, lines and beginning of each paragraph.
+``propose_lines.py COPY --paragraphs`` the section, number, lines and beginning of each paragraph;
+``propose_lines.py COPY --missing`` the ids of the claims that give no lines, one a line.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from report.collect import collect
 from report.copy.places import Places
 from report.copy.reading import split
 from report.inventory import read_inventory
@@ -28,10 +30,15 @@ def main() -> int:
     """Print the table that is asked for; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("copy", type=Path)
-    parser.add_argument("--paragraphs", action="store_true")
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--paragraphs", action="store_true")
+    what.add_argument("--missing", action="store_true")
     arguments = parser.parse_args()
     places = Places(split(arguments.copy.read_text(encoding="utf-8")))
-    rows = _paragraphs(places) if arguments.paragraphs else _claims(places)
+    if arguments.missing:
+        rows = _missing()
+    else:
+        rows = _paragraphs(places) if arguments.paragraphs else _claims(places)
     csv.writer(sys.stdout, lineterminator="\n").writerows(rows)
     return 0
 
@@ -56,6 +63,12 @@ def _paragraphs(places: Places) -> Iterator[tuple[object, ...]]:
     yield "section", "paragraph", "first", "last", "begins"
     for paragraph in places.paragraphs:
         yield paragraph.section, paragraph.number, paragraph.first, paragraph.last, paragraph.begins
+
+
+def _missing() -> Iterator[tuple[object, ...]]:
+    inventory = read_inventory()
+    records = collect(inventory).by_id
+    yield from ((claim,) for claim in inventory if records[claim].lines is None)
 
 
 if __name__ == "__main__":
