@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.claim import Finding
-from report.text_copy import TextCopy
+from report.text_copy import BuildTime, TextCopy
 
 
 @dataclass(frozen=True)
@@ -166,12 +166,16 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Provenance:
-    """What the report was made from; nothing in it depends on the time or the machine of the build."""
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is how long it took when that was last measured.
+    """
 
     version: str
     commit: str
     date: str
     libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
 
 
 @dataclass(frozen=True)
