@@ -199,9 +199,9 @@ local converters = {
   claim = claim,
   figure = figure,
   program = program,
-  printed = comparison_side("As printed"),
+  printed = comparison_side("Thesis, our wording"),
   derived = comparison_side("As derived"),
-  agreed = comparison_side("As printed and as derived"),
+  agreed = comparison_side("Thesis, our wording, and as derived"),
   missing = comparison_side("What is missing"),
   -- A chapter comes in several pieces.
   ["chapter-begin"] = function(div)
@@ -223,6 +223,13 @@ local converters = {
     return wrapped(opening, div.content, "</details>")
   end,
   outline = nothing,
+  -- Places of what the reader's own copy has: it is put there when the page is finished.
+  passage = function(div)
+    return raw("<!-- passage " .. escaped(div.attributes.claim) .. " -->")
+  end,
+  ["reader-copy"] = function()
+    return raw("<!-- reader's copy -->")
+  end,
 }
 
 function Div(div)

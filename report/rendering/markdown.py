@@ -11,7 +11,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
 from report.document import Document
-from report.rendering import errata, escaping, outline, summary, verdict_picture
+from report.rendering import certificate, errata, escaping, outline, places, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
@@ -164,6 +164,9 @@ def _environment() -> Environment:
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
+        figures_judged=certificate.figures_judged,
+        command=certificate.command,
+        build_time=certificate.build_time,
         picture_description=verdict_picture.description,
     )
     environment.globals.update(
@@ -171,6 +174,7 @@ def _environment() -> Environment:
         in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
+        place=places.place,
         verdicts=tuple(Verdict),
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,

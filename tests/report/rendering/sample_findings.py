@@ -32,11 +32,15 @@ def finding(
     consequence: str = "",
     impact: Impact = Impact.NONE,
     source: str = "derivations/mechanism.py",
+    lines: tuple[int, int] | None = None,
+    paragraph: int | None = None,
 ) -> Finding:
     """Return a finding with the worst verdict of its parts."""
     parts = tuple(parts)
     worst = max((p.verdict for p in parts), key=lambda verdict: verdict.rank)
-    return Finding(id, kind, section, title, worst, explanation, consequence, impact, source, parts)
+    return Finding(
+        id, kind, section, title, worst, explanation, consequence, impact, source, parts, lines, paragraph
+    )
 
 
 def chapter_two() -> tuple[Finding, ...]:
@@ -75,6 +79,8 @@ def chapter_two() -> tuple[Finding, ...]:
                 )
             ],
             r"The derivative of $u = \hat{u} \sin(\omega t)$ is right; see [equation 2.12](#eq-2.12).",
+            lines=(3, 5),
+            paragraph=4,
         ),
         finding(
             "eq-2.9",
@@ -186,6 +192,7 @@ def chapter_five() -> tuple[Finding, ...]:
             "numerator",
             [part(Verdict.COPY, Number("707.6"), Number("7.076e7"), slip="the sign of the power is lost")],
             "The copy has no power of ten where the coefficient needs one.",
+            lines=(7, 7),
         ),
         finding(
             "txt-5.2.1-impulse-1e-8",
@@ -210,6 +217,8 @@ def chapter_five() -> tuple[Finding, ...]:
             [part(Verdict.ERRATUM, Number("-60", "dB/decade"), Number("-40", "dB/decade"))],
             "The numerator has degree 5, the denominator 7.",
             source="trimmer/linear/low_pass.py",
+            lines=(9, 10),
+            paragraph=2,
         ),
         finding(
             "fig-5.1",
@@ -245,5 +254,6 @@ def appendix_a() -> tuple[Finding, ...]:
             "The listing keeps one of two responses: `sys(1, 1)`.",
             "The loop of section 5.2 lacks the velocity of the pin.",
             Impact.DOWNSTREAM,
+            lines=(1190, 1199),
         ),
     )

@@ -129,7 +129,7 @@ def test_a_verdict_is_said_in_words_and_by_a_symbol(text: str) -> None:
 
 def test_sides_that_are_the_same_are_shown_once(text: str) -> None:
     article = text[text.index('<article class="claim" id="eq-2.8"') :].partition("</article>")[0]
-    assert "As printed and as derived" in article
+    assert "Thesis, our wording, and as derived" in article
     assert article.count('display="block"') == 1
 
 
