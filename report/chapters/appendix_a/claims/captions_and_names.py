@@ -67,7 +67,8 @@ def fields(_: Evidence) -> Record:
         method=BOTH_SIDES,
         second=so("Listing A.3, with the same last line", not undefined_names(LISTING_A_3)),
         copy_fault=lost_in_the_copy(
-            "two underscores are read as points, `N.re` for `N_re`", assigned_in(with_underscores)
+            "two underscores are read as points, N.re and N.im for N_re and N_im",
+            assigned_in(with_underscores),
         ),
     )
     yield text("""
@@ -88,7 +89,7 @@ def imaginary_unit(_: Evidence) -> Record:
         f"{', '.join(sorted(missing))} is not",
         method=BOTH_SIDES,
         second=so("the same line of Listing A.3, with 1i", not undefined_names(LISTING_A_3)),
-        copy_fault=lost_in_the_copy("the digit 1 of `1i` is read as the letter l", assigned_in(corrected)),
+        copy_fault=lost_in_the_copy("the digit 1 of 1i is read as the letter l", assigned_in(corrected)),
     )
     yield text("""
         As read, the letter l stands where the imaginary unit `1i` has the digit 1, and the listing stops with

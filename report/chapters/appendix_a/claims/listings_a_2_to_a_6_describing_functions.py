@@ -18,6 +18,7 @@ from derivations.elements.backlash import (
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import describing_function, simplified_describing_function
+from derivations.latex import latex
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
 from report.chapters.second_ways import REPEATED, by_quadrature
@@ -31,6 +32,19 @@ from report.record import Record, claim, text
 
 BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
+FORMULA_FORM = r"""
+N = 0.5 + \frac{1}{\pi}\left(1 - \frac{b}{A}\right)\sqrt{1 - \left(1 - \frac{b}{A}\right)^2}
++ \frac{1}{\pi}\sin^{-1}\left(1 - \frac{b}{A}\right)
+- \frac{j}{\pi}\left(1 - \left(1 - \frac{b}{A}\right)^2\right)
+""".strip().replace("\n", " ")
+"""N in the order of the listings; Listing A.6 calls the gap D."""
+NESTED = r"\sin(\phi) + \beta"
+INERTIA_FORM = rf"""
+N = \frac{{1}}{{\pi}}\left(\pi + 2\sin({NESTED}) - \phi - \sin({NESTED})\cos({NESTED})\right)
+- \frac{{j}}{{\pi}}\left(1 - \cos({NESTED})\right)^2
+""".strip().replace("\n", " ")
+"""N in the order of Listing A.4, with its Beta."""
+FLIGHT_FORM = r"\frac{\gamma^2 e^{\frac{1}{\gamma}(\tan^{-1}(1/\gamma) - \phi_c)}}{\sqrt{1 + \gamma^2}}"
 
 
 def friction_expression() -> sympy.Expr:
@@ -48,9 +62,10 @@ def formula_part() -> Part:
         "formula, with $b$ the total gap",
         friction_expression(),
         derived,
-        left="N",
         assume=REACHED,
         second=by_quadrature(derived, quadrature_gain(waveform, A, values), values),
+        printed_form=FORMULA_FORM,
+        derived_form=f"N = {latex(derived.subs(GAP, sympy.Symbol('b', positive=True)))}",
         item="formula of N in Listings A.2, A.3 and A.6",
     )
 
@@ -124,6 +139,7 @@ def inertia_parts() -> tuple[Part, Part]:
         derived,
         left="N",
         second=close("the listing, repeated, at Beta = 1", one, complex(derived.subs(CONTACT, angle))),
+        printed_form=INERTIA_FORM,
         item="formula of N in Listings A.4 and A.10",
     )
     by_half = "its formula at half of the contact angle, the root of line 3 for $w = 2$"
@@ -179,8 +195,9 @@ def viscous_controlled(_: Evidence) -> Record:
         "line 6, contact angle",
         wrong_root - sympy.sin(CONTACT) - flight,
         derived,
-        left=r"\beta",
         assume=sympy.Lt(GAMMA, 1),
+        printed_form=rf"\sqrt{{1 - \gamma^2}} - \beta = \sin\phi_c + {FLIGHT_FORM}",
+        derived_form=rf"\sqrt{{1 + \gamma^2}} - \beta = \sin\phi_c + {FLIGHT_FORM}",
         second=same("the right form", root - sympy.sin(CONTACT) - flight, derived),
         slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
         item="sqrt(1 - gamma^2), contact angle of viscous-controlled backlash",

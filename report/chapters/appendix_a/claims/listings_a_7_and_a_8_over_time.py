@@ -58,6 +58,8 @@ EQUATION = (*LISTED[:2], product(-A, THETA - sympy.pi), LISTED[3])
 PHASES = (0.5, 2.0, 4.0, 5.5)
 """A phase inside of each piece, rad."""
 IN_TEXT = "109.845"
+CONTACT_ITEM = f"{LISTED_CONTACT} s, time of contact in Listing A.8"
+OFFSET_ITEM = f"{LISTED_OFFSET} m, constant of line 12 of Listing A.8"
 FREQUENCY_ITEM = "109.845 Hz, driving frequency seen in the experiment"
 ROUNDED_CONSTANT = 0.02
 """Share by which the two digits of line 12's constant may move the output at that phase."""
@@ -94,7 +96,7 @@ def friction_controlled(_: Evidence) -> Record:
     yield from friction_parts()
     as_read = blocks_closed(FRICTION_LINES)
     one_less = blocks_closed(FRICTION_LINES[:-1])
-    yield part("blocks", as_read, copy_fault=lost_in_the_copy("one `end` is read twice", one_less))
+    yield part("blocks", as_read, copy_fault=lost_in_the_copy("one end is read twice", one_less))
     yield text("""
         The three branches are those of a load without inertia between walls a total $D$ apart, for any input.
         As read, line 12 is one `end` too many, and the function cannot be run; without it, it can. The page
@@ -146,10 +148,12 @@ def inertia_controlled(_: Evidence) -> Record:
     flight = DRIVE_AMPLITUDE * angle - TIMED_GAP / 2
     wall = DRIVE_AMPLITUDE * math.sin(angle) + TIMED_GAP / 2
     second = close("flight and wall at that time", flight, wall)
-    yield digits("line 8, phi, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
+    label = "line 8, phi, the time of contact"
+    yield digits(label, LISTED_CONTACT, contact_time(), "s", second=second, item=CONTACT_ITEM)
     half_turn = DRIVE_AMPLITUDE * DRIVE_OMEGA * PERIOD / 2
     second = close(r"its value $b/2$ above $A \theta$ half a period on", TIMED_GAP / 2 + half_turn, offset)
-    yield digits(r"line 12, the constant $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
+    label = r"line 12, the constant $\pi A + b/2$"
+    yield digits(label, LISTED_OFFSET, offset, "m", second=second, item=OFFSET_ITEM)
 
     instant = float(LISTED_CONTACT)
     (output,) = inertia_block_on_a_sine(np.array([instant]))
@@ -191,9 +195,11 @@ def constants(_: Evidence) -> Record:
     middle = math.pi + angle / 2
     by_wave = element_at_phase(middle) + DRIVE_AMPLITUDE * middle
     second = close("bisection", angle / DRIVE_OMEGA, contact_time(), 1e-12)
-    yield digits("`phi`, the time of contact", LISTED_CONTACT, contact_time(), "s", second=second)
+    label = "`phi`, the time of contact"
+    yield digits(label, LISTED_CONTACT, contact_time(), "s", second=second, item=CONTACT_ITEM)
     second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
-    yield digits(r"the constant of line 12, $\pi A + b/2$", LISTED_OFFSET, offset, "m", second=second)
+    label = r"the constant of line 12, $\pi A + b/2$"
+    yield digits(label, LISTED_OFFSET, offset, "m", second=second, item=OFFSET_ITEM)
     yield text(r"""
         Both are right to their digits, for [[ frequency | f0 ]] Hz: the contact angle is [[ angle | f5 ]]
         rad, and `phi` is that angle over $\omega$, in seconds. Two digits are few for the second one:

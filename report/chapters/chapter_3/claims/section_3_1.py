@@ -124,6 +124,8 @@ def sign_of_the_output(known: Evidence) -> Record:
         left="y",
         second=second,
         slip=slip,
+        printed_form="y = x_4 - x_2",
+        derived_form="y = x_2 - x_4",
         item=OUTPUT,
         severity=Severity.SLIP,
     )

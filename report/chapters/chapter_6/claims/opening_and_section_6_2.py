@@ -68,8 +68,8 @@ def every_case(known: Evidence) -> Record:
     yield text("""
         Every kind of backlash has one limit cycle or two, as the text says. Coulomb friction alone, also a
         case of chapter 5, has none, as section 5.2.4 says; the sentence is read as one on backlash. That two
-        occur under strict conditions only is not so: with friction or with inertia alone they are there for
-        every gap.
+        occur only under strict conditions is not so: the condition that section 5.2.1 names is a wide gap,
+        and with friction or with inertia alone both are there for every gap.
 
         The unstable one is the threshold from which an oscillation grows, see [the second limit
         cycle](#txt-5.2.1-second-limit-cycle).

@@ -100,8 +100,8 @@ def gap_of_the_experiment(_: Evidence) -> Record:
         method="read in the three places",
     )
     yield text("""
-        Section 6.4 gives half of what section 3.2 and chapter 6 give. Read as a slip it changes nothing.
-        One may also be the total gap and the other half of it, which neither place says.
+        Section 6.4 gives half of what section 3.2 and chapter 6 give. Read as a slip it changes nothing. One
+        may also be the total gap and the other half of it, which neither place says.
 
         By the second reading an amplitude predicted for the experiment is uncertain by a factor of two.
     """)
