@@ -12,7 +12,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.claim import Impact, Severity
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.record import change, line_amplitudes
@@ -54,6 +54,7 @@ def input_amplitude(known: Evidence) -> Record:
         second=open_loop_repeats(known),
         item="the open loop shows the limit cycle of the closed loop",
         severity=Severity.CONCLUSION,
+        certainty=Certainty.PROVEN,
     )
     below = FrictionBacklash(LARGE_GAP).describing_function(0.49 * LARGE_GAP)
     yield assertion(

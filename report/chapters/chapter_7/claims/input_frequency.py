@@ -60,7 +60,7 @@ def input_frequency(known: Evidence) -> Record:
     yield range_of_frequencies(known, stable)
     yield text("""
         Two of the functions do not depend on frequency, as the text says. If performance means the predicted
-        limit cycle, the drive's frequency does not enter indeed; if it means the vibration, it decides which
+        limit cycle, the drive's frequency indeed does not enter; if it means the vibration, it decides which
         harmonics meet a resonance. Read as a rule for reading off a found intersection, amplitude from $N$
         and frequency from $G$, the condition is right too; where the curves intersect depends on both. The
         contour of Listing A.6 passes by that of inertia because of its [wrong factor](#lst-A.6), and the
