@@ -9,9 +9,16 @@ from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits
+from report.parts import assertion, close, digits, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
+from report.thesis import (
+    DRIVE_OMEGA,
+    LARGE_GAP,
+    LISTING_DENOMINATOR,
+    LISTING_NUMERATOR,
+    PLOT_OFFSET,
+    SMALL_GAP,
+)
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"
@@ -63,29 +70,56 @@ def search(known: Evidence) -> Record:
     severity=Severity.RESULT,
 )
 def grid(known: Evidence) -> Record:
-    unstable = known.cycles.friction.unstable.amplitude
-    smallest = PLOT_OFFSET / (unstable - 0.5)
-    begins = "the amplitude where the plot begins, at that gap"
+    pair, listed = known.cycles.friction, known.cycles.friction_listing
+    unstable = pair.unstable.amplitude
+    begins = LARGE_GAP / 2 + PLOT_OFFSET
     yield assertion(
-        "",
-        "the plotted locus $-1/N$ shows every intersection, for every gap that is studied",
-        smallest < 1e-8,
+        "for the gap of line 5",
+        "the plotted locus $-1/N$ shows both limit cycles",
+        begins < unstable * LARGE_GAP < pair.stable.amplitude * LARGE_GAP < GRID_END,
+        """
+        it runs from [[ begins | f1 ]] to [[ ends | f0 ]] µm, they are at [[ unstable | f1 ]] and
+        [[ stable | f0 ]] µm
+        """,
+        numbers={
+            "begins": 1e6 * begins,
+            "ends": 1e6 * GRID_END,
+            "unstable": 1e6 * LARGE_GAP * unstable,
+            "stable": 1e6 * LARGE_GAP * pair.stable.amplitude,
+        },
+        method="arithmetic on the grid of line 9",
+        second=so(
+            "the two amplitudes by the rounded coefficients of lines 18 to 20",
+            begins < listed.unstable.amplitude * LARGE_GAP and listed.stable.amplitude * LARGE_GAP < GRID_END,
+        ),
+    )
+    smallest = PLOT_OFFSET / (unstable - 0.5)
+    at_the_start = "the amplitude where the plot begins, at that gap"
+    yield assertion(
+        "for the smaller gaps of figures 5.6 and 5.8, if they are drawn with it",
+        "it shows both as well",
+        smallest < SMALL_GAP,
         r"""
         it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it only
         for gaps above [[ smallest | power1 ]] m
         """,
         numbers={"unstable": unstable, "smallest": smallest},
         method="arithmetic on the grid of line 9",
-        second=close(begins, smallest / 2 + PLOT_OFFSET, smallest * unstable),
+        second=close(at_the_start, smallest / 2 + PLOT_OFFSET, smallest * unstable),
+        certainty=Certainty.READING,
     )
     yield text("""
-        The grid is absolute, in steps of [[ step | f2 ]] µm from a start that does not follow the gap, while
-        the curve depends on $b/A$ alone. For a small gap the plot holds the end of the curve near $-1$ and
-        nothing else.
+        For the gap of the listing the plot is right. But the grid is absolute, in steps of [[ step | f2 ]] µm
+        from a start that does not follow the gap, while the curve depends on $b/A$ alone: for a small gap the
+        plot holds the end of the curve near $-1$ and nothing else, and for gaps above [[ wide | power1 ]] m
+        it ends before the stable limit cycle.
 
         A limit cycle that seems to appear as the gap grows, see [the threshold](#txt-5.2.1-threshold), comes
         into the plotted range; it was there before.
-    """).given(step=1e6 * (GRID_END - LARGE_GAP / 2 - PLOT_OFFSET) / (GRID_POINTS - 1))
+    """).given(
+        step=1e6 * (GRID_END - begins) / (GRID_POINTS - 1),
+        wide=GRID_END / pair.stable.amplitude,
+    )
 
 
 @claim(
