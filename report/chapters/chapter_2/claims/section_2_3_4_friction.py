@@ -12,7 +12,7 @@ from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
 from report.claim import Certainty, Confirmation, Impact, Severity
-from report.comparisons.printed import product, total
+from report.comparisons.printed import total
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
 from report.numbers.independent.symbolic import first_root
@@ -75,15 +75,17 @@ def characteristic(_: Evidence) -> Record:
     yield expression("segment OA, its length", b, first_contact)
     yield expression("segment AB, its slope", sympy.Integer(1), slope(RISING))
     yield expression("segment BC, its length", 2 * b, stopped - restarted, assume=REACHED)
-    yield expression(
-        "closed path EBCD, by the area it encloses",
-        product(2 * b, 2 * (A - b)),
-        sympy.simplify(-swept),
-        assume=REACHED,
+    yield assertion(
+        "path EBCD",
+        "the path is closed",
+        not any(WAVEFORM.jumps()) and sympy.simplify(swept + 4 * b * (A - b)) == 0,
+        r"each piece begins where the one before it ends; the area within is $2b \cdot 2(A - b)$",
+        method="values at the ends of the pieces",
+        certainty=Certainty.PROVEN,
         second=same(
             "the quadrature part of the describing function",
             -sympy.pi * A * WAVEFORM.cosine_coefficient(),
-            -swept,
+            2 * b * 2 * (A - b),
         ),
     )
     yield assertion(
@@ -196,7 +198,17 @@ def piece_form(index: int, value: str) -> str:
 def first_segment(_: Evidence) -> Record:
     second = continuous(WAVEFORM, 0, VALUES)
     slip = made_here("the sign is that of the third piece", -RESTING.value)
-    yield expression("", -(A - b), RESTING.value, assume=REACHED, second=second, slip=slip, item=RESTING_ITEM)
+    yield expression(
+        "",
+        -(A - b),
+        RESTING.value,
+        assume=REACHED,
+        second=second,
+        slip=slip,
+        printed_form="-(A - b)",
+        derived_form="A - b",
+        item=RESTING_ITEM,
+    )
     yield text("""
         As at [equation 2.36](#eq-2.36), in words: the first piece follows the pin's peak, where the bridge
         rests at its highest, at $+(A - b)$. The text gives it a minus sign, and the third piece a plus sign.

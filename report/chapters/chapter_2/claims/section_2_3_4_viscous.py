@@ -116,8 +116,11 @@ def separation_and_contact(_: Evidence) -> Record:
         rf"phase $\phi_c$ of the next contact, for $\gamma = {LOAD}$ and $b/A = {PLAY}$",
         CloseNumbers(found, flown),
         second=so(means, abs(apart[0]) >= 1e-9 > abs(apart[1])),
-        printed_form=Words(rf"pin and load meet again at $\phi_c = {found:.6f}$"),
-        derived_form=Words(f"the flight, integrated in steps, ends at {flown:.6f}"),
+        printed_form=Words(r"pin and load meet again at $\phi_c$"),
+        derived_form=Words(
+            f"the flight, integrated in steps, ends at {flown:.6f}; "
+            f"equation 2.46 with its right sign gives {found:.6f}"
+        ),
     )
     yield text(r"""
         Pin and load move alike up to $\phi_s$ and meet again at $\phi_c$, as the text reads the figure. At
@@ -270,7 +273,7 @@ def quadrature(_: Evidence) -> Record:
     )
     yield text(r"""
         In the copy the bracket behind the common factor closes at the end of the first line; it has to hold
-        the terms of the other two lines as well. Copies set in TeX have to close brackets line by line, so
-        this may be the copy's doing. With the bracket around everything, as [Listing A.5](#lst-A.5) has it,
-        the expression is the derived one.
+        the other two lines as well. A bracket over several lines is easily closed too early, in typesetting
+        as in reading a page by machine. With the bracket around everything, as [Listing A.5](#lst-A.5) has
+        it, the expression is the derived one.
     """)

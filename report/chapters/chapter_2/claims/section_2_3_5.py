@@ -75,20 +75,18 @@ def friction_as_relay(_: Evidence) -> Record:
     overlap = float(np.dot(relay, CoulombFriction(1.0).waveform(phases, 1.0)))
     means = "a relay with the velocity as its input, sampled over a period"
     yield assertion(
-        "an ideal relay in the velocity",
+        "",
         "friction is a relay that switches where the velocity changes its sign",
         switching == zeros_in_turn(COSINE, THETA) and levels == {FORCE, -FORCE},
         r"""
         under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
-        [[ angles ]]$
+        [[ angles ]]$; in a period it takes the work $[[ work | latex ]]$
         """,
-        numbers={"angles": angles},
+        numbers={"angles": angles, "work": sympy.pi * A * FRICTION.cosine_coefficient()},
         method="levels and limits of the derived waveform",
         certainty=Certainty.PROVEN,
         second=close(means, overlap, float(phases.size)),
     )
-    label = "work that it takes in a period, as a force against the motion"
-    yield expression(label, 4 * FORCE * A, sympy.pi * A * FRICTION.cosine_coefficient())
     yield text("""
         The force has two levels and follows the sign of the velocity, as the text says. Over the displacement
         the same force is not a relay's step but a rectangle with the area $4F_cA$. So it matters which of the

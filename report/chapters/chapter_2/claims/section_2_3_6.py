@@ -169,16 +169,16 @@ def graphical_balance(_: Evidence) -> Record:
     samples = np.linspace(1.0, 2.0, 400), np.linspace(0.1, 0.4, 400)
     ((frequency, amplitude),) = graphical_intersections(loop, *samples)
     (cycle,) = loop.limit_cycles()
-    for label, read, solved, exact in (
-        ("frequency at K, from $G$", frequency, cycle.omega, sympy.sqrt(2)),
-        ("amplitude at K, from $-1/N$", amplitude, cycle.amplitude, 2 / (3 * sympy.pi)),
+    for what, curve, read, solved, exact in (
+        ("frequency", "$G$", frequency, cycle.omega, sympy.sqrt(2)),
+        ("amplitude", "$-1/N$", amplitude, cycle.amplitude, 2 / (3 * sympy.pi)),
     ):
         yield part(
-            label,
+            f"{what} at K",
             CloseNumbers(read, solved, DRAWN),
             second=close(f"the closed form ${sympy.latex(exact)}$", float(exact), solved),
-            printed_form=Words(f"read from the curves: {read:.6f}"),
-            derived_form=Words(f"solution of $1 + NG = 0$: {solved:.6f}"),
+            printed_form=Words(f"the {what} of the limit cycle is that of {curve} at the intersection"),
+            derived_form=Words(f"read there {read:.6f}, solution of $1 + NG = 0$ {solved:.6f}"),
         )
     yield text("""
         The text names no loop, so $1/(s(s+1)(s+2))$ with an ideal relay is taken. Amplitude and frequency
@@ -225,15 +225,14 @@ def stability_rule(_: Evidence) -> Record:
     from_below, from_between, from_above = (float(each) for each in backlash_history().amplitudes[-1])
     yield assertion(
         "$L_1$",
-        "the first limit cycle is stable",
-        first.stable,
+        "the first limit cycle is unstable",
+        not first.stable,
         """
         of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
         tenth above it at [[ above | f2 ]]
         """,
         numbers={"loop": EXAMPLE, "first": first.amplitude, "below": from_below, "above": from_between},
         method="Loeb's criterion",
-        asserted=False,
         second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
     )
     yield assertion(

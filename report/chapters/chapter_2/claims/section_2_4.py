@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
-from derivations.dimensions import FORCE, LENGTH, TIME, dimension_of
+from derivations.dimensions import FORCE, LENGTH, TIME, Dimension, dimension_of
 from derivations.elements.backlash import friction_waveform
 from derivations.elements.friction import FORCE as COULOMB
 from derivations.elements.friction import friction_waveform as coulomb_waveform
@@ -14,7 +14,7 @@ from derivations.elements.waveform import THETA, describing_function, simplified
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_coefficients import BRACKET, printed_sine_terms
 from report.chapters.second_ways import by_quadrature
-from report.claim import Certainty, Impact, Part, Severity
+from report.claim import Certainty, Impact, Part, Severity, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -165,7 +165,7 @@ def units(_: Evidence) -> Record:
         "",
         "the two terms of $N_{eq}$ can be added",
         first == second,
-        f"the backlash term is a number, the friction term as used is in {second}",
+        f"the backlash term is a number, the friction term as used is in {written(second)}",
         method="dimension check of both terms",
         certainty=Certainty.PROVEN,
         second=so(
@@ -181,7 +181,12 @@ def units(_: Evidence) -> Record:
 
         Every contour of section 5.2.5 adds quantities of different units, so its numbers have no physical
         meaning.
-    """).given(stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))
+    """).given(stiffness=written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS)))
+
+
+def written(dimension: Dimension | None) -> str:
+    """Return a unit with its exponents raised."""
+    return str(dimension).replace("^-1", "⁻¹").replace("^-2", "⁻²")
 
 
 @claim("fig-2.15", source=SOURCE, lines=(655, 657), paragraph=2)
@@ -197,14 +202,19 @@ def in_parallel(_: Evidence) -> Record:
     waves = (friction_waveform(sympy.Rational(3, 5)), coulomb_waveform())
     by_quadrature = sum(quadrature_gain(wave, A, values) for wave in waves)
     both = SumOfElements((FrictionBacklash(0.6), CoulombFriction(0.4)))
+    together = complex(both.describing_function(1.0))
     # Half a step off, so that no sample meets a jump.
     phases = 2 * np.pi * (np.arange(SAMPLES) + 0.5) / SAMPLES
     fundamental = complex(2j * np.mean(both.waveform(phases, 1.0) * np.exp(-1j * phases)))
     means = "the first line in the spectrum of the sum of both waveforms"
     yield part(
         "describing function of backlash and friction in parallel, one example",
-        CloseNumbers(complex(both.describing_function(1.0)), by_quadrature),
+        CloseNumbers(together, by_quadrature),
         second=close(means, fundamental, by_quadrature, 1e-5),
+        printed_form=Words("the functions of the two add up"),
+        derived_form=Words(
+            f"the two by quadrature give {by_quadrature:.6f}, the parallel connection {together:.6f}"
+        ),
     )
 
     integrator = 1 / (sympy.I * omega)
