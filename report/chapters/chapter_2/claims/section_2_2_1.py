@@ -83,9 +83,9 @@ def eccentric_pin(_: Evidence) -> Record:
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text("""
         A point at distance $A$ from the axis, turned $f$ times a second, is displaced as printed along the
-        motion, and $A$ is the amplitude as the caption says. Since the bridge's edges are flat and stand
-        across the motion, the pin's own radius drops out and the bridge gets the same sine. The displacement
-        is relative to the motor, as in the energies.
+        motion, and $A$ is the amplitude as the caption says. With flat edges across the motion the pin's own
+        radius drops out, and the bridge gets the same sine. The displacement is relative to the motor, as in
+        the energies.
     """)
 
 
@@ -175,8 +175,7 @@ def rayleigh_function(known: Evidence) -> Record:
     second = same("the power balance", lost / 2, derived)
     yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
     yield text("""
-        The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
-        in every motion.
+        The four dampers give the printed sum, and twice that sum is the power that is lost in every motion.
     """)
 
 

@@ -175,10 +175,14 @@ def fourier_coefficients(_: Evidence) -> Record:
     yield expression("$a_0$", mean, MEAN, form=integral_form("a_0", ""))
     for n, symbol in enumerate(COSINES, start=1):
         form, derived = integral_form("a_n", r" \cos(n\omega t)"), sympy.expand(WAVE.cosine_coefficient(n))
-        yield expression(f"$a_n$ for $n = {n}$", derived, symbol, form=form, item="eq-2.29, a_n")
+        yield expression(
+            f"$a_n$ for $n = {n}$", derived, symbol, form=form, item="integral for a_n, Fourier coefficients"
+        )
     for n, symbol in enumerate(SINES, start=1):
         form, derived = integral_form("b_n", r" \sin(n\omega t)"), sympy.expand(WAVE.sine_coefficient(n))
-        yield expression(f"$b_n$ for $n = {n}$", derived, symbol, form=form, item="eq-2.29, b_n")
+        yield expression(
+            f"$b_n$ for $n = {n}$", derived, symbol, form=form, item="integral for b_n, Fourier coefficients"
+        )
     yield text("The printed integrals, over a signal of two harmonics, give back each of its coefficients.")
 
 

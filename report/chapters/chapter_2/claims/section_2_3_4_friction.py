@@ -169,7 +169,7 @@ def waveform(_: Evidence) -> Record:
         "limits of the pieces",
         sympy.ImmutableMatrix([[*limits_printed, 5 * sympy.pi / 2]]),
         sympy.ImmutableMatrix([[*(each.start for each in WAVEFORM.segments), RISING.end]]),
-        form=r",\; ".join(LIMITS),
+        form=r",\quad ".join(LIMITS),
     )
     yield text(r"""
         After its peak at $\omega t = \pi/2$ the pin lets go and the bridge stays where it is, at $+(A - b)$.

@@ -135,7 +135,7 @@ def waveform(_: Evidence) -> Record:
         r"limits of the pieces, read as phases with $\omega T = 2\pi$",
         sympy.ImmutableMatrix([[*limits_printed]]),
         sympy.ImmutableMatrix([[*(each.start for each in WAVEFORM.segments), WAVEFORM.segments[-1].end]]),
-        form=r",\; ".join(LIMITS),
+        form=r",\quad ".join(LIMITS),
     )
     yield text(r"""
         The third piece begins where the bridge separates at $\omega t = \pi$, at $+b/2$. Printed, it begins
