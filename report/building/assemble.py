@@ -22,6 +22,7 @@ from report.document import (
     NomenclatureRow,
     ParameterRow,
     Program,
+    Robustness,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
@@ -64,6 +65,7 @@ class Parts:
         highlights: The findings that matter most.
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
+        robustness: How far these hold when the parameters change.
     """
 
     findings: tuple[Finding, ...]
@@ -74,6 +76,7 @@ class Parts:
     highlights: tuple[Highlight, ...]
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
+    robustness: Robustness
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -99,6 +102,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,
         corrected=parts.corrected,
+        robustness=parts.robustness,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
     )
