@@ -64,7 +64,7 @@ end
 
 local function claim(div)
   div.content[1].identifier = div.identifier
-  return wrapped("#claim(" .. quoted(div.attributes.verdict) .. ")[", div.content, "]")
+  return wrapped("#claim(" .. quoted(div.attributes.grade) .. ")[", div.content, "]")
 end
 
 local function figure(div)

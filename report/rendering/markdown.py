@@ -9,8 +9,9 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
+from report.claim import Finding, Mathematics, Number, Shown, Words
 from report.document import Document
+from report.grade import Grade, grade
 from report.rendering import certificate, errata, escaping, outline, places, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
@@ -157,6 +158,7 @@ def _environment() -> Environment:
         digits=escaping.digits,
         code_block=code_block,
         code_identifier=identifier,
+        grade=grade,
         reference=summary.reference,
         short_reference=summary.short_reference,
         methods=summary.methods,
@@ -175,7 +177,9 @@ def _environment() -> Environment:
         formula=formula,
         side_by_side=side_by_side,
         place=places.place,
-        verdicts=tuple(Verdict),
+        grades=tuple(Grade),
+        grade_words=summary.GRADES,
+        certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
         reaches=summary.REACHES,
