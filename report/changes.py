@@ -13,6 +13,7 @@ from trimmer.errors import TrimmerError
 from trimmer.files import read_content
 
 COMPARED = ("verdict", "severity", "printed", "derived")
+JUDGED = {"verdict", "severity"}
 SCHEMAS = (1, 2)
 ADDED = {"severity": 2}
 """Schema that a field came with; the others are in all."""
@@ -91,7 +92,7 @@ def _fields(claim: Any, schema: int, number: int) -> Fields:
 
 
 def differences(old: ClaimsFile, new: ClaimsFile, omitted: Collection[str] = ()) -> str:
-    """Return as lines to print which claims are new, gone or changed, and how.
+    """Return as lines to print which claims are new, gone or changed, and how; new verdicts come first.
 
     Args:
         old: Of the earlier version.
@@ -104,15 +105,20 @@ def differences(old: ClaimsFile, new: ClaimsFile, omitted: Collection[str] = ())
         for claim, fields in old.claims.items()
         if claim not in new.claims and fields["section"].split(".")[0] not in omitted
     ]
-    changed = [
-        (claim, lines)
+    changed = {
+        claim: changes
         for claim, fields in new.claims.items()
-        if claim in old.claims and (lines := list(_changes(old.claims[claim], fields)))
-    ]
-    numbers = f"{len(changed)} changed, {len(added)} new, {len(gone)} gone"
+        if claim in old.claims and (changes := dict(_changes(old.claims[claim], fields)))
+    }
+    judged_anew = [claim for claim, changes in changed.items() if changes.keys() & JUDGED]
+    in_order = dict.fromkeys((*judged_anew, *changed))
+    numbers = (
+        f"{len(changed)} changed, of which {len(judged_anew)} in verdict or severity, {len(added)} new, "
+        f"{len(gone)} gone"
+    )
     lines = [
         f"compared with {_visible(old.name)} (schema {old.schema}, {len(old.claims)} claims): {numbers}",
-        *(f"  {_visible(claim)}: {'; '.join(lines)}" for claim, lines in changed),
+        *(line for claim in in_order for line in _told(claim, changed[claim])),
         *(
             f"  {what}: {', '.join(map(_visible, ids))}"
             for what, ids in (("new", added), ("gone", gone))
@@ -127,11 +133,16 @@ def _uncompared(old: ClaimsFile, new: ClaimsFile) -> Iterator[str]:
     yield from (name for name, schema in ADDED.items() if old.schema < schema <= new.schema)
 
 
-def _changes(old: Fields, new: Fields) -> Iterator[str]:
+def _changes(old: Fields, new: Fields) -> Iterator[tuple[str, str]]:
     for name in COMPARED:
         if name in old and name in new and old[name] != new[name]:
             before, after = _excerpts(old[name], new[name])
-            yield f"{name} {before} → {after}"
+            yield name, f"{before} → {after}"
+
+
+def _told(claim: str, changes: Mapping[str, str]) -> Iterator[str]:
+    yield f"  {_visible(claim)}"
+    yield from (f"    {name}: {change}" for name, change in changes.items())
 
 
 def _excerpts(before: str, after: str) -> tuple[str, str]:

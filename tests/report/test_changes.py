@@ -32,22 +32,29 @@ def compared(before, after, schema=2, omitted=()):
 
 def test_the_same_claims_differ_in_nothing():
     assert compared([CLAIM], [CLAIM]) == [
-        "compared with old.json (schema 2, 1 claims): 0 changed, 0 new, 0 gone"
+        "compared with old.json (schema 2, 1 claims): 0 changed, of which 0 in verdict or severity, 0 new, 0 gone"
     ]
 
 
 @pytest.mark.parametrize(
     ("field", "value", "says"),
     [
-        ("verdict", "copy", "verdict erratum → copy"),
-        ("severity", "none", "severity slip → none"),
-        ("printed", "z", "printed x → z"),
-        ("derived", "", "derived y → (nothing)"),
-        ("printed", "a\nb\x1b[2J", "printed x → a b [2J"),
+        ("verdict", "copy", "verdict: erratum → copy"),
+        ("severity", "none", "severity: slip → none"),
+        ("printed", "z", "printed: x → z"),
+        ("derived", "", "derived: y → (nothing)"),
+        ("printed", "a\nb\x1b[2J", "printed: x → a b [2J"),
     ],
 )
 def test_each_field_is_compared(field, value, says):
-    assert compared([CLAIM], [CLAIM | {field: value}])[1:] == [f"  eq-2.8: {says}"]
+    assert compared([CLAIM], [CLAIM | {field: value}])[1:] == ["  eq-2.8", f"    {says}"]
+
+
+def test_new_verdicts_come_first():
+    other = CLAIM | {"id": "eq-5.1"}
+    head, *lines = compared([CLAIM, other], [CLAIM | {"printed": "z"}, other | {"verdict": "copy"}])
+    assert head.endswith("2 changed, of which 1 in verdict or severity, 0 new, 0 gone")
+    assert [line for line in lines if not line.startswith("    ")] == ["  eq-5.1", "  eq-2.8"]
 
 
 def test_other_fields_are_not():
@@ -56,8 +63,8 @@ def test_other_fields_are_not():
 
 def test_long_texts_are_shown_from_their_first_difference():
     before, after = "a" * 100 + "b" + "c" * 100, "a" * 100 + "d" + "c" * 100
-    (line,) = compared([CLAIM | {"printed": before}], [CLAIM | {"printed": after}])[1:]
-    assert line == f"  eq-2.8: printed …{'a' * 15}b{'c' * 44}… → …{'a' * 15}d{'c' * 44}…"
+    _, line = compared([CLAIM | {"printed": before}], [CLAIM | {"printed": after}])[1:]
+    assert line == f"    printed: …{'a' * 15}b{'c' * 44}… → …{'a' * 15}d{'c' * 44}…"
 
 
 def test_new_and_gone_claims_are_listed():
@@ -77,8 +84,8 @@ def test_what_a_build_writes_can_be_read(tmp_path):
     whole = read_claims(path)
     part = parsed_claims(to_json(select(sample(), ["ch5"])), "part")
     assert len(whole.claims) > len(part.claims)
-    assert "0 changed, 0 new, 0 gone" in differences(whole, part, {"2", "A"})
-    assert "0 changed, 0 new, 7 gone" in differences(whole, part)
+    assert "severity, 0 new, 0 gone" in differences(whole, part, {"2", "A"})
+    assert "severity, 0 new, 7 gone" in differences(whole, part)
 
 
 @pytest.mark.parametrize(
