@@ -31,9 +31,9 @@ def compared(before, after, schema=2, omitted=()):
 
 
 def test_the_same_claims_differ_in_nothing():
-    assert compared([CLAIM], [CLAIM]) == [
-        "compared with old.json (schema 2, 1 claims): 0 changed, of which 0 in verdict or severity, 0 new, 0 gone"
-    ]
+    (line,) = compared([CLAIM], [CLAIM])
+    assert line.startswith("compared with old.json (schema 2, 1 claims): 0 changed, ")
+    assert line.endswith("of which 0 in verdict or severity, 0 new, 0 gone")
 
 
 @pytest.mark.parametrize(
