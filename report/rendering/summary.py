@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Certainty, Finding, Impact, JudgedPart, Kind
+from report.claim import Certainty, Finding, JudgedPart, Kind
 from report.document import Chapter, Document
 from report.grade import Grade, grade
 from report.items import Item, items
@@ -40,12 +40,6 @@ CERTAINTIES = {
     Certainty.PROVEN: "proven",
     Certainty.COMPUTED: "computed twice",
     Certainty.READING: "depends on a reading",
-}
-REACHES = {
-    Impact.NONE: "",
-    Impact.NOTATION: "notation only",
-    Impact.LOCAL: "stays in this place",
-    Impact.DOWNSTREAM: "reaches later results",
 }
 _KIND_NAMES = {
     Kind.EQUATION: "Equation",

@@ -25,11 +25,10 @@ def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) 
         assert sum(numbers) == total.counts[index].number == sum(grade(item) is each for item in judged)
 
 
-def test_every_grade_certainty_and_impact_has_its_words() -> None:
+def test_every_grade_and_certainty_has_its_words() -> None:
     assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(summary.GRADES) == set(Grade)
     assert len(set(summary.SYMBOLS.values())) == len(Grade)
     assert set(summary.CERTAINTIES) == set(Certainty)
-    assert set(summary.REACHES) == set(Impact)
 
 
 def test_a_claim_is_named_as_a_reader_would() -> None:
