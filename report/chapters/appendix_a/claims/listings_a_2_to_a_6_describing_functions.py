@@ -38,9 +38,9 @@ N = 0.5 + \frac{1}{\pi}\left(1 - \frac{b}{A}\right)\sqrt{1 - \left(1 - \frac{b}{
 - \frac{j}{\pi}\left(1 - \left(1 - \frac{b}{A}\right)^2\right)
 """.strip().replace("\n", " ")
 """N in the order of the listings; Listing A.6 calls the gap D."""
-NESTED = r"\sin(\phi) + \beta"
+NESTED = r"\sin(\phi_c) + \beta"
 INERTIA_FORM = rf"""
-N = \frac{{1}}{{\pi}}\left(\pi + 2\sin({NESTED}) - \phi - \sin({NESTED})\cos({NESTED})\right)
+N = \frac{{1}}{{\pi}}\left(\pi + 2\sin({NESTED}) - \phi_c - \sin({NESTED})\cos({NESTED})\right)
 - \frac{{j}}{{\pi}}\left(1 - \cos({NESTED})\right)^2
 """.strip().replace("\n", " ")
 """N in the order of Listing A.4, with its Beta."""
@@ -134,7 +134,7 @@ def inertia_parts() -> tuple[Part, Part]:
     derived = simplified_describing_function(inertia_waveform(), A, (GAP, A * ratio))
     one, two, angle = inertia_listing(1.0, 1.0), inertia_listing(1.0, 2.0), contact_angle_by_bisection(1.0)
     formula = expression(
-        "with $w = 1$",
+        r"with $w = 1$, where $\beta = \phi_c - \sin\phi_c$",
         printed,
         derived,
         left="N",

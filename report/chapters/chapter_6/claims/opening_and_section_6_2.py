@@ -134,9 +134,9 @@ def higher_terms(known: Evidence) -> Record:
     )
     yield text("""
         As read, only one sine term has to vanish, which a relay's output fulfils without being a sine. With
-        $b_n$ in place of $b_2$ the sentence is right: either the copy or the author has the wrong index. What
-        has to vanish is what the linear part lets back, as section 2.3.2 says, not the output of the element
-        itself.
+        $b_n$ in place of $b_2$ the sentence is right: the page shows whether the copy or the author has the
+        wrong index. What has to vanish is what the linear part lets back, as section 2.3.2 says, not the
+        output of the element itself.
     """)
 
 
