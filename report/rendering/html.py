@@ -13,6 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.document import Document
 from report.octave.archive import archive
+from report.rendering.figure_colours import variables, with_variables
 from report.rendering.markdown import ARCHIVE
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
@@ -21,7 +22,7 @@ from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js", "sources.js")
+SCRIPTS = ("claims.js", "contents.js", "zoom.js", "figures.js", "page.js", "sources.js")
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
@@ -45,7 +46,8 @@ def to_html(document: Document, body: str) -> str:
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.
     """
-    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
+    figures = {figure.id: figure.svg for figure in document.figures}
+    drawings = {NAME: verdict_picture(document), **{id: with_variables(svg) for id, svg in figures.items()}}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
@@ -54,7 +56,7 @@ def to_html(document: Document, body: str) -> str:
         verdicts={finding.verdict for finding in document.findings},
         contents=contents(body + code),
         body=_with_programs(_with_drawings(body, drawings), document) + code,
-        styles=_templates(STYLES),
+        styles=[*_templates(STYLES), variables(figures.values())],
         scripts=_templates(SCRIPTS),
         font=_base64(FONT.read_bytes()),
     )

@@ -19,8 +19,9 @@ COLOURS: Final = {
     Verdict.NOT_CHECKABLE: "#55585e",
     Verdict.ERRATUM: "#a3231f",
 }
-_WIDTH, _LABEL_WIDTH, _PANEL_WIDTH = 384, 42, 87
-_LONGEST_BAR = 56
+_LABEL_WIDTH, _PANEL_WIDTH = 54, 92
+_WIDTH = _LABEL_WIDTH + _PANEL_WIDTH * len(Verdict)
+_LONGEST_BAR = 58
 _HEAD_HEIGHT, _ROW_HEIGHT, _BAR_HEIGHT = 42, 17, 10
 _TEXT_BASELINE = 12.5
 
@@ -75,10 +76,11 @@ def _heads(total: CountRow) -> Iterator[str]:
     for column, count in enumerate(total.counts):
         start = _start(column)
         yield (
-            f'<text x="{start}" y="13" class="{count.verdict.value}" fill="{COLOURS[count.verdict]}">'
-            f'<tspan font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[count.verdict]}</tspan> '
-            f"{count.verdict.value}</text>"
-            f'<text x="{start}" y="31" font-size="16" font-weight="bold" class="black">{count.number}</text>'
+            f'<text x="{start}" y="14" class="{count.verdict.value}" fill="{COLOURS[count.verdict]}">'
+            f'<tspan font-family="DejaVu Sans Mono" font-size="11">{SYMBOLS[count.verdict]}</tspan> '
+            f'<tspan font-size="16" font-weight="bold">{count.number}</tspan></text>'
+            f'<text x="{start}" y="30" font-size="10.5" class="{count.verdict.value} name" '
+            f'fill="{COLOURS[count.verdict]}">{count.verdict.value}</text>'
         )
 
 

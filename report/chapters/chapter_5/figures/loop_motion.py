@@ -111,8 +111,7 @@ def small_gap(known: Evidence) -> Figure:
         frequencies = record.bin_width * np.arange(lines.size)
         near = (frequencies > NEAR_PEAK[0]) & (frequencies < NEAR_PEAK[1])
         label = f"{record.duration:g} s, highest bin {frequencies[np.argmax(lines)]:.0f} Hz"
-        look = {"marker": marker, "markersize": size, "label": label} | line
-        lower.plot(frequencies[near], lines[near], **look)
+        lower.plot(frequencies[near], lines[near], marker=marker, markersize=size, label=label, **line)
     lower.axvline(orbit.frequency, **DOTTED)
     lower.set(title="spectrum", xlabel="frequency [Hz]", ylabel="amplitude [µm]")
     lower.set(xlim=NEAR_PEAK, ylim=(0, None))
