@@ -232,3 +232,11 @@ function Math(math)
   math.text = math.text:gsub("(& \\quad [%+%-]) ", "%1 \\: "):gsub("& *\\text{", "& \\quad \\text{")
   return math
 end
+
+-- Typst would break a line behind the stroke of a unit.
+function Str(str)
+  local unit = str.text:match("^[%a·µ²0-9]+/[%a²]+")
+  if unit and #str.text <= 12 and not str.text:find("/", #unit + 1, true) then
+    return pandoc.RawInline("typst", "#box[" .. str.text:gsub("([%[%]#@$*_\\`<>~])", "\\%1") .. "]")
+  end
+end

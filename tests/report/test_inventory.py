@@ -1,5 +1,6 @@
 """The inventory of statements, and that claims keep to it."""
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -22,6 +23,25 @@ def test_it_is_the_one_handed_over():
     if not HANDED_OVER.is_file():
         pytest.skip("the inventory that was handed over is not beside this checkout")
     assert PATH.read_text(encoding="utf-8") == HANDED_OVER.read_text(encoding="utf-8")
+
+
+def test_titles_write_mathematics_as_such(inventory):
+    ascii_mathematics = re.compile(
+        r"[\^_<>=*]|\d[eE]-?\d|\b(?:omega|gamma|beta|pi|phi|sqrt|asin)\b|\w'$|-1\b"
+    )
+    for entry in inventory.values():
+        words, formulas = entry.title.split("$")[::2], entry.title.split("$")[1::2]
+        assert entry.title.count("$") % 2 == 0
+        assert all(formulas), entry.id
+        assert not ascii_mathematics.search(" ".join(words)), (entry.id, words)
+
+
+def test_a_title_needs_its_statement(tmp_path, monkeypatch):
+    titles = tmp_path / "titles.csv"
+    titles.write_text("id,title\neq-99.1,none\n", encoding="utf-8")
+    monkeypatch.setattr("report.inventory.TITLES", titles)
+    with pytest.raises(InventoryError, match=r"titles\.csv: no statement has the id eq-99\.1"):
+        read_inventory()
 
 
 def test_further_statements_follow_those_handed_over():

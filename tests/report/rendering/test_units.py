@@ -30,7 +30,9 @@ def test_what_belongs_together_stays_together(text: str, expected: str) -> None:
     assert plain(text) == expected
 
 
-@pytest.mark.parametrize("text", ["the 5 masses", "in 2 steps", "of 3 more", "a figure of speech", "x is 2 s’s"])
+@pytest.mark.parametrize(
+    "text", ["the 5 masses", "in 2 steps", "of 3 more", "a figure of speech", "x is 2 s’s"]
+)
 def test_all_else_may_break(text: str) -> None:
     assert "_" not in plain(text)
 
