@@ -12,7 +12,7 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
-from trimmer.files import HTML, JSON, PDF, STANDARD_INPUT, check_replaceable
+from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_replaceable
 
 if TYPE_CHECKING:
     from report.building.build import Built
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from report.copy.reading import ReaderCopy
 
 DIRECTORY = Path("build") / "report"
-KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON}
+KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON, Format.CSV: ERRATA}
 
 
 class NothingToOpenError(TrimmerError, ValueError):
@@ -33,7 +33,8 @@ def _configure(parser: ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder for report.html, report.pdf, claims.json and build.log (default: %(default)s)",
+        help="folder for report.html, report.pdf, claims.json, errata.csv and build.log "
+        "(default: %(default)s)",
     )
     parser.add_argument(
         "--only",
