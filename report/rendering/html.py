@@ -45,7 +45,7 @@ def to_html(document: Document, body: str) -> str:
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.
     """
-    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
+    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.drawings}}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
