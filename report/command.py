@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
 from trimmer.command_line.command import Command
-from trimmer.command_line.file_options import add_overwrite_option
-from trimmer.command_line.parser import refuse_unused
+from trimmer.command_line.file_options import add_overwrite_option, file_to_read
+from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
 from trimmer.files import HTML, JSON, PDF, check_replaceable
 
 if TYPE_CHECKING:
     from report.building.build import Built
+    from report.copy.reading import ReaderCopy
 
 DIRECTORY = Path("build") / "report"
 KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON}
@@ -56,6 +57,18 @@ def _configure(parser: ArgumentParser) -> None:
         default=Paper.A4.word,
         help="size of the pages of the PDF (default: %(default)s)",
     )
+    parser.add_argument(
+        "--thesis",
+        type=file_to_read,
+        metavar="FILE",
+        help="your own text copy of the thesis, UTF-8: the HTML then shows each passage beside its card; "
+        "another text than the one that was judged is refused",
+    )
+    parser.add_argument(
+        "--other-copy",
+        action="store_true",
+        help="take another text with --thesis as well; its lines may not fit",
+    )
     parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
     add_overwrite_option(parser)
 
@@ -81,7 +94,9 @@ def _request(arguments: Namespace) -> Request:
 
     Raises:
         NothingToOpenError: if the HTML is to be opened and not to be written.
-        OptionError: if a paper is chosen and no PDF is to be written.
+        OptionError: if an option would have no effect: a paper without a PDF, a text copy without the HTML.
+        CopyFileError: if the text copy cannot be read.
+        OtherCopyError: if it is another text than the one that was judged.
         UnknownChapterError: if the thesis has no such chapter.
     """
     from report.inventory import read_inventory
@@ -93,7 +108,21 @@ def _request(arguments: Namespace) -> Request:
         raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
     if Format.PDF not in formats:
         refuse_unused(arguments, ["paper"], "pdf among --format")
-    return Request(tuple(arguments.only), formats, Paper(arguments.paper), arguments.overwrite)
+    if Format.HTML not in formats:
+        refuse_unused(arguments, ["thesis"], "html among --format")
+    copy = _reader_copy(arguments)
+    return Request(tuple(arguments.only), formats, Paper(arguments.paper), arguments.overwrite, copy)
+
+
+def _reader_copy(arguments: Namespace) -> ReaderCopy | None:
+    if arguments.thesis is None:
+        if arguments.other_copy:
+            raise OptionError("--other-copy has no effect without --thesis: add that, or leave it out")
+        return None
+    from report.copy.reading import read_reader_copy
+    from report.text_copy import read_text_copy
+
+    return read_reader_copy(arguments.thesis, read_text_copy().sha256, accept_other=arguments.other_copy)
 
 
 def _summary(built: Built) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.claim import Finding
+from report.text_copy import BuildTime, TextCopy
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,58 @@ class CorrectedResult:
 
 
 @dataclass(frozen=True)
+class Digits:
+    """Parameters (LaTeX) that are printed with a number of digits, and what these leave open at most, %."""
+
+    number: str
+    symbols: tuple[str, ...]
+    left_open: str
+
+
+@dataclass(frozen=True)
+class EffectRow:
+    """A corrected prediction and what the parameters do to it.
+
+    ``quantity`` and ``unit`` are plain text; ``nominal`` is the value at the thesis's parameters;
+    ``largest`` (LaTeX) is the parameter with the largest effect, ``reach`` what it does; ``band`` holds nine
+    tenths of the samples.
+    """
+
+    quantity: str
+    unit: str
+    nominal: str
+    largest: str
+    reach: str
+    band: str
+
+
+@dataclass(frozen=True)
+class SurvivalRow:
+    """A finding on a claim, in how many samples it holds, and on what that rests, in words."""
+
+    claim: str
+    finding: str
+    holds: str
+    because: str
+
+
+@dataclass(frozen=True)
+class Robustness:
+    """How far the corrected results hold when parameters change by ``percent``.
+
+    ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
+    """
+
+    percent: int
+    samples: int
+    left_out: int
+    digits: tuple[Digits, ...]
+    effects: tuple[EffectRow, ...]
+    survivals: tuple[SurvivalRow, ...]
+    figure: Figure
+
+
+@dataclass(frozen=True)
 class Section:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
@@ -113,12 +166,16 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Provenance:
-    """What the report was made from; nothing in it depends on the time or the machine of the build."""
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is how long it took when that was last measured.
+    """
 
     version: str
     commit: str
     date: str
     libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
 
 
 @dataclass(frozen=True)
@@ -194,10 +251,12 @@ class Document:
     nomenclature: tuple[NomenclatureRow, ...]
     parameters: tuple[ParameterRow, ...]
     provenance: Provenance
+    text_copy: TextCopy
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
+    robustness: Robustness | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
@@ -212,3 +271,8 @@ class Document:
     def findings(self) -> tuple[Finding, ...]:
         """All findings, in thesis order."""
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
+
+    @property
+    def drawings(self) -> tuple[Figure, ...]:
+        """All figures: those of claims, and that of how far the results hold."""
+        return (*self.figures, *((self.robustness.figure,) if self.robustness else ()))

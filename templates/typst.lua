@@ -64,7 +64,7 @@ end
 
 local function claim(div)
   div.content[1].identifier = div.identifier
-  return wrapped("#claim(" .. quoted(div.attributes.verdict) .. ")[", div.content, "]")
+  return wrapped("#claim(" .. quoted(div.attributes.grade) .. ")[", div.content, "]")
 end
 
 local function figure(div)
@@ -102,10 +102,10 @@ local function is_text(side)
 end
 
 local headings = {
-  printed = "As printed",
+  printed = "Thesis, our wording",
   derived = "As derived",
   missing = "What is missing",
-  agreed = "As printed and as derived",
+  agreed = "Thesis, our wording, and as derived",
 }
 
 local converters = {
@@ -154,6 +154,9 @@ local converters = {
   part = call("part"),
   fold = nothing,
   ["latex-sources"] = nothing,
+  passage = nothing,
+  ["reader-copy"] = nothing,
+  unseen = call("judged"),
 }
 
 function Div(div)

@@ -22,10 +22,12 @@ from report.document import (
     NomenclatureRow,
     ParameterRow,
     Program,
+    Robustness,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
+from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -63,6 +65,7 @@ class Parts:
         highlights: The findings that matter most.
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
+        robustness: How far these hold when the parameters change.
     """
 
     findings: tuple[Finding, ...]
@@ -73,6 +76,7 @@ class Parts:
     highlights: tuple[Highlight, ...]
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
+    robustness: Robustness
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -93,10 +97,12 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
         provenance=provenance(),
+        text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,
         corrected=parts.corrected,
+        robustness=parts.robustness,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
     )

@@ -27,6 +27,7 @@ from report.overview.corrected_results import corrected_results
 from report.overview.highlights import highlights
 from report.provenance import libraries
 from report.record import ClaimRecord
+from report.robustness.page import robustness
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
@@ -55,6 +56,7 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         highlights=results["highlights"],
         answers=results["answers"],
         corrected=results["corrected-results"],
+        robustness=results["robustness"],
     )
     return assemble(parts, evidence.numbers.parameters, inventory)
 
@@ -102,6 +104,7 @@ def _tasks(
                 ("highlights", highlights),
                 ("answers", answers),
                 ("corrected-results", corrected_results),
+                ("robustness", robustness),
             )
         ),
         *(

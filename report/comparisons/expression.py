@@ -9,7 +9,7 @@ import sympy
 
 from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
-from report.claim import Agreement, Mathematics
+from report.claim import Agreement, Certainty, Mathematics
 
 
 @dataclass(frozen=True)
@@ -64,4 +64,4 @@ class SameMatrix(_TwoSides):
 
 
 def _outcome(proof: Proof) -> Agreement:
-    return Agreement(proof.holds, proof.method)
+    return Agreement(proof.holds, proof.method, Certainty.COMPUTED if proof.sampled else Certainty.PROVEN)

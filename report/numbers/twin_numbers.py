@@ -7,15 +7,15 @@ from typing import Final
 
 import numpy as np
 
-from report.numbers.twin.cases import PHASES, SHOWN, Independent, TwinCase, independent, twin_case
+from report.numbers.twin.cases import PHASES, SHOWN, Independent, TwinCase, followed, independent, twin_case
 from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
 from report.numbers.twin.grids import DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
 from report.numbers.twin.kept_branch import KeptBranch, read_branches
 from report.numbers.twin.kept_map import read_map
 from report.numbers.twin.map_numbers import MapNumbers
-from report.numbers.twin.mechanism import AMPLITUDE, SMALL_FORCE, SMALL_GAP, STROKE, twin
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP
-from trimmer import forced_orbit
+from report.numbers.twin.mechanism import AMPLITUDE, FREQUENCY, SMALL_FORCE, SMALL_GAP, STROKE, twin
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
+from trimmer import InputChannels, TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
 
 THESIS_FORCE: Final = 0.5
@@ -24,6 +24,8 @@ MAIN_FORCE: Final = 2.0
 """Friction of the motion of three drive periods, N."""
 FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)
 """Frictions without play, N."""
+SOLVED_AGAIN: Final = 40
+"""Every so many orbits of a branch one is solved again."""
 SCALE: Final = 0.5
 """Factor by which amplitude, gap and friction are changed together."""
 
@@ -41,10 +43,13 @@ class Comparison:
     twin: TwinCase
 
     @property
-    def bridge_apart(self) -> float:
-        """Largest distance of the bridges of both, relative to their motors and at one phase, m."""
-        bridge = self.twin.stretch.bridge
-        return float(abs(bridge - self.repeated(self.frozen.bridge)).max())
+    def other_side(self) -> float:
+        """Share of the time in which the two bridges are apart by more than half of the gap.
+
+        Both are taken relative to their motors and at the same phase of the pin.
+        """
+        apart = abs(self.twin.stretch.bridge - self.repeated(self.frozen.bridge))
+        return float((apart > self.twin.gap / 2).mean())
 
     def repeated(self, period: Reals) -> Reals:
         """Return a period of the thesis's model, sampled and repeated like the stretch of the twin."""
@@ -63,6 +68,8 @@ class TwinNumbers:
         no_gap: Without play, with ``FORCES``.
         small_again, main_again: ``small`` and ``main`` by another method.
         scaled: Stroke of ``main`` with amplitude, gap and friction all times ``SCALE``, m peak to peak.
+        linear_stroke: Without play and friction, from the linear trimmer's response, m peak to peak.
+        branches_again: Largest relative change of the stroke where kept orbits are solved again.
         friction: Kept map over gap and friction.
         speed: Kept map over gap and frequency of the drive, 0.5 N.
         stiffness: Kept map over gap and stiffness of the bridge, 0.5 N.
@@ -79,6 +86,8 @@ class TwinNumbers:
     small_again: Independent
     main_again: Independent
     scaled: float
+    linear_stroke: float
+    branches_again: float
     friction: MapNumbers
     speed: MapNumbers
     stiffness: MapNumbers
@@ -120,6 +129,7 @@ def solve_twin() -> TwinNumbers:
     """
     maps = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
     friction, speed, stiffness, damping, starts = (MapNumbers(read_map(grid)) for grid in maps)
+    branches = read_branches()
     return TwinNumbers(
         small=_compared(SMALL_GAP, SMALL_FORCE),
         experiment=_compared(EXPERIMENT_GAP, THESIS_FORCE),
@@ -129,12 +139,14 @@ def solve_twin() -> TwinNumbers:
         small_again=independent(SMALL_GAP, SMALL_FORCE),
         main_again=independent(EXPERIMENT_GAP, MAIN_FORCE),
         scaled=_scaled(),
+        linear_stroke=_linear_stroke(),
+        branches_again=_branches_again(branches),
         friction=friction,
         speed=speed,
         stiffness=stiffness,
         damping=damping,
         starts=starts,
-        branches=read_branches(),
+        branches=branches,
     )
 
 
@@ -144,7 +156,23 @@ def _compared(gap: float, force: float) -> Comparison:
 
 def _scaled() -> float:
     """Return the stroke of ``main`` with amplitude, gap and friction all smaller, m."""
-    mechanism = twin(SCALE * EXPERIMENT_GAP, SCALE * MAIN_FORCE).with_value(
-        AMPLITUDE, SCALE * DRIVE_AMPLITUDE
-    )
-    return forced_orbit(mechanism, periods=3).measures.peak_to_peak[STROKE]
+    smaller = twin(SCALE * EXPERIMENT_GAP, SCALE * MAIN_FORCE).with_value(AMPLITUDE, SCALE * DRIVE_AMPLITUDE)
+    return followed(smaller).measures.peak_to_peak[STROKE]
+
+
+def _linear_stroke() -> float:
+    """Return the stroke without play and friction from the response of the linear trimmer, m."""
+    system = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_AND_VELOCITY)
+    response = response_at(system, TURN * FREQUENCY)
+    return 2 * DRIVE_AMPLITUDE * float(abs(response))
+
+
+def _branches_again(branches: tuple[KeptBranch, ...]) -> float:
+    """Return the largest relative change of the stroke where branches are solved again from their states."""
+    changes = []
+    for branch in branches:
+        for at in range(0, len(branch.values), SOLVED_AGAIN):
+            mechanism = branch.course.mechanism.with_value(branch.course.place, float(branch.values[at]))
+            orbit = forced_orbit(mechanism, branch.periods, branch.states[at])
+            changes.append(abs(orbit.measures.peak_to_peak[STROKE] / branch.strokes[at] - 1))
+    return max(changes)

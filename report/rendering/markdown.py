@@ -9,9 +9,10 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
+from report.claim import Finding, Mathematics, Number, Shown, Words
 from report.document import Document
-from report.rendering import errata, escaping, outline, summary, verdict_picture
+from report.grade import Grade, grade
+from report.rendering import certificate, errata, escaping, outline, places, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
@@ -157,6 +158,7 @@ def _environment() -> Environment:
         digits=escaping.digits,
         code_block=code_block,
         code_identifier=identifier,
+        grade=grade,
         reference=summary.reference,
         short_reference=summary.short_reference,
         methods=summary.methods,
@@ -164,6 +166,9 @@ def _environment() -> Environment:
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
+        figures_judged=certificate.figures_judged,
+        command=certificate.command,
+        build_time=certificate.build_time,
         picture_description=verdict_picture.description,
     )
     environment.globals.update(
@@ -171,7 +176,10 @@ def _environment() -> Environment:
         in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
-        verdicts=tuple(Verdict),
+        place=places.place,
+        grades=tuple(Grade),
+        grade_words=summary.GRADES,
+        certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
         reaches=summary.REACHES,

@@ -45,7 +45,7 @@ def render(
     source = converter.typst(text) if Format.PDF in request.formats else ""
     makers: dict[Format, Callable[[], str | bytes]] = {
         Format.PDF: lambda: to_pdf(document, source, request.paper, store),
-        Format.HTML: lambda: to_html(document, converter.html(text)),
+        Format.HTML: lambda: to_html(document, converter.html(text), request.copy),
         Format.JSON: lambda: to_json(document),
     }
     with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock

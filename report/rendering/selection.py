@@ -59,6 +59,7 @@ def select(document: Document, names: Sequence[str]) -> Document:
         figures=tuple(figure for figure in document.figures if figure.id in kept),
         corrected=tuple(result for result in document.corrected if result.claim in kept),
         programs=tuple(program for program in document.programs if program.claim in kept),
+        robustness=None,
         derivation=(),
         describing_functions=(),
         answers=(),

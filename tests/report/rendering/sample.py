@@ -18,6 +18,7 @@ from report.document import (
     Provenance,
     Section,
 )
+from report.text_copy import BuildTime, TextCopy
 from tests.report.rendering.sample_figures import figures
 from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two
 from tests.report.rendering.sample_formulas import (
@@ -138,7 +139,14 @@ def sample() -> Document:
             ParameterRow("k_{5}", "stiffness of the flexure", "-1200", "N/m"),
         ),
         provenance=Provenance(
-            "0.1.0", "0123abc", "2026-05-04T10:11:12+02:00", (("sympy", "1.14.0"), ("typst", "0.15.0"))
+            "0.1.0",
+            "0123abc",
+            "2026-05-04T10:11:12+02:00",
+            (("sympy", "1.14.0"), ("typst", "0.15.0")),
+            BuildTime(61.7, 2, "0.1.0"),
+        ),
+        text_copy=TextCopy(
+            "0" * 64, 1200, "Trimmers & <b>play</b>", "Thesis", "A *company*", ("author", "appendix_C")
         ),
         programs=programs(),
         describing_functions=describing_functions(),
