@@ -24,7 +24,7 @@ MAIN_FORCE: Final = 2.0
 """Friction of the motion of three drive periods, N."""
 FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)
 """Frictions without play, N."""
-SOLVED_AGAIN: Final = 40
+SOLVED_AGAIN: Final = 100
 """Every so many orbits of a branch one is solved again."""
 SCALE: Final = 0.5
 """Factor by which amplitude, gap and friction are changed together."""
@@ -68,6 +68,8 @@ class TwinNumbers:
         no_gap: Without play, with ``FORCES``.
         small_again, main_again: ``small`` and ``main`` by another method.
         scaled: Stroke of ``main`` with amplitude, gap and friction all times ``SCALE``, m peak to peak.
+        mirror_miss: How far the mirror image of ``asymmetric`` is from an exact motion, over its size.
+        mirror_apart: Distance of the mirror image from the motion itself, m.
         linear_stroke: Without play and friction, from the linear trimmer's response, m peak to peak.
         branches_again: Largest relative change of the stroke where kept orbits are solved again.
         friction: Kept map over gap and friction.
@@ -86,6 +88,8 @@ class TwinNumbers:
     small_again: Independent
     main_again: Independent
     scaled: float
+    mirror_miss: float
+    mirror_apart: float
     linear_stroke: float
     branches_again: float
     friction: MapNumbers
@@ -130,6 +134,7 @@ def solve_twin() -> TwinNumbers:
     maps = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
     friction, speed, stiffness, damping, starts = (MapNumbers(read_map(grid)) for grid in maps)
     branches = read_branches()
+    miss, apart = _mirrored()
     return TwinNumbers(
         small=_compared(SMALL_GAP, SMALL_FORCE),
         experiment=_compared(EXPERIMENT_GAP, THESIS_FORCE),
@@ -139,6 +144,8 @@ def solve_twin() -> TwinNumbers:
         small_again=independent(SMALL_GAP, SMALL_FORCE),
         main_again=independent(EXPERIMENT_GAP, MAIN_FORCE),
         scaled=_scaled(),
+        mirror_miss=miss,
+        mirror_apart=apart,
         linear_stroke=_linear_stroke(),
         branches_again=_branches_again(branches),
         friction=friction,
@@ -160,6 +167,16 @@ def _scaled() -> float:
     return followed(smaller).measures.peak_to_peak[STROKE]
 
 
+def _mirrored() -> tuple[float, float]:
+    """Return how far the mirror image of ``asymmetric`` is from an exact motion, and from the motion itself."""
+    mechanism = twin(EXPERIMENT_GAP, MAIN_FORCE, DRIVE_FREQUENCY)
+    orbit = followed(mechanism)
+    first, later = orbit.course.states(np.array([0.0, orbit.flow.period / 2]))[:, : orbit.flow.size]
+    image = forced_orbit(mechanism, guess=-later)
+    miss = abs(image.instant.state + later) / abs(later)
+    return float(miss.max()), float(abs(image.instant.state - first)[: len(mechanism.bodies)].max())
+
+
 def _linear_stroke() -> float:
     """Return the stroke without play and friction from the response of the linear trimmer, m."""
     system = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_AND_VELOCITY)
@@ -173,6 +190,6 @@ def _branches_again(branches: tuple[KeptBranch, ...]) -> float:
     for branch in branches:
         for at in range(0, len(branch.values), SOLVED_AGAIN):
             mechanism = branch.course.mechanism.with_value(branch.course.place, float(branch.values[at]))
-            orbit = forced_orbit(mechanism, branch.periods, branch.states[at])
+            orbit = forced_orbit(mechanism, periods=branch.periods, guess=branch.states[at])
             changes.append(abs(orbit.measures.peak_to_peak[STROKE] / branch.strokes[at] - 1))
     return max(changes)

@@ -27,6 +27,8 @@ RECORD: Final = 220
 RECORD_PHASES: Final = 128
 """Samples of a drive period for its spectrum."""
 HIGHEST_ORDER: Final = 12
+AWAY: Final = 0.1
+"""Distance from a harmonic, in orders, beyond which the window lets nothing of it pass."""
 MOST_WAITED: Final = 600
 """Drive periods to wait for a motion to settle."""
 
@@ -92,6 +94,12 @@ class TwinCase:
     wear: float
     stretch: Stretch
     spectrum: Reals
+
+    @property
+    def highest_between(self) -> float:
+        """Highest amplitude of the spectrum at least ``AWAY`` orders from every harmonic, m."""
+        orders, amplitudes = self.spectrum.T
+        return float(amplitudes[abs(orders - np.round(orders)) >= AWAY].max())
 
     def line(self, order: float) -> float:
         """Return the amplitude of the line nearest to an order of the drive, m."""

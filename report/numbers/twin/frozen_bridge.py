@@ -68,6 +68,11 @@ class FrozenBridge:
         return float(self.standing.mean())
 
     @property
+    def share_on_the_way(self) -> float:
+        """Share of the period that the pin needs to cross the gap twice, from where it turns round."""
+        return float(np.arccos(1 - self.gap / DRIVE_AMPLITUDE) / np.pi)
+
+    @property
     def share_pulled(self) -> float:
         """Share of the period in which the pin would have to pull the bridge."""
         return float(self.pulled.mean())

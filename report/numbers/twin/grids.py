@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -37,13 +38,13 @@ class Grid:
     starts: int = 1
     settings: Settings = field(default_factory=lambda: Settings(most_periods=WAITED))
 
-    @property
+    @cached_property
     def inputs(self) -> MapInputs:
         """All that its cells depend on."""
         spaced = {place: np.linspace(*spacing) for place, spacing in self.values.items()}
         return checked_inputs(self.mechanism, spaced, replace(self.settings, starts=self.starts))
 
-    @property
+    @cached_property
     def beside(self) -> MapInputs:
         """The same from one start next to rest, for what depends on rounding."""
         return displaced(replace(self.inputs, settings=self.settings), ASIDE)

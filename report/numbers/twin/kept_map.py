@@ -128,7 +128,7 @@ class KeptMap:
     beside: Mapping[int, KeptCell]
     motions: tuple[int, ...]
 
-    @property
+    @cached_property
     def values(self) -> tuple[Reals, Reals]:
         """Values of both places, SI units."""
         first, second = (np.array(each) for each in self.grid.inputs.values)
@@ -161,10 +161,13 @@ class KeptMap:
         return np.array(self.motions, dtype=np.int64).reshape(self.shape)
 
     def measure(self, name: str) -> Reals:
-        """Return one of ``MEASURES``; NaN where a motion failed."""
-        place = MEASURES.index(name)
-        found = [cell.measures[place] for cell in self.cells]
-        return np.array([np.nan if each is None else each for each in found]).reshape(self.shape)
+        """Return one of ``MEASURES``; NaN where a motion failed, or has no second harmonic of its own."""
+        return self._measures[MEASURES.index(name)]
+
+    @cached_property
+    def _measures(self) -> Reals:
+        rows = [[np.nan if each is None else each for each in cell.measures] for cell in self.cells]
+        return np.array(rows, dtype=float).T.reshape(len(MEASURES), *self.shape)
 
     def place_of(self, first: float, second: float) -> tuple[int, int]:
         """Return row and column of the cell nearest to two values."""
