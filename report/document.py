@@ -263,16 +263,12 @@ class Document:
     twin: TwinChapter | None = None
 
     @property
-    def drawings(self) -> tuple[Figure, ...]:
-        """All figures: the redrawn ones, and those of the chapter on the twin."""
-        return self.figures + (self.twin.figures if self.twin else ())
-
-    @property
     def findings(self) -> tuple[Finding, ...]:
         """All findings, in thesis order."""
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: those of claims, and that of how far the results hold."""
-        return (*self.figures, *((self.robustness.figure,) if self.robustness else ()))
+        """All figures: those of claims, of the chapter on the twin, and of how far the results hold."""
+        of_twin = self.twin.figures if self.twin else ()
+        return (*self.figures, *of_twin, *((self.robustness.figure,) if self.robustness else ()))

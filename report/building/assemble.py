@@ -22,8 +22,8 @@ from report.document import (
     NomenclatureRow,
     ParameterRow,
     Program,
-    TwinChapter,
     Robustness,
+    TwinChapter,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance

@@ -10,8 +10,8 @@ from typing import Any
 
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
-from report.building.background import begun
 from report.building.assemble import Parts, assemble
+from report.building.background import begun
 from report.building.progress import Progress
 from report.building.tasks import Task, done
 from report.cache.source_closure import SourceTree
@@ -30,9 +30,9 @@ from report.overview.corrected_results import corrected_results
 from report.overview.highlights import highlights
 from report.provenance import libraries
 from report.record import ClaimRecord
+from report.robustness.page import robustness
 from report.twin.cell_check import seed_of
 from report.twin.chapter import twin_chapter
-from report.robustness.page import robustness
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:

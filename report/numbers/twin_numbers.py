@@ -168,7 +168,7 @@ def _scaled() -> float:
 
 
 def _mirrored() -> tuple[float, float]:
-    """Return how far the mirror image of ``asymmetric`` is from an exact motion, and from the motion itself."""
+    """Return ``mirror_miss`` and ``mirror_apart``."""
     mechanism = twin(EXPERIMENT_GAP, MAIN_FORCE, DRIVE_FREQUENCY)
     orbit = followed(mechanism)
     first, later = orbit.course.states(np.array([0.0, orbit.flow.period / 2]))[:, : orbit.flow.size]

@@ -6,11 +6,12 @@ from typing import Final
 
 from report.document import Figure, Observation, TwinChapter, TwinSection
 from report.evidence import Evidence
+from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
-from report.record import FigureRecord, text
 from report.parts import equal
+from report.record import FigureRecord, text
 from report.twin.cell_check import CellCheck, check_cells
-from report.twin.observation import ObservationRecord, Observed, SectionRecord
+from report.twin.observation import ObservationRecord, Observed
 from report.twin.sections import branch, bridge, design, maps, measured, motion, open_questions, questions
 
 TITLE: Final = "What play does in the real trimmer"
@@ -45,7 +46,7 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
     return TwinChapter(TITLE, tuple(_with(section, checked) for section in sections))
 
 
-def maps_of(twin: TwinNumbers) -> list:
+def maps_of(twin: TwinNumbers) -> list[KeptMap]:
     """Return all kept maps."""
     return [each.kept for each in (twin.friction, twin.speed, twin.stiffness, twin.damping, twin.starts)]
 
@@ -66,8 +67,8 @@ def _of_check(check: CellCheck) -> ObservationRecord:
         yield text("""
             The maps are kept with the code, with the hash of mechanism, places, values and settings. This
             build has drawn [[ drawn ]] of their [[ total ]] cells at random (seed [[ seed ]], which changes
-            with the code and with the data) and computed them again: all came out as kept.
-            Of these, [[ rounding ]] did so only from a start a nanometre beside rest.
+            with the code and with the data) and computed them again: all came out as kept. Of these,
+            [[ rounding ]] did so only from a start a nanometre beside rest.
         """).given(drawn=check.drawn, total=check.total, seed=check.seed, rounding=check.by_rounding)
         yield equal(
             "kind, number of drive periods, stroke, accelerations, wear, impacts and second harmonic of each "

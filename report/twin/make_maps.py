@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from report.numbers.twin.grids import COURSES, GRIDS, Grid
@@ -59,12 +60,19 @@ def make_branches(folder: Path = FOLDER) -> None:
 def _cells(inputs: MapInputs, file: Path) -> list[CellResult]:
     values = dict(zip(inputs.places, inputs.values, strict=True))
     settings = inputs.settings
-    arguments = {"most_periods": settings.most_periods, "starts": settings.starts, "seed": settings.seed}
+    made = partial(
+        motion_map,
+        inputs.mechanism,
+        values,
+        most_periods=settings.most_periods,
+        starts=settings.starts,
+        seed=settings.seed,
+        file=file,
+    )
     try:
-        result = motion_map(inputs.mechanism, values, file=file, resume=file.is_file(), **arguments)
+        return list(made(resume=file.is_file()).cells)
     except MapFileError:  # it was begun with other inputs
-        result = motion_map(inputs.mechanism, values, file=file, overwrite=True, **arguments)
-    return list(result.cells)
+        return list(made(overwrite=True).cells)
 
 
 def main() -> int:

@@ -164,13 +164,11 @@ def _events(trimmer: PlayedTrimmer, phase: Phase) -> list[object]:
     play = [pressed] if phase.contact else [lambda t, y: apart(t, y, 1), lambda t, y: apart(t, y, -1)]
     friction = [slides] if phase.sliding else [lambda t, y: holds(t, y, 1), lambda t, y: holds(t, y, -1)]
     for event in (*play, *friction):
-        event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+        event.terminal, event.direction = True, -1.0
     return [*play, *friction]
 
 
-def _next(
-    trimmer: PlayedTrimmer, phase: Phase, fired: int, t: float, y: Reals
-) -> tuple[Phase, Reals]:
+def _next(trimmer: PlayedTrimmer, phase: Phase, fired: int, t: float, y: Reals) -> tuple[Phase, Reals]:
     """Return the phase after an event, and the state with what is now exact."""
     of_play = 1 if phase.contact else 2
     if fired < of_play:

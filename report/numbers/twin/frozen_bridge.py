@@ -110,9 +110,7 @@ def frozen_bridge(gap: float, force: float, frequency: float = FREQUENCY) -> Fro
     tension = parameters.k2 * (bridge + q1 - q2) + parameters.c2 * follows
     standing = _bridge_rate(bridge, drive, times[PHASES:]) == 0
     pushes = np.sign(np.cos(drive.omega * times[PHASES:])) * tension >= 0
-    acceleration = (
-        -(parameters.k1 * q1 + parameters.c1 * _rate(q1, drive.omega) + tension) / parameters.m1
-    )
+    acceleration = -(parameters.k1 * q1 + parameters.c1 * _rate(q1, drive.omega) + tension) / parameters.m1
     return FrozenBridge(
         gap=gap,
         force=force,
@@ -127,7 +125,7 @@ def frozen_bridge(gap: float, force: float, frequency: float = FREQUENCY) -> Fro
 
 
 def _bridge_rate(bridge: Reals, drive: Drive, times: Reals) -> Reals:
-    """Return the velocity of the bridge relative to the motor: the pin's where it moves with the pin, or 0."""
+    """Return the velocity of the bridge relative to the motor: the pin's where it moves with it, or 0."""
     moved = abs(np.roll(bridge, -1) - bridge)
     still = moved <= MOVING * moved.max()
     return np.where(still, 0.0, drive.amplitude * drive.omega * np.cos(drive.omega * times))

@@ -16,8 +16,8 @@ from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 WAITED: Final = 300
 """Drive periods to wait at most in a cell."""
 ASIDE: Final = 1e-9
-"""Displacement of the cutter at the start of the second motion of a cell, m. No measurement could tell it from
-rest, so what it changes is not known of rest either."""
+"""Displacement of the cutter at the start of the second motion of a cell, m. No measurement could tell it
+from rest, so what it changes is not known of rest either."""
 
 
 @dataclass(frozen=True)

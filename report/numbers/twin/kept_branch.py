@@ -108,6 +108,7 @@ def _family(branch: FollowedBranch) -> Iterator[FollowedBranch]:
 
 
 def _as_data(branch: FollowedBranch) -> dict[str, Any]:
+    special = [[each.kind.word, rounded(each.value, STATE_DIGITS), each.note] for each in branch.special]
     return {
         "parted": "" if branch.parted is None else branch.parted.kind.word,
         "periods": branch.periods,
@@ -116,7 +117,7 @@ def _as_data(branch: FollowedBranch) -> dict[str, Any]:
         "strokes": [rounded(point.outputs[STROKE].peak_to_peak) for point in branch.points],
         "stable": "".join("s" if point.stable else "u" for point in branch.points),
         "states": [[rounded(each, STATE_DIGITS) for each in point.state.tolist()] for point in branch.points],
-        "special": [[each.kind.word, rounded(each.value, STATE_DIGITS), each.note] for each in branch.special],
+        "special": special,
     }
 
 

@@ -41,8 +41,8 @@ def read_kept(path: Path, inputs: str) -> Any:
         raise KeptDataError(f"{path.name} of report/data/twin cannot be read ({error}): {REMEDY}") from error
     if made_from != inputs:
         raise KeptDataError(
-            f"{path.name} of report/data/twin was made from another mechanism, other places, values or settings "
-            f"than the report now asks for: {REMEDY}"
+            f"{path.name} of report/data/twin was made from another mechanism, other places, values or "
+            f"settings than the report now asks for: {REMEDY}"
         )
     if digest != digest_of(content):
         raise KeptDataError(f"{path.name} of report/data/twin was changed after it was made: {REMEDY}")

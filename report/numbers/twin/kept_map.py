@@ -30,9 +30,9 @@ LETTERS: Final = {
 }
 """What stands for a kind of motion in a file."""
 MEASURES: Final = ("stroke", "motor", "cutter", "wear", "impacts", "impact_speed", "second")
-"""Measures that are kept: peak to peak, m; root mean square acceleration of motor and cutter, m/s²; power lost
-in the blade's friction, W; contacts made per drive period; their largest speed, m/s; second harmonic of a
-stroke that repeats, m."""
+"""Measures that are kept: peak to peak, m; root mean square acceleration of motor and cutter, m/s²; power
+lost in the blade's friction, W; contacts made per drive period; their largest speed, m/s; second harmonic of
+a stroke that repeats, m."""
 VANISHING: Final = 1e-12
 """Second harmonic that is only rounding, m."""
 FEW_DIGITS: Final = 4
@@ -98,7 +98,9 @@ def kept_cell(inputs: MapInputs, result: CellResult, *, whole: bool = True) -> K
             _second_harmonic(inputs, result.number, motion) if whole else None,
         )
     digits = DIGITS if motion.kind is MotionKind.PERIODIC else FEW_DIGITS
-    return KeptCell(LETTERS[motion.kind], motion.period_count, tuple(rounded(each, digits) for each in measures))
+    return KeptCell(
+        LETTERS[motion.kind], motion.period_count, tuple(rounded(each, digits) for each in measures)
+    )
 
 
 def _second_harmonic(inputs: MapInputs, number: int, motion: CellMotion) -> float | None:
@@ -119,7 +121,7 @@ class KeptMap:
     Attributes:
         grid: What it is made from.
         cells: The motion from rest in each cell, row by row.
-        beside: What ``grids.ASIDE`` beside rest led to, by the number of the cell, where that is another motion.
+        beside: What ``grids.ASIDE`` beside rest led to, by the number of the cell, where that is another.
         motions: Number of motions found in each cell from all starts of the grid, row by row.
     """
 

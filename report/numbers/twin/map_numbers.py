@@ -54,7 +54,7 @@ class MapNumbers:
 
     @property
     def shares(self) -> Mapping[str, float]:
-        """Share of cells by kind: ``one``, ``three`` and ``other`` periods, ``torus``, ``chaotic``, ``open``."""
+        """Share of cells by kind: ``one``, ``three``, ``other`` periods, ``torus``, ``chaotic``, ``open``."""
         kind, count = self.kept.kind, self.kept.period_count
         kinds = {
             "one": count == 1,

@@ -1,4 +1,4 @@
-"""The physical twin: the trimmer of Listing A.1 whose bridge has play around the pin and pushes back on it."""
+"""The physical twin: the trimmer of Listing A.1, whose bridge has play around the pin and pushes back."""
 
 from __future__ import annotations
 

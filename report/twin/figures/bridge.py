@@ -22,14 +22,14 @@ THINNED = 8
 @figure(
     "twin-bridge-in-slot",
     "The bridge in its slot",
-    caption="""One drive period at 110 Hz with 0.2 mm and 0.5 N: where the bridge is relative to the pin (a), and
-    the force on it (b), in the thesis's model and in the twin, whose motion is chaotic: one period of many.
-    Shaded: the pin of the thesis's model would have to pull. Both models begin where the pin passes its
-    middle upwards.""",
-    alternative_text="""Two panels over one drive period. Left, the thesis's bridge changes sides twice, soon
-    after the pin turns; the twin's wanders between the sides and is free for more than half of the time.
-    Right, the thesis's force swings to nine newtons either way; the twin's is zero for long stretches, with
-    short pushes of up to four newtons.""",
+    caption="""One drive period at 110 Hz with 0.2 mm and 0.5 N: where the bridge is relative to the pin
+    (a), and the force on it (b), in the thesis's model and in the twin, whose motion is chaotic: one period
+    of many. Shaded: the pin of the thesis's model would have to pull. Both models begin where the pin
+    passes its middle upwards.""",
+    alternative_text="""Two panels over one drive period. Left, the thesis's bridge changes sides twice,
+    soon after the pin turns; the twin's wanders between the sides and is free for more than half of the
+    time. Right, the thesis's force swings to nine newtons either way; the twin's is zero for long
+    stretches, with short pushes of up to four newtons.""",
 )
 def bridge_in_slot(known: Evidence) -> Figure:
     """Draw the place of the bridge and its force over one period."""
@@ -54,5 +54,5 @@ def bridge_in_slot(known: Evidence) -> Figure:
     force.set(xlabel="drive period", ylabel="force on the cutter [N]", title="(b) force of the bridge")
     force.set_ylim(bottom, top)
     place.set_ylim(-140, 140)
-    force.legend(loc="upper right")
+    place.legend(loc="lower left", bbox_to_anchor=(0.0, 0.12))
     return sides

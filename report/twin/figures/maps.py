@@ -32,10 +32,11 @@ KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
 @figure(
     "twin-map-friction",
     "Kinds of motion over gap and friction",
-    caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods. Rings:
-    motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2 N.""",
-    alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos, with an
-    island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
+    caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
+    Rings: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2
+    N.""",
+    alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
+    with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
 )
 def friction_map(known: Evidence) -> Figure:
     """Draw the map over gap and friction."""
@@ -49,10 +50,11 @@ def friction_map(known: Evidence) -> Figure:
 @figure(
     "twin-map-speed",
     "Kinds of motion over gap and speed",
-    caption="""From rest with 0.5 N; as in the map over gap and friction. The calm band from 146 to 164 Hz and the
-    rough one from 96 to 108 Hz reach right across. Circle: 40 µm at 110 Hz.""",
-    alternative_text="""A map. Period one at the left edge at all speeds, far to the right at 74 Hz, 80 to 90 Hz and
-    146 to 164 Hz; chaos from 92 to 132 Hz and above 166 Hz; tori around 136 Hz; period three near 195 Hz.""",
+    caption="""From rest with 0.5 N; as in the map over gap and friction. The calm band from 146 to 164 Hz
+    and the rough one from 96 to 108 Hz reach right across. Circle: 40 µm at 110 Hz.""",
+    alternative_text="""A map. Period one at the left edge at all speeds, and far to the right from 74 to 90
+    Hz and from 142 to 164 Hz; chaos from 92 to 132 Hz and above 166 Hz; tori around 136 Hz; period three
+    near 195 Hz.""",
 )
 def speed_map(known: Evidence) -> Figure:
     """Draw the map over gap and speed."""

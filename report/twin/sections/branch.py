@@ -17,12 +17,16 @@ MICRO = 1e6
 
 def trunk(known: Evidence) -> KeptBranch:
     """Return the branch of the drive's period."""
-    return next(each for each in known.twin.branches if each.course is COURSES[0] and not each.parted)
+    return next(
+        each for each in known.twin.branches if each.course.name == COURSES[0].name and not each.parted
+    )
 
 
 def island(known: Evidence) -> KeptBranch:
     """Return the branch of three drive periods."""
-    return next(each for each in known.twin.branches if each.course is COURSES[1] and not each.parted)
+    return next(
+        each for each in known.twin.branches if each.course.name == COURSES[1].name and not each.parted
+    )
 
 
 @observation("twin-trunk", source=BRANCH, title="The drive's period.")
@@ -34,11 +38,11 @@ def drive_period(known: Evidence) -> Observed:
     row = known.twin.friction.row(BRANCH_FORCE)
     values, single = known.twin.friction.first, known.twin.friction.single[row]
     yield text("""
-        With 2 N at 110 Hz the motion of the drive's period loses its stability at a gap of
-        [[ torus | f2 ]] µm, where a torus is born. It is stable again between [[ back | f2 ]] and
-        [[ lost | f2 ]] µm. Its symmetry breaks at [[ first | f2 ]], [[ second | f2 ]] and [[ third | f2 ]] µm,
-        where pairs of mirrored motions part from it. Beyond [[ lost | f0 ]] µm it goes on, unstable but for short
-        pieces, where waiting does not find it.
+        With 2 N at 110 Hz the motion of the drive's period loses its stability at a gap of [[ torus | f2 ]]
+        µm, where a torus is born. It is stable again between [[ back | f2 ]] and [[ lost | f2 ]] µm. Its
+        symmetry breaks at [[ first | f2 ]], [[ second | f2 ]] and [[ third | f2 ]] µm, where pairs of
+        mirrored motions part from it. Beyond [[ lost | f0 ]] µm it goes on, unstable but for short pieces,
+        where waiting does not find it.
     """).given(
         torus=MICRO * torus,
         back=MICRO * back,
@@ -53,7 +57,9 @@ def drive_period(known: Evidence) -> Observed:
         "leaves it at the next but one at most",
         bool(single[values < torus - 5e-6].all()) and not single[(values > torus) & (values < 1.3e-4)].all(),
     )
-    yield small("orbits solved again from their kept states keep their stroke", known.twin.branches_again, AGAIN)
+    yield small(
+        "orbits solved again from their kept states keep their stroke", known.twin.branches_again, AGAIN
+    )
 
 
 @observation("twin-island", source=BRANCH, title="Three drive periods.")
@@ -62,9 +68,9 @@ def three_periods(known: Evidence) -> Observed:
     folds, doublings = branch.special_of("fold"), branch.special_of("period-doubling")
     longest = max(branch.stable_pieces, key=lambda piece: abs(piece[1] - piece[0]))
     yield text("""
-        The motions of three drive periods form a closed branch of their own, from a fold at
-        [[ low | f2 ]] µm to a fold at [[ high | f2 ]] µm: no small change leads to them from the drive's period.
-        Its longest stable piece reaches from [[ begin | f1 ]] to [[ end | f1 ]] µm. At 0.2 mm the motion from
+        The motions of three drive periods form a closed branch of their own, from a fold at [[ low | f2 ]]
+        µm to a fold at [[ high | f2 ]] µm: no small change leads to them from the drive's period. Its
+        longest stable piece reaches from [[ begin | f1 ]] to [[ end | f1 ]] µm. At 0.2 mm the motion from
         rest is on it; at [[ first | f2 ]] µm its period doubles to six drive periods and at
         [[ second | f2 ]] µm it halves again.
     """).given(

@@ -12,7 +12,7 @@ from report.twin.observation import Observed, SectionRecord, observation
 
 MAPS = "report/numbers/twin/map_numbers.py"
 SOFT, STIFF = 10e3, 37.5e3
-"""Stiffnesses of the bridge, N/m: the largest with which every gap of the map is borne, and where the limit falls."""
+"""Stiffnesses of the bridge, N/m: the largest that bears every gap of the map, and where the limit falls."""
 NOMINAL = 30e3
 
 
@@ -23,16 +23,17 @@ def gap(known: Evidence) -> Observed:
     motor, speed = friction.kept.measure("motor")[row], friction.kept.measure("impact_speed")[row]
     end = friction.column(100e-6)
     yield text("""
-        With 0.5 N at 110 Hz every gap up to [[ reach | f0 ]] µm repeats with the drive. From no play to 0.1 mm the
-        motor's acceleration goes from [[ without | f0 ]] to [[ tenth | f0 ]] m/s², and impacts reach
+        With 0.5 N at 110 Hz every gap up to [[ reach | f0 ]] µm repeats with the drive. From no play to 0.1
+        mm the motor's acceleration goes from [[ without | f0 ]] to [[ tenth | f0 ]] m/s², and impacts reach
         [[ speed | f2 ]] m/s. A tolerance that lets the gap grow to 0.2 mm with wear leads into chaos.
     """).given(
-        reach=1e6 * friction.reach(SMALL_FORCE), without=motor[0], tenth=motor[end], speed=float(speed[: end + 1].max())
+        reach=1e6 * friction.reach(SMALL_FORCE),
+        without=motor[0],
+        tenth=motor[end],
+        speed=float(speed[: end + 1].max()),
     )
     yield so("row of the map at 0.5 N", friction.reach(SMALL_FORCE) >= 100e-6)
-    yield so(
-        "the cell at 0.2 mm is chaotic", bool(friction.chaotic[row, friction.column(EXPERIMENT_GAP)])
-    )
+    yield so("the cell at 0.2 mm is chaotic", bool(friction.chaotic[row, friction.column(EXPERIMENT_GAP)]))
 
 
 @observation("twin-do-friction", source=MAPS, title="Friction: some, not much.")
@@ -43,11 +44,11 @@ def friction_(known: Evidence) -> Observed:
     low, high = friction.row(SMALL_FORCE), friction.row(4.0)
     motor, wear = friction.kept.measure("motor"), friction.kept.measure("wear")
     yield text("""
-        About half a newton is enough for a gap of some 40 µm: [[ needed | f1 ]] N suffice. More buys little gap
-        and costs much. At 40 µm, 4 N instead of 0.5 N raise the motor's acceleration from [[ low | f0 ]] to
-        [[ high | f0 ]] m/s² and the wear from [[ little | f2 ]] to [[ much | f1 ]] W, while the gap that is borne goes
-        from [[ before | f0 ]] to [[ after | f0 ]] µm. Do not use friction against play of 0.2 mm: it takes
-        [[ large | f1 ]] N.
+        About half a newton is enough for a gap of some 40 µm: [[ needed | f1 ]] N suffice. More buys little
+        gap and costs much. At 40 µm, 4 N instead of 0.5 N raise the motor's acceleration from
+        [[ low | f0 ]] to [[ high | f0 ]] m/s² and the wear from [[ little | f2 ]] to [[ much | f1 ]] W,
+        while the gap that is borne goes from [[ before | f0 ]] to [[ after | f0 ]] µm. Do not use friction
+        against play of 0.2 mm: it takes [[ large | f1 ]] N.
     """).given(
         needed=numbers.friction_for_small_gap,
         low=motor[low, at],
@@ -59,7 +60,10 @@ def friction_(known: Evidence) -> Observed:
         large=numbers.friction_for_experiment,
     )
     yield so("acceleration doubles at least", motor[high, at] > 2 * motor[low, at])
-    yield so("the gap that is borne does not grow in proportion", friction.reach(4.0) < 3 * friction.reach(SMALL_FORCE))
+    yield so(
+        "the gap that is borne does not grow in proportion",
+        friction.reach(4.0) < 3 * friction.reach(SMALL_FORCE),
+    )
 
 
 @observation("twin-do-stiffness", source=MAPS, title="Stiffness of the bridge: softer.")
@@ -70,11 +74,11 @@ def stiffness(known: Evidence) -> Observed:
     motor, stroke = numbers.kept.measure("motor")[:, at], numbers.kept.measure("stroke")[:, at]
     stiffer = numbers.second >= STIFF
     yield text("""
-        With a bridge of [[ soft | f0 ]] kN/m or less, instead of 30 kN/m, every gap of the map up to 0.5 mm repeats
-        with the drive at 110 Hz and 0.5 N. At 0.2 mm the motor then has [[ calm | f0 ]] instead of
-        [[ rough | f0 ]] m/s², and the stroke is [[ stroke | f2 ]] mm, [[ gained | f2 ]] mm more than the pin's
-        own. From [[ stiff | f1 ]] kN/m on, only gaps up to [[ least | f0 ]] µm are borne throughout. How a soft
-        bridge cuts hair was not asked.
+        With a bridge of [[ soft | f0 ]] kN/m or less, instead of 30 kN/m, every gap of the map up to 0.5 mm
+        repeats with the drive at 110 Hz and 0.5 N. At 0.2 mm the motor then has [[ calm | f0 ]] instead of
+        [[ rough | f0 ]] m/s², and the stroke is [[ stroke | f2 ]] mm, [[ gained | f2 ]] mm more than the
+        pin's own. From [[ stiff | f1 ]] kN/m on, only gaps up to [[ least | f0 ]] µm are borne throughout.
+        How a soft bridge cuts hair was not asked.
     """).given(
         soft=1e-3 * SOFT,
         calm=motor[soft],
@@ -92,15 +96,17 @@ def stiffness(known: Evidence) -> Observed:
     yield so("at 30 kN/m and 0.2 mm the motion is chaotic", bool(numbers.chaotic[nominal, at]))
 
 
-@observation("twin-do-speed", source=MAPS, title="Speed: choose it with the gap, and do not trust a single value.")
+@observation(
+    "twin-do-speed", source=MAPS, title="Speed: choose it with the gap, and do not trust a single value."
+)
 def speed(known: Evidence) -> Observed:
     numbers = known.twin.speed
     inside = (numbers.second >= 146.0) & (numbers.second <= 164.0)
     around = (numbers.second >= 96.0) & (numbers.second <= 108.0)
     yield text("""
         With 0.5 N, drives of 146 to 164 Hz bear gaps up to [[ calm | f0 ]] µm at the least, those of 96 to
-        108 Hz no more than [[ rough | f0 ]] µm at the best. 110 Hz lies beside that rough band: a motor that runs
-        2 Hz slower bears [[ slower | f0 ]] µm instead of [[ nominal | f0 ]] µm.
+        108 Hz no more than [[ rough | f0 ]] µm at the best. 110 Hz lies beside that rough band: a motor
+        that runs 2 Hz slower bears [[ slower | f0 ]] µm instead of [[ nominal | f0 ]] µm.
     """).given(
         calm=1e6 * float(numbers.reaches[inside].min()),
         rough=1e6 * float(numbers.reaches[around].max()),
@@ -114,6 +120,4 @@ def speed(known: Evidence) -> Observed:
     yield so("108 Hz bears less than 110 Hz", numbers.reach(108.0) < numbers.reach(110.0))
 
 
-SECTION = SectionRecord(
-    "twin-design", "For the designer", (design_limits, gap, friction_, stiffness, speed)
-)
+SECTION = SectionRecord("twin-design", "For the designer", (design_limits, gap, friction_, stiffness, speed))

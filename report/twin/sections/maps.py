@@ -50,11 +50,11 @@ def reach(known: Evidence) -> Observed:
     others = int((narrow & ~friction.single).sum())
     yield text("""
         Up to 0.1 mm with 0.5 N or more the motion repeats with the drive in all but [[ others ]] of
-        [[ cells ]] cells: at [[ first | f0 ]] and [[ second | f0 ]] µm with 0.6 N it
-        takes two drive periods, and at 20 µm with 1.6 and 1.7 N it is a torus. Without friction the second smallest
-        gap of the map, [[ smallest | f0 ]] µm, is chaotic already. For 40 µm it takes
-        [[ for_small | f1 ]] N or more, for 0.2 mm [[ for_large | f1 ]] N: friction below 1 N does not bring
-        0.2 mm to the drive's period.
+        [[ cells ]] cells: at [[ first | f0 ]] and [[ second | f0 ]] µm with 0.6 N it takes two drive
+        periods, and at 20 µm with 1.6 and 1.7 N it is a torus. Without friction the second smallest gap of
+        the map, [[ smallest | f0 ]] µm, is chaotic already. For 40 µm it takes [[ for_small | f1 ]] N or
+        more, for 0.2 mm [[ for_large | f1 ]] N: friction below 1 N does not bring 0.2 mm to the drive's
+        period.
     """).given(
         others=others,
         cells=int(narrow.sum()),
@@ -92,9 +92,9 @@ def speed(known: Evidence) -> Observed:
         With 0.5 N, over drives from 60 to 200 Hz, [[ one | percent0 ]] of [[ cells ]] cells repeat with the
         drive and [[ chaotic | percent0 ]] are chaotic. The gap up to which the drive's period lasts changes
         from [[ slower | f0 ]] µm at 100 Hz over [[ at_drive | f0 ]] µm at 110 Hz to [[ faster | f0 ]] µm at
-        120 Hz: the edge is ragged, and 10 Hz decide. One band is calm: from 146 to 164 Hz all
-        [[ calm ]] cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do,
-        but not at 72 or 76 Hz, so nobody should aim at it. Gaps up to [[ common | f0 ]] µm do at all speeds.
+        120 Hz: the edge is ragged, and 10 Hz decide. One band is calm: from 146 to 164 Hz all [[ calm ]]
+        cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but not at 72 or 76
+        Hz, so nobody should aim at it. Gaps up to [[ common | f0 ]] µm do at all speeds.
     """).given(
         cells=numbers.cells,
         one=numbers.shares["one"],
@@ -119,8 +119,8 @@ def impacts(known: Evidence) -> Observed:
     free = friction.within((0.0, friction.first[-1]), (0.0, 0.0))
     yield text("""
         At 110 Hz pin and bridge meet at up to [[ free | f2 ]] m/s where there is no friction, and at up to
-        [[ largest | f2 ]] m/s over all gaps and frictions of the map. Over all speeds, with 0.5 N, it is up to
-        [[ fastest | f2 ]] m/s.
+        [[ largest | f2 ]] m/s over all gaps and frictions of the map. Over all speeds, with 0.5 N, it is up
+        to [[ fastest | f2 ]] m/s.
     """).given(
         largest=friction.largest("impact_speed"),
         free=friction.largest("impact_speed", free),
@@ -130,7 +130,9 @@ def impacts(known: Evidence) -> Observed:
         "largest speed of an impact in each cell of both maps",
         friction.largest("impact_speed") > 1.5 * friction.largest("impact_speed", free),
     )
-    yield equal("the map over speed has 0.5 N", speeds.kept.grid.mechanism.frictions["blade"].force, SMALL_FORCE)
+    yield equal(
+        "the map over speed has 0.5 N", speeds.kept.grid.mechanism.frictions["blade"].force, SMALL_FORCE
+    )
 
 
 SECTION = SectionRecord(

@@ -32,11 +32,11 @@ def small_gap(known: Evidence) -> Observed:
     third, fifth = _micrometres(case, 3), _micrometres(case, 5)
     yield text("""
         The twin settles within [[ waited ]] drive periods to a motion that repeats with the drive. The pin
-        hits the bridge [[ impacts | f0 ]] times in each period, at up to [[ speed | f2 ]] m/s, and is in contact
-        for [[ contact | percent0 ]] of the time. The stroke is [[ stroke | f3 ]] mm peak to peak against
-        [[ frozen | f3 ]] mm in the thesis's model; the third harmonic has [[ third | f0 ]] µm against
-        [[ frozen_third | f0 ]], the fifth [[ fifth | f0 ]] µm against [[ frozen_fifth | f0 ]]. The force of
-        the bridge reaches [[ force | f1 ]] N.
+        hits the bridge [[ impacts | f0 ]] times in each period, at up to [[ speed | f2 ]] m/s, and is in
+        contact for [[ contact | percent0 ]] of the time. The stroke is [[ stroke | f3 ]] mm peak to peak
+        against [[ frozen | f3 ]] mm in the thesis's model; the third harmonic has [[ third | f0 ]] µm
+        against [[ frozen_third | f0 ]], the fifth [[ fifth | f0 ]] µm against [[ frozen_fifth | f0 ]]. The
+        force of the bridge reaches [[ force | f1 ]] N.
     """).given(
         waited=twin.waited,
         impacts=twin.impacts,
@@ -61,12 +61,12 @@ def main_case(known: Evidence) -> Observed:
     case, again = known.twin.main, known.twin.main_again
     twin = case.twin
     yield text("""
-        With the gap of the experiment and 2 N the twin repeats after [[ count ]] drive periods, not after one.
-        Its stroke has lines between the harmonics: [[ third | f0 ]] µm at a third of the drive,
-        [[ five | f0 ]] µm at five thirds and [[ seven | f0 ]] µm at seven thirds, beside
-        [[ first | f0 ]] µm at the drive itself. The second harmonic has [[ second | f0 ]] µm. The thesis's model
-        repeats with the drive for every gap and friction, and has odd harmonics alone. "No limit cycle in a
-        driven trimmer" therefore holds for play that only passes a displacement on, as in the thesis; two-way
+        With the gap of the experiment and 2 N the twin repeats after [[ count ]] drive periods, not after
+        one. Its stroke has lines between the harmonics: [[ third | f0 ]] µm at a third of the drive,
+        [[ five | f0 ]] µm at five thirds and [[ seven | f0 ]] µm at seven thirds, beside [[ first | f0 ]]
+        µm at the drive itself. The second harmonic has [[ second | f0 ]] µm. The thesis's model repeats
+        with the drive for every gap and friction, and has odd harmonics alone. "No limit cycle in a driven
+        trimmer" therefore holds for play that only passes a displacement on, as in the thesis; two-way
         contact can bring a vibration of its own.
     """).given(
         count=twin.period_count,
@@ -91,10 +91,10 @@ def chaos(known: Evidence) -> Observed:
     yield text("""
         At 0.2 mm and 0.5 N the twin is chaotic: neighbouring motions part by a factor of e in
         [[ periods | f1 ]] drive periods (Lyapunov exponent [[ exponent | f2 ]] ± [[ error | f2 ]] per
-        period). So it is in all [[ cells ]] cells of the map at that gap from 0.2 to 0.8 N, between which the
-        frictions of section 3.3 lie. The thesis's model settles to the drive's period there. The chaos is
-        carried by a large regular motion: its first harmonic has [[ first | f2 ]] mm, the spectrum between
-        the harmonics stays at least [[ below | f0 ]] times below it.
+        period). So it is in all [[ cells ]] cells of the map at that gap from 0.2 to 0.8 N, between which
+        the frictions of section 3.3 lie. The thesis's model settles to the drive's period there. The chaos
+        is carried by a large regular motion: its first harmonic has [[ first | f2 ]] mm, the spectrum
+        between the harmonics stays at least [[ below | f0 ]] times below it.
     """).given(
         periods=1 / exponent.value,
         exponent=exponent.value,
@@ -110,5 +110,7 @@ def chaos(known: Evidence) -> Observed:
 
 
 SECTION = SectionRecord(
-    "twin-motion", "Motion, contact force and spectrum at 110 Hz", (small_gap, main_case, chaos, motions, spectra)
+    "twin-motion",
+    "Motion, contact force and spectrum at 110 Hz",
+    (small_gap, main_case, chaos, motions, spectra),
 )
