@@ -90,7 +90,8 @@ def integrated(trimmer: PlayedTrimmer, state: Reals, times: Reals) -> Reals:
         if not piece.success:
             raise ArithmeticError(f"the integration failed: {piece.message}")
         until = int(np.searchsorted(times, piece.t[-1], side="right"))
-        found[:, done:until], done = piece.sol(times[done:until]), until
+        if until > done:  # the dense output refuses to be asked for nothing
+            found[:, done:until], done = piece.sol(times[done:until]), until
         if piece.status == 0:
             return found
         now, y = float(piece.t[-1]), piece.y[:, -1].copy()

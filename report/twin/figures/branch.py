@@ -33,7 +33,7 @@ MARKS = {"torus": "o", "symmetry-breaking": "D", "period-doubling": "s", "fold":
 )
 def branches_over_gap(known: Evidence) -> Figure:
     """Draw the branches, and the row of the map."""
-    drawn, (axes, strip) = panels(4.4, 2, 1, sharex=True, height_ratios=(9, 1))
+    drawn, (axes, strip) = panels(4.0, 2, 1, sharex=True, height_ratios=(9, 1))
     for course, line, name in zip(
         COURSES, LINES, ("the drive's period", "three drive periods"), strict=False
     ):

@@ -15,7 +15,7 @@ from report.thesis import DRIVE_AMPLITUDE, TURN
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-THINNED = 8
+THINNED = 16
 """Every so many samples are drawn."""
 
 

@@ -76,7 +76,7 @@ def _map(numbers: MapNumbers) -> tuple[Figure, Axes]:
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
-    drawn = new_figure(4.3)
+    drawn = new_figure(3.9)
     axes = drawn.subplots()
     cells = numbers_of(numbers)
     gaps = 1e6 * numbers.first

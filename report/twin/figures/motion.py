@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-THINNED = 16
+THINNED = 32
+TOGETHER = 4
 SMALLEST = 0.03
 """Amplitude at which the spectra end, µm."""
 NAMES = ("40 µm, 0.5 N", "0.2 mm, 0.5 N", "0.2 mm, 2 N")
@@ -40,7 +41,7 @@ def _cases(known: Evidence) -> tuple[Comparison, ...]:
 def motions(known: Evidence) -> Figure:
     """Draw what is left of the stroke, and the force, over three periods."""
     time = np.arange(SHOWN * PHASES)[::THINNED] / PHASES
-    drawn, rows = panels(5.6, 3, 2, sharex=True)
+    drawn, rows = panels(4.6, 3, 2, sharex=True)
     for (stroke, force), case, name in zip(rows, _cases(known), NAMES, strict=True):
         frozen = case.repeated(case.frozen.stroke), case.repeated(case.frozen.tension)
         twin = case.twin.stretch.stroke, case.twin.stretch.tension
@@ -75,7 +76,7 @@ def _without_first(signal: np.ndarray) -> np.ndarray:
 )
 def spectra(known: Evidence) -> Figure:
     """Draw the lines of all settings."""
-    drawn, rows = panels(5.4, 3, 1, sharex=True)
+    drawn, rows = panels(4.5, 3, 1, sharex=True)
     for axes, case, name in zip(rows, _cases(known), NAMES, strict=True):
         _lines(axes, case)
         axes.set(ylabel="amplitude [µm]", title=name, ylim=(SMALLEST, 5e3), xlim=(0, HIGHEST_ORDER))
@@ -85,13 +86,20 @@ def spectra(known: Evidence) -> Figure:
     return drawn
 
 
+def _highest(spectrum: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the highest of every ``TOGETHER`` bins and where it is, so that no line is lost."""
+    bins = spectrum[: len(spectrum) // TOGETHER * TOGETHER].reshape(-1, TOGETHER, 2)
+    highest = bins[np.arange(len(bins)), bins[:, :, 1].argmax(axis=1)]
+    return highest[:, 0], highest[:, 1]
+
+
 def _lines(axes: Axes, case: Comparison) -> None:
     orders, amplitudes = case.twin.lines.T
     seen = (1e6 * amplitudes > SMALLEST) & (orders <= HIGHEST_ORDER)
     axes.set_yscale("log")
     if len(case.twin.spectrum):
-        curve = case.twin.spectrum[case.twin.spectrum[:, 0] > 0.05]
-        axes.plot(curve[:, 0], 1e6 * curve[:, 1], linewidth=0.7, color=LINES[1]["color"], label="twin")
+        places, heights = _highest(case.twin.spectrum[1:])
+        axes.plot(places, 1e6 * heights, linewidth=0.7, color=LINES[1]["color"], label="twin")
     else:
         axes.vlines(orders[seen], SMALLEST, 1e6 * amplitudes[seen], color=LINES[1]["color"], label="twin")
     harmonics = 1e6 * case.frozen.harmonics[: HIGHEST_ORDER + 1]

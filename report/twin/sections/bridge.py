@@ -19,8 +19,8 @@ def models(known: Evidence) -> Observed:
     twin = known.twin
     yield text("""
         The thesis puts the play before a linear trimmer. Its bridge follows the pin or stays where it was
-        left, and no force has a say in when. In the twin the bridge is a spring and a damper behind a slot:
-        it can push on either side and never pull, and what it pushes with acts on the motor as well. Both
+        left, whatever force that takes. In the twin the bridge is a spring and a damper behind a slot: it
+        can push on either side and never pull, and what it pushes with acts on the motor as well. Both
         models have the parameters of Listing A.1 (not those of the measured trimmer), 1.5 mm at the pin,
         and dry friction between cutter and guard. Without play and friction they are one linear trimmer:
         the stroke is [[ stroke | f4 ]] mm peak to peak at [[ drive | f0 ]] Hz in both.

@@ -42,11 +42,11 @@ def with_play(known: Evidence) -> Observed:
     yield text("""
         With 0.2 mm of play the measured spectra have the orders 1 to 5 in all three records (table 3.2),
         the even ones too. By parity alone, since the measured trimmer's parameters (table C.1) are not
-        given: the thesis's model cannot have even orders, for its play gives back any symmetric drive
-        symmetrically. The twin has them wherever its motion lost its symmetry: in [[ share | percent0 ]] of
-        the cells of the map over gap and friction that repeat with the drive, with up to [[ most | f0 ]] µm
-        of second harmonic (at [[ gap | f2 ]] mm and [[ force | f1 ]] N). At 0.2 mm it repeats with the
-        drive and has even harmonics from [[ from | f1 ]] N on.
+        given: the thesis's model cannot have even orders, because it settles to one motion, which is
+        symmetric. The twin has them wherever its motion lost its symmetry: in [[ share | percent0 ]] of the
+        cells of the map over gap and friction that repeat with the drive, with up to [[ most | f0 ]] µm of
+        second harmonic (at [[ gap | f2 ]] mm and [[ force | f1 ]] N). At 0.2 mm it repeats with the drive
+        and has even harmonics from [[ from | f1 ]] N on.
     """).given(
         share=float(friction.asymmetric.sum() / friction.single.sum()),
         most=1e6 * most,
@@ -81,11 +81,11 @@ def between(known: Evidence) -> Observed:
     yield text("""
         The thesis found no further frequencies in the measured spectra (section 3.2). A line at a third of
         the drive would lie [[ spacing | f1 ]] Hz from the next one, [[ bins | f1 ]] bins of [[ bin | f0 ]]
-        Hz: such a record would show it. The measured trimmer therefore repeated with its drive of 109.945
-        Hz, as far as a record of 0.1 s tells; by order alone, and not by size, that is where the model with
-        Listing A.1 is asymmetric and of period one. A gap that is not centred, or a blade that rubs
-        unequally, would give even harmonics as well: neither model has that, and the spectra do not tell it
-        apart.
+        Hz: such a record would show it. As far as a record of 0.1 s tells, the measured trimmer, whose
+        parameters are not given, repeated with its drive of 109.945 Hz. By order and parity alone it moved
+        as the twin with Listing A.1 does where its motion keeps the drive's period and has lost its
+        symmetry. A gap that is not centred, or a blade that rubs unequally, would give even harmonics as
+        well: neither model has that, and the spectra do not tell it apart.
     """).given(spacing=spacing, bins=spacing / RESOLUTION, bin=RESOLUTION)
     yield so("the lines are more than two bins apart", spacing > 2 * RESOLUTION)
     yield equal("lines of the twin at thirds of the drive", twin.period_count, 3)
