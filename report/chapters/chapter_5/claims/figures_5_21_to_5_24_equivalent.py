@@ -102,10 +102,10 @@ def one_force(known: Evidence) -> Record:
     yield section_5_2_5.frequency_part(numbers)
     yield from section_5_2_5.peak_parts(known, "b: ")
     yield text(r"""
-        The one intersection comes from line 18 of Listing A.6. With the right friction term there are
-        [[ right ]], with the sign of that line turned [[ turned ]], and with the pin's velocity as second
-        input [[ both ]]. For a gap of $4\times10^{-6}$ m a limit cycle bears at most [[ most | f4 ]] N between
-        cutter and guard; the force in the caption is [[ times | f0 ]] times as large.
+        The one intersection comes from line 18 of Listing A.6. With the right friction term the number is
+        [[ right ]], with the sign of that line turned it is [[ turned ]], and with the pin's velocity as
+        second input [[ both ]]. For this gap a limit cycle bears at most [[ most | f4 ]] N between cutter and
+        guard; the force in the caption is [[ times | f0 ]] times as large.
 
         The peaks of part b are free vibrations of the loop, [as in the text](#txt-5.2.5-fft): for a start
         much larger than the gap it is linear.

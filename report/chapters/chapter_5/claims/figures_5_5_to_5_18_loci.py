@@ -193,7 +193,6 @@ def larger_gap(known: Evidence) -> Record:
     source=SOURCE,
     impact=Impact.DOWNSTREAM,
     lines=(1169, 1169),
-    paragraph=1,
     severity=Severity.RESULT,
 )
 def inertia(known: Evidence) -> Record:
@@ -221,7 +220,6 @@ def inertia(known: Evidence) -> Record:
     "fig-5.15",
     source="report/chapters/chapter_5/claims/figures_5_5_to_5_18_loci.py",
     lines=(1195, 1195),
-    paragraph=5,
 )
 def higher_harmonics(_: Evidence) -> Record:
     yield uncheckable(
@@ -245,7 +243,6 @@ def higher_harmonics(_: Evidence) -> Record:
     source="report/numbers/listed_functions.py",
     impact=Impact.DOWNSTREAM,
     lines=(1216, 1216),
-    paragraph=3,
     severity=Severity.RESULT,
 )
 def viscous(known: Evidence) -> Record:
@@ -298,7 +295,6 @@ def viscous(known: Evidence) -> Record:
     source=SOURCE,
     impact=Impact.DOWNSTREAM,
     lines=(1231, 1231),
-    paragraph=5,
     severity=Severity.RESULT,
 )
 def band(known: Evidence) -> Record:

@@ -119,7 +119,6 @@ def small_gap(known: Evidence) -> Record:
     source=DRIVEN,
     impact=Impact.DOWNSTREAM,
     lines=(1129, 1129),
-    paragraph=1,
     severity=Severity.RESULT,
 )
 def driven_response(known: Evidence) -> Record:
@@ -172,7 +171,6 @@ def driven_spectrum(known: Evidence) -> Record:
     source="report/numbers/timed_block.py",
     impact=Impact.DOWNSTREAM,
     lines=(1182, 1182),
-    paragraph=2,
     severity=Severity.RESULT,
 )
 def inertia(known: Evidence) -> Record:
@@ -192,7 +190,6 @@ def inertia(known: Evidence) -> Record:
     source=RELAY,
     impact=Impact.DOWNSTREAM,
     lines=(1256, 1256),
-    paragraph=2,
     severity=Severity.RESULT,
     certainty=Certainty.READING,
 )
