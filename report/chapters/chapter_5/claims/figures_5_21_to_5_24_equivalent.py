@@ -83,7 +83,7 @@ def without_force(known: Evidence) -> Record:
         coefficients](#txt-5.2.1-prediction). The shorter path is the range of amplitudes that was drawn: the
         second intersection, at [[ inner | f2 ]] µm, lies below $b/2 + [[ offset | f0 ]]$ µm.
 
-        Nothing beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks
+        None beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks
         the factor $A/\pi$.
     """).given(inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude, offset=1e6 * PLOT_OFFSET)
 
@@ -102,10 +102,10 @@ def one_force(known: Evidence) -> Record:
     yield section_5_2_5.frequency_part(numbers)
     yield from section_5_2_5.peak_parts(known, "b: ")
     yield text(r"""
-        The one intersection comes from line 18 of Listing A.6. With the right friction term the number is
-        [[ right ]], with the sign of that line turned it is [[ turned ]], and with the pin's velocity as
-        second input [[ both ]]. For this gap a limit cycle bears at most [[ most | f4 ]] N between cutter and
-        guard; the force in the caption is [[ times | f0 ]] times as large.
+        The one intersection comes from line 18 of Listing A.6. It is gone with the right friction term
+        ([[ right ]] limit cycles), with the sign of that line turned ([[ turned ]]), and with the pin's
+        velocity as second input ([[ both ]]). For this gap a limit cycle bears at most [[ most | f4 ]] N
+        between cutter and guard; the force in the caption is [[ times | f0 ]] times as large.
 
         The peaks of part b are free vibrations of the loop, [as in the text](#txt-5.2.5-fft): for a start
         much larger than the gap it is linear.

@@ -162,7 +162,7 @@ def driven_spectrum(known: Evidence) -> Record:
         needs the output to be fed back. That the gaps of the two parts differ by a factor of ten changes
         nothing in frequency.
 
-        The two configurations are not equivalent, as the text concludes from this figure.
+        The text concludes from this figure that the two configurations are equivalent. They are not.
     """)
 
 

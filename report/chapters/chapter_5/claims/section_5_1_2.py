@@ -169,7 +169,7 @@ def nyquist(known: Evidence) -> Record:
         The count is right, the conclusion is not. The open loop has no unstable pole, as its eigenvalues
         show; without an encirclement it is then the closed loop with unit gain that is stable.
 
-        Nothing, since the open loop is stable by equation 5.2. The right conclusion matters later: unit gain
+        None, since the open loop is stable by equation 5.2. The right conclusion matters later: unit gain
         is the limit of a small gap, so the trimmer without play is stable in the thesis's loop.
     """)
 

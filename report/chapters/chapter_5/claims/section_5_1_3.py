@@ -198,9 +198,9 @@ def output_matrix(known: Evidence) -> Record:
     beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
     yield text("""
-        The text tracks four positions with this matrix, which takes four rows. Read as one output in which
-        every body takes part, the printed row is right: it is the sum $x_1 + x_2 + x_3 + x_4$, in which
-        motions of opposite sign cancel.
+        Tracking four positions, as the text means to, takes four rows. Read as one output in which every body
+        takes part, the printed row is right: it is the sum $x_1 + x_2 + x_3 + x_4$, in which motions of
+        opposite sign cancel.
 
         Figure 5.4 shows the sum, and its four peaks are those of the modes. With a thousandth of the damping
         $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
@@ -288,7 +288,7 @@ def bode_plot_without_damping(known: Evidence) -> Record:
     yield text("""
         With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
         frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %,
-        which a plot does not show. The thesis does not say how small its damping was.
+        too little to see in a plot. The thesis does not say how small its damping was.
     """).given(farthest=100 * farthest)
 
 
@@ -332,6 +332,6 @@ def valleys(known: Evidence) -> Record:
         all that the text means. They do not stand at the same places: the one at [[ first | f0 ]] rad/s is at
         [[ other | f0 ]] rad/s in figure 5.4.
 
-        Nothing, since no later number uses an antiresonance. For one and the same output damping hardly moves
+        None, since no later number uses an antiresonance. For one and the same output damping hardly moves
         them, as the text says.
     """).given(first=first[1], other=other[1])

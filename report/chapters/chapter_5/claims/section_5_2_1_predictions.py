@@ -209,7 +209,7 @@ def two_limit_cycles(known: Evidence) -> Record:
         rounded coefficients. For 733.33 Hz a number was cut off as well; the section's percent error has it
         rounded, as 733.34 Hz.
 
-        Nothing changes: the comparisons of the section rest on the first limit cycle.
+        None: the comparisons of the section rest on the first limit cycle.
     """).given(unstable=unstable)
 
 
@@ -228,7 +228,7 @@ def ten_gaps(known: Evidence) -> Record:
         With exact ones the amplitudes for $5\times10^{-4}$ m and $8\times10^{-4}$ m and the frequencies round
         to another last digit.
 
-        Nothing beyond the last digit. The ten rows hold one result, since only the scale changes.
+        None beyond the last digit. The ten rows hold one result, since only the scale changes.
     """).given(exact=stable.exact, listing=stable.listing)
 
 

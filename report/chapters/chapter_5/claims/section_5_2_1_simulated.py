@@ -138,10 +138,10 @@ def frequency_error(known: Evidence) -> Record:
     yield digits("", "0.046", quoted, "%", second=by_logarithms, slip=slip)
     yield text("""
         From the two printed frequencies the error is [[ quoted | f3 ]] %, twice what is printed. The printed
-        number belongs to a simulated 733.00 Hz, which the text does not have; it is the line of a spectrum
-        over one second in which the loop with rounded coefficients shows.
+        number comes out with a simulated 733.00 Hz, which the text does not have. In a spectrum over one
+        second it is the line nearest to the limit cycle with rounded coefficients.
 
-        Nothing changes. Prediction and exact limit cycle of the same loop differ by [[ error | f4 ]] %, less
+        None. Prediction and exact limit cycle of the same loop differ by [[ error | f4 ]] %, less
         than a line of the spectrum can show.
     """).given(quoted=quoted, error=100 * (predicted / exact - 1))
 
@@ -183,7 +183,7 @@ def peak_width(_: Evidence) -> Record:
         there. Either the record was ten times as long, and the peak a tenth as wide as the text says, or
         zeros were added to it, and the width is as the text says.
 
-        Nothing but the stated resolution. Which of the two it was, the text does not say.
+        None but for the stated resolution. Which of the two it was, the text does not say.
     """)
 
 

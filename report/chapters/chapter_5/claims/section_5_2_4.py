@@ -42,8 +42,8 @@ def limit_of_response(known: Evidence) -> Record:
     above, below = relay_and_friction.fraction_of(known.numbers)
     yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
     yield text("""
-        The transfer function has two poles more than zeros, so it tends to zero. It does not spiral, as the
-        text has it: its phase tends to -180 degrees, and it comes in along the negative real axis.
+        The transfer function has two poles more than zeros, so it tends to zero. The text lets it spiral into
+        that point. It does not: its phase tends to -180 degrees, so it comes in along the negative real axis.
     """)
 
 
@@ -109,8 +109,8 @@ def no_crossing(known: Evidence) -> Record:
     )
     yield text("""
         $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The conclusion
-        stands, though for friction the axis to look at is another one. Friction between parts at rest only
-        takes energy, so it cannot keep anything moving.
+        stands, though for friction the axis to look at is another one. Friction
+        between parts that rub only takes energy, so it cannot keep anything moving.
     """).given(crossings=len(crossings))
 
 

@@ -45,10 +45,10 @@ def assumptions(known: Evidence) -> Record:
     yield from _odd()
     yield text("""
         Each backlash by itself, and friction by itself, is one element; the two together are not, since they
-        act at different places. Backlash is time-invariant, which is what the method needs. If $f(x)$ is a
-        function of the present input, it is not $f(x)$, as it has a memory; if $f$ acts on the whole signal,
-        it is. If all models include the block of Listing A.8, one of them is not time-invariant. Oddness
-        holds, and filtering holds at every predicted limit cycle.
+        act at different places. Backlash is time-invariant, which is what the method needs. It is no function
+        of the present input, since it has a memory; as an operator on the whole input it is $f(x)$. The block
+        of Listing A.8, if it is one of the models, is not time-invariant. Oddness holds, and filtering holds
+        at every predicted limit cycle.
 
         Predictions for one kind of backlash rest on good ground. Those for the equivalent nonlinearity
         (section 5.2.5) do not, and the block of Listing A.8 can only be driven.

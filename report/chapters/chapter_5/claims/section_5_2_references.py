@@ -64,7 +64,7 @@ def to_the_models(_: Evidence) -> Record:
         Section 3.1 describes the camera and the trial. The models that are compared with them, in open and in
         closed loop, stand in section 3.3.
 
-        Nothing: the configuration is named in words.
+        None: the configuration is named in words.
     """)
 
 
@@ -84,7 +84,7 @@ def of_inertia(_: Evidence) -> Record:
         sentences have it. The block over time is Listing A.8 of appendix A.9; A.11 holds the describing
         function. Section 4.2.2 names the two appendices rightly.
 
-        Nothing on numbers. Whoever takes the listing that is named puts a gain where an output belongs.
+        None on numbers. Whoever takes the listing that is named puts a gain where an output belongs.
     """)
 
 
@@ -102,7 +102,7 @@ def of_zero_force(_: Evidence) -> Record:
         The sentence introduces figure 5.22, which follows it and has the force in its caption. Figure 5.8 is
         the one of friction-controlled backlash that it is compared with.
 
-        Nothing: the two show the same intersection.
+        None: the two show the same intersection.
     """)
 
 
@@ -143,7 +143,7 @@ def quoted_prediction(known: Evidence) -> Record:
         of it; 733.33 Hz is cut off. So is the amplitude of section 5.2.5, where $3.3138\times10^{-5}$ m has
         become $3.313\times10^{-5}$ m. The percentage of that section follows from the number that is cut off.
 
-        Nothing beyond a last digit: from the rounded number the difference is [[ difference | f4 ]] %.
+        None beyond a last digit: from the rounded number the difference is [[ difference | f4 ]] %.
     """).given(predicted=predicted, difference=difference)
 
 
