@@ -17,6 +17,7 @@ from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions 
 )
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_5
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
+from report.chapters.chapter_5.claims.section_5_2_5_friction_term import coulomb_part
 from report.chapters.second_ways import NEWTON, by_matching_real_parts
 from report.claim import Impact, Severity
 from report.evidence import Evidence
@@ -42,7 +43,7 @@ LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 def three_panels(known: Evidence) -> Record:
     found, system = known.cycles.equivalent.other_gap, known.numbers.displacement_only
     inner, outer = found
-    yield section_5_2_5.coulomb_part()
+    yield coulomb_part()
     yield assertion(
         rf"for $F_c$ = {OTHER_FORCE}, $b$ = $200\times10^{{-5}}$ and the drive's frequency",
         "there is more than one intersection",

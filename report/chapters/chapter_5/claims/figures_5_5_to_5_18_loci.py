@@ -5,6 +5,8 @@ from __future__ import annotations
 import control
 
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
+from report.chapters.chapter_5.claims.section_5_2_1_impulses import EDGE
+from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
@@ -33,8 +35,6 @@ from trimmer import (
 SOURCE = "trimmer/balance/solve.py"
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
-EDGE = 2e-8
-"""Gap that the section takes for the smallest with a limit cycle, m."""
 GAMMAS = (1.05, 1.25, 1.45)
 LINE_6 = "line 6 of Listing A.5 has the wrong sign under its root, so that contact angles are complex"
 STABLE_SIDE = TURN * 600
@@ -108,7 +108,7 @@ def intersections_part(known: Evidence, gap: str, printed: str, item: str, slip:
 )
 def tiny_gaps(known: Evidence) -> Record:
     for gap in ("1e-8", "2e-8"):
-        yield intersections_part(known, gap, "0", section_5_2_1_predictions.SMALLEST_GAP)
+        yield intersections_part(known, gap, "0", SMALLEST_GAP)
     found, listed = (
         limit_cycles(system, FrictionBacklash(3e-8))
         for system in (known.numbers.displacement_only, known.cycles.listing)

@@ -6,9 +6,9 @@ import math
 
 from report.chapters.chapter_5.claims import section_5_2_4
 from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_part, open_loop, size_part
-from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
+from report.chapters.chapter_5.claims.section_5_2_1_impulses import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
-from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
+from report.chapters.chapter_5.claims.section_5_2_2_simulated import peak_parts as peaks_of_inertia
 from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
 from report.claim import Certainty, Confirmation, Impact, Severity
 from report.evidence import Evidence
