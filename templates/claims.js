@@ -1,5 +1,5 @@
 "use strict";
-// Search in the claims, and a filter by verdict and chapter. Both are in the address, so that a link keeps them.
+// Search in the claims, and a filter by grade and chapter. Both are in the address, so that a link keeps them.
 {
   const MOST_RESULTS = 40;
   const articles = [...document.querySelectorAll("article.claim")];
@@ -8,7 +8,7 @@
   const tools = document.querySelector("search.tools");
   const form = tools.querySelector("form");
   const { query, chapter } = form.elements;
-  const boxes = [...form.querySelectorAll("input[name=verdict]")];
+  const boxes = [...form.querySelectorAll("input[name=grade]")];
   const filters = form.querySelector("details.filters");
   const state = form.querySelector("output");
   const reset = form.querySelector("button[type=reset]");
@@ -34,11 +34,11 @@
 
   const wanted = () => ({
     words: plain(query.value).split(" ").filter(Boolean),
-    verdicts: boxes.filter((box) => box.checked).map((box) => box.value),
+    grades: boxes.filter((box) => box.checked).map((box) => box.value),
     chapter: chapter.value,
   });
-  const isFiltered = ({ words, verdicts, chapter: only }) =>
-    words.length > 0 || verdicts.length < boxes.length || only !== "";
+  const isFiltered = ({ words, grades, chapter: only }) =>
+    words.length > 0 || grades.length < boxes.length || only !== "";
 
   const list = (found) => {
     results.replaceChildren(...found.slice(0, MOST_RESULTS).map(({ article, heading }) => {
@@ -60,8 +60,8 @@
     const wish = wanted();
     const ranks = new Map();
     for (const claim of isFiltered(wish) ? index() : []) {
-      const { verdict, chapter: number } = claim.article.dataset;
-      const fits = wish.verdicts.includes(verdict) && (wish.chapter === "" || wish.chapter === number);
+      const { grade, chapter: number } = claim.article.dataset;
+      const fits = wish.grades.includes(grade) && (wish.chapter === "" || wish.chapter === number);
       const rankOfClaim = fits ? rank(claim, wish.words) : undefined;
       if (rankOfClaim !== undefined) ranks.set(claim, rankOfClaim);
     }
@@ -79,7 +79,7 @@
     const wish = wanted();
     const search = new URLSearchParams();
     if (wish.words.length > 0) search.set("query", query.value.trim());
-    if (wish.verdicts.length < boxes.length) search.set("verdict", wish.verdicts.join(","));
+    if (wish.grades.length < boxes.length) search.set("grade", wish.grades.join(","));
     if (wish.chapter) search.set("chapter", wish.chapter);
     const text = search.toString().replaceAll("%2C", ",");
     history.replaceState(null, "", `${location.pathname}${text ? `?${text}` : ""}${location.hash}`);
@@ -87,7 +87,7 @@
 
   const choose = (text) => {
     const search = new URLSearchParams(text);
-    const named = (search.get("verdict") ?? "").split(",");
+    const named = (search.get("grade") ?? "").split(",");
     const known = boxes.some((box) => named.includes(box.value));
     for (const box of boxes) box.checked = !known || named.includes(box.value);
     const number = search.get("chapter") ?? "";

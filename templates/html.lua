@@ -135,7 +135,7 @@ local function equation(div)
 end
 
 local function claim(div)
-  local opening = '<article class="claim" id="%s" data-verdict="%s" data-chapter="%s">'
+  local opening = '<article class="claim" id="%s" data-verdict="%s" data-grade="%s" data-chapter="%s">'
   local attributes = div.attributes
   local blocks = div.content:map(function(block)
     if block.t == "Div" and block.classes:includes("latex-sources") then
@@ -144,7 +144,7 @@ local function claim(div)
     return block
   end)
   return wrapped(
-    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.chapter)),
+    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.grade), escaped(attributes.chapter)),
     blocks,
     "</article>"
   )

@@ -64,7 +64,7 @@ end
 
 local function claim(div)
   div.content[1].identifier = div.identifier
-  return wrapped("#claim(" .. quoted(div.attributes.verdict) .. ")[", div.content, "]")
+  return wrapped("#claim(" .. quoted(div.attributes.grade) .. ")[", div.content, "]")
 end
 
 local function figure(div)
@@ -116,7 +116,11 @@ local converters = {
   ["chapter-begin"] = nothing,
   ["chapter-end"] = nothing,
   group = content,
+  opening = content,
   highlights = call("highlights"),
+  designer = call("designer"),
+  ["do"] = content,
+  ["do-not"] = content,
   answer = call("answer"),
   partial = call("partial-report"),
   ["verdict-picture"] = function(div)

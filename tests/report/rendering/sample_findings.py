@@ -6,7 +6,18 @@ from collections.abc import Iterable
 
 import sympy
 
-from report.claim import Finding, Impact, JudgedPart, Kind, Mathematics, Number, Shown, Verdict, Words
+from report.claim import (
+    Finding,
+    Impact,
+    JudgedPart,
+    Kind,
+    Mathematics,
+    Number,
+    Severity,
+    Shown,
+    Verdict,
+    Words,
+)
 from tests.report.rendering.sample_formulas import CASES, DOTS, SPECIAL, long_coefficient, state_matrix
 
 
@@ -17,9 +28,13 @@ def part(
     label: str = "",
     slip: str = "",
     method: str = "simplification",
+    severity: Severity = Severity.RESULT,
+    item: str = "",
 ) -> JudgedPart:
     """Return a judged part with its fields in the order they are written here."""
-    return JudgedPart(label, verdict, printed, derived, method, slip)
+    item = item or f"{label}: {printed} and {derived}"
+    severity = severity if verdict.is_wrong else Severity.NONE
+    return JudgedPart(label, verdict, printed, derived, method, slip, item=item, severity=severity)
 
 
 def finding(
@@ -111,7 +126,14 @@ def chapter_two() -> tuple[Finding, ...]:
             Kind.EQUATION,
             "2.2.1",
             "A-matrix",
-            [part(Verdict.ERRATUM, Mathematics(f"A = {wrong}"), Mathematics(f"A = {matrix}"))],
+            [
+                part(
+                    Verdict.ERRATUM,
+                    Mathematics(f"A = {wrong}"),
+                    Mathematics(f"A = {matrix}"),
+                    severity=Severity.CONCLUSION,
+                )
+            ],
             "One entry has a minus where the model gives a plus.",
             "Listing A.1 uses the right one.",
             Impact.LOCAL,
@@ -150,6 +172,7 @@ def chapter_two() -> tuple[Finding, ...]:
                     Mathematics(CASES),
                     Mathematics(CASES.replace("- b", r"- \frac{g}{2}").replace("+ b", r"+ \frac{g}{2}")),
                     slip="the symbol b is half the gap here",
+                    severity=Severity.SLIP,
                 )
             ],
             "The waveform is right if $b$ is read as half the gap.",
@@ -181,6 +204,7 @@ def chapter_five() -> tuple[Finding, ...]:
                     Number("488.2", "Hz"),
                     "frequency",
                     method="every printed digit",
+                    item="488 Hz",
                 ),
             ],
             "The coefficient is a sum of many products.",
@@ -233,7 +257,10 @@ def chapter_five() -> tuple[Finding, ...]:
             Kind.FIGURE,
             "5",
             "spectrum of the output",
-            [part(Verdict.ERRATUM, Number("545", "Hz"), Number("550", "Hz"), "peak")],
+            [
+                part(Verdict.ERRATUM, Number("545", "Hz"), Number("550", "Hz"), "peak"),
+                part(Verdict.REPRODUCED, Number("488", "Hz"), Number("488", "Hz"), "again", item="488 Hz"),
+            ],
             "The peak is the fifth harmonic of the drive, not a mode.",
         ),
     )

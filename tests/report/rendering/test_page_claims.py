@@ -7,8 +7,9 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from report.claim import Verdict
 from report.document import Document
+from report.grade import Grade, grade
+from report.rendering.summary import GRADES
 from tests.report.rendering.page_checks import Visit
 
 pytestmark = pytest.mark.browser
@@ -22,12 +23,12 @@ def shown(page: Page) -> set[str]:
     )
 
 
-def ids(document: Document, *verdicts: Verdict) -> set[str]:
-    return {finding.id for finding in document.findings if not verdicts or finding.verdict in verdicts}
+def ids(document: Document, *grades: Grade) -> set[str]:
+    return {finding.id for finding in document.findings if not grades or grade(finding) in grades}
 
 
-def checkbox(page: Page, verdict: Verdict) -> Locator:
-    return page.get_by_role("checkbox", name=verdict.value, exact=True)
+def checkbox(page: Page, one: Grade) -> Locator:
+    return page.get_by_role("checkbox", name=GRADES[one], exact=True)
 
 
 def search(page: Page, text: str) -> list[str]:
@@ -36,29 +37,29 @@ def search(page: Page, text: str) -> list[str]:
     return page.locator(".results a").all_inner_texts()
 
 
-def test_the_verdict_filter_hides_the_other_claims_and_is_in_the_address(
+def test_the_grade_filter_hides_the_other_claims_and_is_in_the_address(
     visit: Callable[..., Visit], document: Document
 ) -> None:
     page = visit().page
-    for verdict in Verdict:
-        if verdict is not Verdict.ERRATUM:
-            checkbox(page, verdict).uncheck()
-    errata = ids(document, Verdict.ERRATUM)
-    assert shown(page) == errata
-    assert page.evaluate("location.search") == "?verdict=erratum"
+    for one in Grade:
+        if one is not Grade.RESULT:
+            checkbox(page, one).uncheck()
+    wrong = ids(document, Grade.RESULT)
+    assert shown(page) == wrong
+    assert page.evaluate("location.search") == "?grade=result"
     expect(page.locator("search .state output")).to_have_text(
-        f"{len(errata)} of {len(document.findings)} claims shown"
+        f"{len(wrong)} of {len(document.findings)} claims shown"
     )
 
 
 def test_an_address_with_a_filter_opens_filtered(visit: Callable[..., Visit], document: Document) -> None:
-    page = visit("?verdict=erratum,explained&chapter=2").page
-    wanted = {Verdict.ERRATUM, Verdict.EXPLAINED}
-    assert shown(page) == {f.id for f in document.chapters[0].findings if f.verdict in wanted}
+    page = visit("?grade=result,slip&chapter=2").page
+    wanted = {Grade.RESULT, Grade.SLIP}
+    assert shown(page) == {f.id for f in document.chapters[0].findings if grade(f) in wanted}
     assert page.locator("select[name=chapter]").input_value() == "2"
 
 
-@pytest.mark.parametrize("end", ["?verdict=unheard-of&chapter=99#%E0%A4%A", "?verdict="])
+@pytest.mark.parametrize("end", ["?grade=unheard-of&chapter=99#%E0%A4%A", "?grade="])
 def test_an_address_that_makes_no_sense_shows_everything(
     visit: Callable[..., Visit], document: Document, end: str
 ) -> None:
@@ -69,19 +70,19 @@ def test_an_address_that_makes_no_sense_shows_everything(
 
 
 def test_a_filter_that_fits_nothing_hides_the_chapter_headings(visit: Callable[..., Visit]) -> None:
-    page = visit("?verdict=not-checkable&chapter=2").page
+    page = visit("?grade=not-checkable&chapter=2").page
     assert shown(page) == set()
     assert not page.locator("#chapter-2").is_visible()
 
 
 def test_a_section_without_claims_to_show_is_hidden(visit: Callable[..., Visit]) -> None:
-    page = visit("?verdict=reproduced&chapter=2").page
+    page = visit("?grade=reproduced&chapter=2").page
     assert page.locator("[id='section-2.2.2']").is_visible()
     assert not page.locator("[id='section-2.3.4']").is_visible()
 
 
 def test_a_link_to_a_hidden_claim_shows_it(visit: Callable[..., Visit]) -> None:
-    page = visit("?verdict=erratum").page
+    page = visit("?grade=result").page
     page.evaluate("location.hash = '#eq-2.8'")
     expect(page.locator("[id='eq-2.8']")).to_be_in_viewport()
     assert page.evaluate("location.search") == ""
@@ -96,10 +97,10 @@ def test_a_link_with_a_dot_in_its_id_leads_to_the_claim(visit: Callable[..., Vis
 def test_a_count_in_the_summary_filters_the_claims(visit: Callable[..., Visit], document: Document) -> None:
     page = visit().page
     page.locator("details.fold summary").click()
-    page.locator("a[data-filter='verdict=erratum&chapter=2']").click()
-    page.wait_for_function("location.search === '?verdict=erratum&chapter=2'")
+    page.locator("a[data-filter='grade=result&chapter=2']").click()
+    page.wait_for_function("location.search === '?grade=result&chapter=2'")
     chapter = {finding.id for finding in document.chapters[0].findings}
-    assert shown(page) == ids(document, Verdict.ERRATUM) & chapter
+    assert shown(page) == ids(document, Grade.RESULT) & chapter
     assert page.evaluate("location.hash") == "#chapter-2"
 
 
@@ -107,8 +108,8 @@ def test_the_filter_works_by_keyboard_and_can_be_reset(
     visit: Callable[..., Visit], document: Document
 ) -> None:
     page = visit().page
-    checkbox(page, Verdict.ERRATUM).press(" ")
-    assert shown(page) == ids(document) - ids(document, Verdict.ERRATUM)
+    checkbox(page, Grade.RESULT).press(" ")
+    assert shown(page) == ids(document) - ids(document, Grade.RESULT)
     page.get_by_role("button", name="Show all").press(" ")
     page.wait_for_function("location.search === ''")
     assert shown(page) == ids(document)

@@ -41,7 +41,7 @@ HALF_GAP = 0.3
 STEP_ERROR = 1e-3
 
 
-@claim("fig-2.7", source=SOURCE)
+@claim("fig-2.7", source=SOURCE, lines=(415, 422), paragraph=2)
 def motor_and_load(_: Evidence) -> Record:
     least, without_mass = first_root(RESTING.value, A), limits(sympy.Integer(0)).flight
     by_domain = 2.0 / float(FrictionBacklash(2.0).domain())
@@ -64,7 +64,7 @@ def motor_and_load(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.8", source=SOURCE)
+@claim("fig-2.8", source=SOURCE, lines=(422, 437), paragraph=2)
 def characteristic(_: Evidence) -> Record:
     position = sympy.Symbol("x")
     first_contact = first_root(RISING.value.subs(INPUT, position), position)
@@ -107,7 +107,7 @@ def characteristic(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.9", source=SOURCE)
+@claim("fig-2.9", source=SOURCE, lines=(445, 452), paragraph=7)
 def input_characteristic_output(_: Evidence) -> Record:
     values = {A: 1, b: sympy.Rational(HALF_GAP).limit_denominator(10)}
     printed = (sympy.pi / 2, sympy.pi - CONTACT, 3 * sympy.pi / 2, 2 * sympy.pi - CONTACT)
@@ -141,7 +141,7 @@ def continuous(waveform: Waveform, index: int, values: Values) -> Confirmation:
     return close("continuity at the start of the piece", second, first)
 
 
-@claim("eq-2.36", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-2.36", source=SOURCE, impact=Impact.LOCAL, lines=(447, 447), paragraph=7)
 def waveform(_: Evidence) -> Record:
     printed = (-(A - b), total(INPUT, b), A - b, total(INPUT, -b))
     for index, (line, value, segment) in enumerate(zip(LINES, printed, WAVEFORM.segments, strict=True)):
@@ -158,7 +158,7 @@ def waveform(_: Evidence) -> Record:
     """).given(jump=2 * (A - b))
 
 
-@claim("txt-2.3.4-first-segment-value", source=SOURCE, impact=Impact.LOCAL)
+@claim("txt-2.3.4-first-segment-value", source=SOURCE, impact=Impact.LOCAL, lines=(445, 445), paragraph=7)
 def first_segment(_: Evidence) -> Record:
     second = continuous(WAVEFORM, 0, VALUES)
     slip = made_here("the sign is that of the third piece", -RESTING.value)
@@ -171,7 +171,7 @@ def first_segment(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-contact-angle", source=SOURCE)
+@claim("txt-2.3.4-contact-angle", source=SOURCE, lines=(454, 454), paragraph=8)
 def contact_angle(_: Evidence) -> Record:
     sine = sympy.Symbol("s", real=True)
     derived = sympy.asin(first_root(A * sine + b - (A - b), sine))
@@ -182,7 +182,7 @@ def contact_angle(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-friction-frequency-independent", source=SOURCE)
+@claim("txt-2.3.4-friction-frequency-independent", source=SOURCE, lines=(492, 492), paragraph=13)
 def frequency_independent(_: Evidence) -> Record:
     coefficients = (WAVEFORM.cosine_coefficient(), WAVEFORM.sine_coefficient())
     free = set().union(*(each.free_symbols for each in coefficients))
@@ -239,7 +239,7 @@ def integrals(
         yield expression(f"{line} value", value, area, assume=REACHED, second=second)
 
 
-@claim("eq-2.37", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-2.37", source=SOURCE, impact=Impact.LOCAL, lines=(456, 461), paragraph=8)
 def cosine_integrals(_: Evidence) -> Record:
     yield from integrals(COSINE, 2 * b * (b - A) / A, sympy.Integer(0), exchanged=True)
     yield text("""
@@ -251,13 +251,13 @@ def cosine_integrals(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-B.1", source=SOURCE)
+@claim("eq-B.1", source=SOURCE, lines=(1758, 1763))
 def appendix_integrals(_: Evidence) -> Record:
     yield from integrals(COSINE, 2 * b * (b - A) / A, sympy.Integer(0))
     yield text("Integrands and values are right, with the signs that equation 2.37 has exchanged.")
 
 
-@claim("eq-2.39", source=SOURCE)
+@claim("eq-2.39", source=SOURCE, lines=(472, 477), paragraph=10)
 def sine_integrals(_: Evidence) -> Record:
     root = sympy.sqrt(b * (A - b) / A**2)
     yield from integrals(
@@ -285,7 +285,7 @@ def sine_part(label: str) -> Part:
     return expression(label, printed, derived, "b_{1}", assume=REACHED, second=second)
 
 
-@claim("eq-2.38", source=SOURCE)
+@claim("eq-2.38", source=SOURCE, lines=(465, 468), paragraph=9)
 def cosine_coefficient(_: Evidence) -> Record:
     yield cosine_part("")
     yield text("""
@@ -293,16 +293,18 @@ def cosine_coefficient(_: Evidence) -> Record:
     """)
 
 
-appendix_coefficient = claim("eq-B.2", source=SOURCE)(cosine_coefficient.items)
+appendix_coefficient = claim("eq-B.2", source=SOURCE, lines=(1767, 1770), paragraph=1)(
+    cosine_coefficient.items
+)
 
 
-@claim("eq-2.40", source=SOURCE)
+@claim("eq-2.40", source=SOURCE, lines=(481, 481), paragraph=11)
 def sine_coefficient(_: Evidence) -> Record:
     yield sine_part("")
     yield text("The coefficient of the right waveform, with $b$ half of the total gap.")
 
 
-@claim("eq-2.41", source=SOURCE)
+@claim("eq-2.41", source=SOURCE, lines=(485, 488), paragraph=12)
 def describing_function(_: Evidence) -> Record:
     yield cosine_part("$a_1$")
     yield sine_part("$b_1$")

@@ -30,7 +30,7 @@ WAVEFORM, IN_GAP = inertia_waveform(b), inertia_waveform()
 ANGLE = sympy.Rational(8, 5)
 
 
-@claim("fig-2.10", source=SOURCE)
+@claim("fig-2.10", source=SOURCE, lines=(497, 502), paragraph=14)
 def characteristic(_: Evidence) -> Record:
     flying, following, flying_back, following_back = WAVEFORM.segments
     start = same("the start of the flight", flying.start, sympy.Integer(0))
@@ -46,7 +46,7 @@ def characteristic(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-separation-velocity", source=SOURCE, impact=Impact.NOTATION)
+@claim("txt-2.3.4-separation-velocity", source=SOURCE, impact=Impact.NOTATION, lines=(497, 497), paragraph=14)
 def separation_velocity(_: Evidence) -> Record:
     velocity = (A * sympy.sin(omega * t)).diff(t)
     for n in (0, 1):
@@ -68,7 +68,7 @@ def separation_velocity(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.42", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-2.42", source=SOURCE, impact=Impact.LOCAL, lines=(506, 506), paragraph=14)
 def waveform(_: Evidence) -> Record:
     half = b / 2
     printed = (
@@ -93,7 +93,7 @@ def waveform(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-inertia-contact-equation", source=SOURCE)
+@claim("txt-2.3.4-inertia-contact-equation", source=SOURCE, lines=(508, 512), paragraph=15)
 def contact_equation(_: Evidence) -> Record:
     flying, following = WAVEFORM.segments[:2]
     meeting = sympy.expand((flying.value - following.value).subs(THETA, CONTACT) / A)
@@ -108,7 +108,7 @@ def contact_equation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.43", source=SOURCE)
+@claim("eq-2.43", source=SOURCE, lines=(516, 516), paragraph=16)
 def describing_function(_: Evidence) -> Record:
     sine, cosine, ratio = sympy.sin(CONTACT), sympy.cos(CONTACT), inertia_contact_ratio()
     real = total(sympy.pi, 2 * sine, -CONTACT, product(-1, sine, cosine))
@@ -128,7 +128,7 @@ def describing_function(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-imaginary-signs", source=SOURCE, impact=Impact.LOCAL)
+@claim("txt-2.3.4-imaginary-signs", source=SOURCE, impact=Impact.LOCAL, lines=(518, 518), paragraph=17)
 def imaginary_signs(_: Evidence) -> Record:
     friction = sympy.simplify(friction_waveform().cosine_coefficient() / A)
     samples = [friction.subs({A: 1, GAP: sympy.Rational(k, 50)}) for k in range(1, 100)]

@@ -90,7 +90,7 @@ def numeric() -> complex:
     return quadrature_gain(general_waveform(), A, point())
 
 
-@claim("fig-2.11", source=SOURCE)
+@claim("fig-2.11", source=SOURCE, lines=(527, 529), paragraph=18)
 def separation_and_contact(_: Evidence) -> Record:
     before, angle = general_waveform().segments[-1].value, separation_angle()
     label, pin = r"velocity of the load before $\phi_s$, over $\omega$", A * sympy.sin(THETA)
@@ -120,7 +120,7 @@ def separation_and_contact(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.44", source=SOURCE)
+@claim("eq-2.44", source=SOURCE, lines=(531, 531), paragraph=18)
 def separation(_: Evidence) -> Record:
     angle = separation_angle()
     force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
@@ -133,7 +133,7 @@ def separation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.45", source=SOURCE)
+@claim("eq-2.45", source=SOURCE, lines=(535, 535), paragraph=19)
 def ratio(_: Evidence) -> Record:
     mass, damping = sympy.symbols("M D", positive=True)
     printed = mass / damping * omega
@@ -148,7 +148,7 @@ def ratio(_: Evidence) -> Record:
     """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
 
 
-@claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM, lines=(539, 539), paragraph=20)
 def contact_equation(_: Evidence) -> Record:
     flight = product(GAMMA**2 / ROOT, sympy.exp((sympy.atan(1 / GAMMA) - CONTACT) / GAMMA))
     right, wrong_root = sympy.latex(SINE + flight), sympy.sqrt(1 - GAMMA**2)
@@ -175,7 +175,7 @@ def contact_equation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.47", source=SOURCE)
+@claim("eq-2.47", source=SOURCE, lines=(545, 545), paragraph=21)
 def complex_form(_: Evidence) -> Record:
     derived = general_describing_function()
     printed = sympy.re(derived) + sympy.I * sympy.im(derived)
@@ -230,7 +230,7 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
     )
 
 
-@claim("eq-B.3", source=SOURCE)
+@claim("eq-B.3", source=SOURCE, lines=(1774, 1778))
 def in_phase(_: Evidence) -> Record:
     yield in_phase_part("with $b/A$ from the contact equation", general_describing_function())
     yield text("""
@@ -239,7 +239,7 @@ def in_phase(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-B.4", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-B.4", source=SOURCE, impact=Impact.LOCAL, lines=(1780, 1784))
 def quadrature(_: Evidence) -> Record:
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(general_describing_function())

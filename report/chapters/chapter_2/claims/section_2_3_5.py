@@ -26,7 +26,7 @@ SPEED = sympy.Symbol("v", real=True)
 RELAY, FRICTION = relay_waveform(), friction_waveform()
 
 
-@claim("eq-2.48", source=SOURCE)
+@claim("eq-2.48", source=SOURCE, lines=(555, 555), paragraph=1)
 def law(_: Evidence) -> Record:
     yield expression(
         "power lost by a body that feels $-F$",
@@ -41,7 +41,7 @@ def law(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.49", source=SOURCE)
+@claim("eq-2.49", source=SOURCE, lines=(559, 559), paragraph=2)
 def pieces(_: Evidence) -> Record:
     printed = sympy.Piecewise((FORCE, SPEED > 0), (0, sympy.Eq(SPEED, 0)), (-FORCE, True))
     for relation, value in ((">", 2), ("=", 0), ("<", -3)):
@@ -53,7 +53,7 @@ def pieces(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.12", source=SOURCE)
+@claim("fig-2.12", source=SOURCE, lines=(576, 576), paragraph=5)
 def friction_as_relay(_: Evidence) -> Record:
     switching = {segment.start % (2 * sympy.pi) for segment in FRICTION.segments}
     levels = {segment.value for segment in FRICTION.segments}
@@ -83,7 +83,7 @@ def friction_as_relay(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.50", source=SOURCE)
+@claim("eq-2.50", source=SOURCE, lines=(567, 569), paragraph=5)
 def cosine_coefficient(_: Evidence) -> Record:
     for half, segment in zip(("first", "second"), RELAY.segments, strict=True):
         label = f"integral over the {half} half"
@@ -98,7 +98,7 @@ def cosine_coefficient(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.51", source=SOURCE, impact=Impact.NOTATION)
+@claim("eq-2.51", source=SOURCE, impact=Impact.NOTATION, lines=(580, 584), paragraph=6)
 def sine_coefficient(_: Evidence) -> Record:
     printed = total(-sympy.cos(sympy.pi, evaluate=False), -sympy.cos(0, evaluate=False))
     primitive = sympy.integrate(SINE, THETA)
@@ -124,7 +124,7 @@ def sine_coefficient(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.52", source=SOURCE)
+@claim("eq-2.52", source=SOURCE, lines=(588, 588), paragraph=7)
 def describing_function(_: Evidence) -> Record:
     derived = derived_function(RELAY, A)
     second = by_quadrature(derived, quadrature_gain(RELAY, A, VALUES), VALUES)
@@ -137,7 +137,7 @@ def describing_function(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.5-input-choice", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("txt-2.3.5-input-choice", source=SOURCE, impact=Impact.DOWNSTREAM, lines=(563, 571), paragraph=4)
 def input_choice(_: Evidence) -> Record:
     by_velocity, by_displacement = derived_function(RELAY, A), derived_function(FRICTION, A)
     yield expression(
@@ -158,7 +158,7 @@ def input_choice(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.5-coulomb-locus", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("txt-2.3.5-coulomb-locus", source=SOURCE, impact=Impact.DOWNSTREAM, lines=(590, 590), paragraph=8)
 def locus(_: Evidence) -> Record:
     relay, friction = (sympy.simplify(-1 / derived_function(each, A)) for each in (RELAY, FRICTION))
     statement = "$-1/N$ lies on the negative real axis"

@@ -42,7 +42,7 @@ SETTLED = 0.01
 """Relative difference allowed between a simulated and a predicted amplitude: the harmonics' share."""
 
 
-@claim("eq-2.53", source=SOURCE)
+@claim("eq-2.53", source=SOURCE, lines=(606, 606), paragraph=3)
 def real_part(_: Evidence) -> Record:
     printed = total(product(REAL_N, REAL_G), product(-1, IMAGINARY_N, IMAGINARY_G))
     derived = sympy.re(LOOP)
@@ -51,7 +51,7 @@ def real_part(_: Evidence) -> Record:
     yield text(r"The real part of $NG$. For $G(j\omega)$ the line writes $G(j, \omega)$.")
 
 
-@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL, lines=(608, 608), paragraph=3)
 def imaginary_part(_: Evidence) -> Record:
     printed = total(product(IMAGINARY_N, IMAGINARY_G), product(IMAGINARY_N, REAL_G))
     derived = sympy.im(LOOP)
@@ -73,7 +73,13 @@ def imaginary_part(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.6-roles", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
+@claim(
+    "txt-2.3.6-roles",
+    source="trimmer/elements/friction_backlash.py",
+    impact=Impact.LOCAL,
+    lines=(610, 610),
+    paragraph=4,
+)
 def roles(known: Evidence) -> Record:
     yield expression(
         "a real $N$, as of a relay",
@@ -114,7 +120,7 @@ def solved_for_plant() -> Part:
     return expression("", -1 / nonlinear, first_root(1 + nonlinear * linear, linear), linear)
 
 
-@claim("eq-2.55", source=SOURCE)
+@claim("eq-2.55", source=SOURCE, lines=(614, 614), paragraph=5)
 def family_of_curves(_: Evidence) -> Record:
     yield solved_for_plant()
     yield text("""
@@ -123,7 +129,7 @@ def family_of_curves(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.56", source=SOURCE)
+@claim("eq-2.56", source=SOURCE, lines=(620, 620), paragraph=7)
 def one_curve(_: Evidence) -> Record:
     yield solved_for_plant()
     yield text("""
@@ -133,7 +139,7 @@ def one_curve(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.13", source=LOOPS)
+@claim("fig-2.13", source=LOOPS, lines=(622, 633), paragraph=8)
 def graphical_balance(_: Evidence) -> Record:
     loop = relay_loop()
     samples = np.linspace(1.0, 2.0, 400), np.linspace(0.1, 0.4, 400)
@@ -158,7 +164,7 @@ def graphical_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.14", source=LOOPS)
+@claim("fig-2.14", source=LOOPS, lines=(628, 640), paragraph=9)
 def two_limit_cycles(_: Evidence) -> Record:
     loop = backlash_loop()
     first, second = (cycle.amplitude for cycle in loop.limit_cycles())
@@ -189,7 +195,7 @@ def two_limit_cycles(_: Evidence) -> Record:
     """).given(loop=EXAMPLE)
 
 
-@claim("txt-2.3.6-stability-rule", source="trimmer/balance/stability.py")
+@claim("txt-2.3.6-stability-rule", source="trimmer/balance/stability.py", lines=(640, 640), paragraph=10)
 def stability_rule(_: Evidence) -> Record:
     yield side_of_the_crossing()
     first, second = backlash_loop().limit_cycles()
@@ -250,7 +256,7 @@ def side_of_the_crossing() -> Part:
     )
 
 
-@claim("txt-2.3.6-nyquist-premise", source=LOOPS, impact=Impact.NOTATION)
+@claim("txt-2.3.6-nyquist-premise", source=LOOPS, impact=Impact.NOTATION, lines=(628, 628), paragraph=9)
 def nyquist_premise(_: Evidence) -> Record:
     loop, linear = backlash_loop(), control.tf([10], [1, 3, 3, 1])
     growing = growing_poles(loop, STEP * loop.limit_cycles()[0].amplitude)

@@ -37,7 +37,7 @@ def loop() -> sympy.Expr:
     return sympy.expand((velocity - PLANT * drive) / velocity)
 
 
-@claim("eq-2.57", source=SOURCE)
+@claim("eq-2.57", source=SOURCE, lines=(661, 661), paragraph=4)
 def harmonic_balance(_: Evidence) -> Record:
     printed = 1 + (BACKLASH + FRICTION / FILTER) * (PLANT * FILTER)
     yield expression("$N_{eq}G_{eq} + 1$", printed, loop())
@@ -47,7 +47,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.58", source=SOURCE)
+@claim("eq-2.58", source=SOURCE, lines=(665, 665), paragraph=5)
 def equivalent(_: Evidence) -> Record:
     derived = sympy.simplify((loop() - 1) / (PLANT * FILTER))
     yield expression("", BACKLASH + FRICTION / FILTER, derived, "N_{eq}")
@@ -75,7 +75,9 @@ def printed_backlash_part(label: str) -> Part:
     )
 
 
-@claim("eq-2.59", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
+@claim(
+    "eq-2.59", source="derivations/elements/backlash.py", impact=Impact.LOCAL, lines=(669, 669), paragraph=6
+)
 def backlash_part(_: Evidence) -> Record:
     yield printed_backlash_part("")
     yield text(r"""
@@ -86,7 +88,7 @@ def backlash_part(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.60", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim("eq-2.60", source=SOURCE, impact=Impact.DOWNSTREAM, lines=(673, 673), paragraph=7)
 def friction_part(_: Evidence) -> Record:
     printed, of_velocity = 4 * COULOMB / (A * sympy.pi), describing_function(relay_waveform(), A)
     integrator = 1 / (sympy.I * omega)
@@ -110,7 +112,7 @@ def friction_part(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.4-amplitude-relation", source=SOURCE)
+@claim("txt-2.4-amplitude-relation", source=SOURCE, lines=(659, 659), paragraph=4)
 def amplitude_relation(_: Evidence) -> Record:
     velocity, integrator = sympy.Symbol("A_v", positive=True), 1 / (sympy.I * omega)
     integrated = sympy.Abs(velocity * sympy.exp(sympy.I * THETA) * integrator)
@@ -123,7 +125,13 @@ def amplitude_relation(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.4-units", source="derivations/dimensions.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-2.4-units",
+    source="derivations/dimensions.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(663, 673),
+    paragraph=5,
+)
 def units(_: Evidence) -> Record:
     backlash = describing_function(friction_waveform(2 * b), A)
     friction = 4 * COULOMB / (omega * A * sympy.pi)
@@ -152,7 +160,7 @@ def units(_: Evidence) -> Record:
     """).given(stiffness=dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))
 
 
-@claim("fig-2.15", source=SOURCE)
+@claim("fig-2.15", source=SOURCE, lines=(655, 657), paragraph=2)
 def in_parallel(_: Evidence) -> Record:
     plant, integral, backlash, friction = sympy.symbols("G_m G_g N_r N_f")
     # Rows: v = G_m u, x = G_g v, u = -N_r x - N_f v, for the signals (v, x, u).
