@@ -49,13 +49,15 @@ def transfer_function(known: Evidence) -> Record:
         slip = repeated("the output is q2 + q4 instead of q2 - q4", wrong)
         item = "" if derived == wrong else of_the_sum
         label = f"above the bar, $s^{{{highest - place}}}$"
-        yield digits(label, printed, derived, second=second, slip=slip, item=item)
+        form = _as_in_the_copy(printed)
+        yield digits(label, printed, derived, second=second, slip=slip, item=item, printed_form=form)
     highest = len(PRINTED_DENOMINATOR) - 1
     below = zip(PRINTED_DENOMINATOR, numbers.denominator, np.poly(model.A), strict=True)
     for place, (printed, derived, other) in enumerate(below):
         second = close("the product of the eigenvalues", other, float(derived), 1e-6)
         label = f"below the bar, $s^{{{highest - place}}}$"
-        yield digits(label, printed, derived, second=second, copy_fault=_superscript(printed, derived))
+        fault, form = _superscript(printed, derived), _as_in_the_copy(printed)
+        yield digits(label, printed, derived, second=second, copy_fault=fault, printed_form=form)
     as_printed, in_fractions = 1.233**10, float(Fraction("1.233") ** 10)
     name = "a factor of ten under each exponent, or the letter e of 1.233e10"
     yield assertion(
@@ -79,6 +81,12 @@ def transfer_function(known: Evidence) -> Record:
         printed=float(wrong_output[-1] / numbers.denominator[-1]),
         right=float(numbers.numerator[-1] / numbers.denominator[-1]),
     )
+
+
+def _as_in_the_copy(printed: str) -> str:
+    """Return a coefficient as the copy has it: its power of ten as one of the digits before it."""
+    mantissa, _, exponent = printed.partition("e")
+    return f"{mantissa}^{{{exponent}}}" if exponent else mantissa
 
 
 def _superscript(printed: str, derived: Fraction) -> CopyFault | None:

@@ -34,7 +34,7 @@ BOUND = 1.0
 """Friction that the thesis takes for realistic, N; its upper bound."""
 STEADY = 1.0
 """Rate below which a frequency may be said to stay, 1/s."""
-PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.22 and 5.23")
+PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
 
 
 @claim("eq-5.12", source="derivations/transfer_function.py", lines=(1220, 1220), paragraph=3)
@@ -262,13 +262,16 @@ def force_unit(known: Evidence) -> Record:
     displacement, acceleration = sympy.symbols("u a")
     units = {**DIMENSIONS, displacement: LENGTH, acceleration: DIMENSION_OF_FORCE / DIMENSIONS[m2]}
     beside, inertia = (dimension_of(term, units) for term in (k2 * displacement, m2 * acceleration))
-    places = ", ".join(f"[-] in {place}" for place in PLACES_WITHOUT_UNIT)
-    means = rf"$m_2\ddot q_2$ in the same equation, in {inertia}"
+    newtons = str(beside).replace("^-2", "⁻²")
+    means = r"$m_2\ddot q_2$ in the same equation, which is a force"
     yield assertion(
         "unit",
         "$F_c$ is a number without unit, as behind 0.015, 1.5 and 0.6",
         beside == NUMBER,
-        f"in equation 3.2 it stands beside $k_2u$, in {beside}; {places}, [N] in the bound of 1.0",
+        f"""
+        in equation 3.2 it stands beside $k_2u$, in {newtons}; the thesis writes [-] at {PLACES_WITHOUT_UNIT},
+        and [N] at the bound of 1.0
+        """,
         method="dimension check of equation 3.2",
         second=so(means, inertia == DIMENSION_OF_FORCE),
     )

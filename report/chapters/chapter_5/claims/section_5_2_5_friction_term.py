@@ -48,8 +48,8 @@ def equivalent(_: Evidence) -> Record:
     yield coulomb_part(over=A)
     yield text(r"""
         The backlash part lacks the factor $A/\pi$, [as in equation 2.59](#eq-2.59). The friction part has the
-        wrong sign and divides by a frequency that drops out, [as derived above](#txt-5.2.5-coulomb-term);
-        here it stands inside a bracket that is divided by $A$ once more.
+        wrong sign and divides by a frequency that drops out, [as derived for it
+        alone](#txt-5.2.5-coulomb-term). Here it stands inside a bracket that is divided by $A$ once more.
 
         Figures 5.21 to 5.24 come from Listing A.6, which has the first part right and the second wrong.
     """)
