@@ -98,7 +98,8 @@ def external_input(_: Evidence) -> Record:
     time, amplitude = sympy.Symbol("t", real=True), sympy.Rational("0.0015")
     printed = amplitude * sympy.sin(200 * sympy.pi * time)
     derived = sympy.im(amplitude * sympy.exp(2 * sympy.pi * 100 * sympy.I * time))
-    yield expression("", printed, derived, left=sympy.Symbol("r"))
+    form = r"r(t) = 0.0015\sin(2\pi 100t)"
+    yield expression("", printed, derived, left=sympy.Symbol("r"), printed_form=form)
     yield text("""
         This is [equation 2.1](#eq-2.1) with an eccentricity of 1.5 mm and 100 turns a second. The motor of
         the experiment turned faster; see [where its frequency is quoted](#txt-3.2-drive-frequency).

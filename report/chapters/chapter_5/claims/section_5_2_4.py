@@ -40,7 +40,9 @@ PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
 @claim("eq-5.12", source="derivations/transfer_function.py", lines=(1220, 1220), paragraph=3)
 def limit_of_response(known: Evidence) -> Record:
     above, below = relay_and_friction.fraction_of(known.numbers)
-    yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
+    form = r"\lim_{\omega\to+\infty} G(j\omega) \to (0, 0j)"
+    derived = sympy.limit(above / below, s, sympy.oo)
+    yield expression("", sympy.Integer(0), derived, left=r"\lim G", printed_form=form)
     yield text("""
         The transfer function has two poles more than zeros, so it tends to zero. The text lets it spiral into
         that point. It does not: its phase tends to -180 degrees, so it comes in along the negative real axis.
