@@ -30,7 +30,7 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("programs", "derivation", "tables", "errata")
+BACK = ("twin", "programs", "derivation", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -52,7 +52,7 @@ def to_markdown(document: Document) -> dict[str, str]:
         "figures": {figure.id: figure for figure in document.figures},
         "program_of": {program.claim: program.name for program in document.programs},
         "counts": summary.count_table(document),
-        "errata": errata.errata(document),
+        "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
     pieces = {
@@ -163,6 +163,7 @@ def _environment() -> Environment:
         short_reference=summary.short_reference,
         methods=summary.methods,
         slips=summary.slips,
+        copy_faults=summary.copy_faults,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
@@ -185,6 +186,7 @@ def _environment() -> Environment:
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,
+        ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
     )

@@ -134,7 +134,14 @@ def methods(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
 
 def slips(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
     """Return (parts, slip) for each distinct slip, in order; parts is empty if all parts share it."""
-    return _said_once([(part.label, part.slip) for part in parts])
+    return _said_once([(part.label, "" if part.decided_by else part.slip) for part in parts])
+
+
+def copy_faults(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
+    """Return (parts, what the copy may have lost, and what decides it), in order; as ``slips``."""
+    return _said_once(
+        [(part.label, f"{part.slip}; {part.decided_by}" if part.decided_by else "") for part in parts]
+    )
 
 
 def _said_once(said: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 from report.claim import Certainty, Finding, Impact, JudgedPart, Kind, Number, Verdict
 from report.document import Document
 from report.grade import Grade, grade
@@ -67,3 +69,9 @@ def test_a_sentence_ends_with_one_full_stop() -> None:
         == summary.sentence("b is half the gap.")
         == "b is half the gap."
     )
+
+
+def test_what_the_copy_may_have_lost_is_no_slip_and_says_what_decides() -> None:
+    lost = replace(part("a", "", "a minus is lost"), decided_by="the page decides")
+    assert summary.slips((lost,)) == ()
+    assert summary.copy_faults((lost, part("b", ""))) == (("a", "a minus is lost; the page decides"),)
