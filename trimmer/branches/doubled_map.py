@@ -34,6 +34,11 @@ class DoubledPassage:
         return self.second.jacobian @ self.first.jacobian
 
     @property
+    def monodromy(self) -> Reals:
+        """The matrix whose eigenvalues are the multipliers, n x n."""
+        return self.second.monodromy @ self.first.monodromy
+
+    @property
     def sizes(self) -> Reals:
         """Magnitude of each entry over both passages, shape (n,)."""
         return np.maximum(self.first.sizes, self.second.sizes)
@@ -91,3 +96,11 @@ class DoubledMap:
         """
         first = self.single.passage(value, state)
         return DoubledPassage(first, self.single.passage(value, first.end))
+
+    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:  # noqa: ARG002
+        """Return the map and the state to go on with from an orbit: both as they are."""
+        return self, state
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:  # noqa: ARG002
+        """Return the states of an orbit at which a passage may begin: the one that is known."""
+        return [state]

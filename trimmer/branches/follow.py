@@ -16,14 +16,18 @@ from trimmer.branches.continuation import continuation
 from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.mirror import is_mirror_symmetric
 from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
+from trimmer.branches.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
+from trimmer.contact.flow import ExactFlow
 from trimmer.errors import MechanismError, OrbitNotFoundError, UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
-from trimmer.response.forced_orbit import mechanism_orbit
+from trimmer.messages import listed
+from trimmer.response.forced_orbit import mechanism_orbit, require_repeating
 from trimmer.response.orbit import MechanismOrbit
+from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import orbit_from_rest
 
 if TYPE_CHECKING:
@@ -66,7 +70,10 @@ class FollowedOrbit:
 
     @property
     def state(self) -> Reals:
-        """State at the start of a drive period, shape (n,)."""
+        """State at the start of a drive period, (n,); without a drive any, and the period last, (n + 1,).
+
+        The period is that before it doubled, if it did.
+        """
         return self.point.state
 
     @property
@@ -76,18 +83,29 @@ class FollowedOrbit:
 
     @property
     def multipliers(self) -> Complexes:
-        """Floquet multipliers by falling modulus, (n,)."""
-        return self.point.multipliers
+        """Floquet multipliers by falling modulus, (n,).
+
+        Without a drive one of them is 1, since the motion may be shifted in time; ``stable`` leaves it out.
+        """
+        multipliers = self.point.multipliers
+        return with_trivial(multipliers) if isinstance(self.map, SelfExcitedMap) else multipliers
 
     @property
     def periods(self) -> int:
-        """Drive periods after which it repeats."""
+        """Drive periods after which it repeats; without a drive 1, and 2, 4, … where periods have doubled."""
         return self.map.periods
 
     @property
+    def period(self) -> float:
+        """Time after which it repeats, s."""
+        if isinstance(self.map, SelfExcitedMap):
+            return self.periods * float(self.point.state[-1])
+        return self.periods * self.map.flow(self.value).period
+
+    @property
     def events_per_period(self) -> float:
-        """Events in a drive period, the mean over the orbit."""
-        return self.point.events / self.periods
+        """Events in a drive period, the mean over the orbit; without a drive over its period."""
+        return self.point.events / (1 if isinstance(self.map, SelfExcitedMap) else self.periods)
 
     @cached_property
     def passage(self) -> MechanismPassage:
@@ -106,8 +124,12 @@ class FollowedOrbit:
             harmonics: Harmonics of the drive up to which the forces balance.
 
         Raises:
-            UnsupportedMotionError: if a spring leans on a pin that moves on.
+            UnsupportedMotionError: if a spring leans on a pin that moves on, or there is no drive.
         """
+        if isinstance(self.map, SelfExcitedMap):
+            raise UnsupportedMotionError(
+                "harmonic balance runs beside driven motions only, and the mechanism has no frequency; leave it out"
+            )
         course = self.passage.course
         exact = body_coefficients(course, self.periods, self.periods * harmonics)
         balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
@@ -180,7 +202,7 @@ def follow(
     state: ArrayLike | None = None,
     settings: FollowSettings = DEFAULT,
 ) -> FollowedBranch:
-    """Follow a branch of exact periodic motions of a driven mechanism over one of its numbers.
+    """Follow a branch of exact periodic motions of a mechanism over one of its numbers.
 
     It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
     leaving the interval at either end. A motion that is its own mirror image half a period later is followed
@@ -188,14 +210,18 @@ def follow(
     a branch of asymmetric motions joins the symmetric one, it goes on along that towards ``stop``, and the
     other side of the symmetric one is followed as a branch that parts.
 
+    A mechanism without a frequency moves by itself. Then the period is an unknown of each orbit; the
+    multiplier that is 1, since the motion may be shifted in time, has no say in stability and special points.
+
     Args:
-        mechanism: The mechanism; it has a frequency.
+        mechanism: The mechanism.
         place: Dotted place of the number, such as ``frequency`` or ``plays.bridge.gap``.
         start: First value in SI units (Hz for a frequency), or text with its unit.
         stop: The other end of the interval.
         periods: Drive periods after which the motion repeats; by default those after which it does.
         state: State at the start of a drive period from which to begin instead, shape (n,); see
-            ``trimmer.contact.flow.ExactFlow.names`` for its entries.
+            ``trimmer.contact.flow.ExactFlow.names`` for its entries. Without a drive a state anywhere on the
+            motion and its period, s, shape (n + 1,), as ``FollowedOrbit.state``.
         settings: How to follow it.
 
     Returns:
@@ -203,9 +229,10 @@ def follow(
 
     Raises:
         MechanismError: if there is no such number, or it cannot have these values.
-        UnsupportedMotionError: if the mechanism has no frequency.
+        UnsupportedMotionError: if the mechanism never repeats, because a pin goes on for ever and pulls.
         WrongTypeError: if an argument has another type.
-        ValueError: if start and stop are equal, or a number is out of its range.
+        ValueError: if start and stop are equal, a number is out of its range, or ``periods`` is given without
+            a drive.
 
     Sources:
         Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer,
@@ -220,12 +247,14 @@ def follow(
     if place.endswith(".order"):
         raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
     at_start = mechanism.with_value(place, begin)
+    for each in (at_start, mechanism.with_value(place, end)):
+        require_repeating(ExactFlow(each))
+    scale = max(abs(begin), abs(end))
     if at_start.frequency is None:
-        raise UnsupportedMotionError(
-            "the mechanism has no frequency, so that nothing says after which time its motion repeats; "
-            "give it a frequency, or simulate it"
-        )
-    map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
+        if periods is not None:
+            raise ValueError(f"periods is {periods}, but the mechanism has no drive whose periods could count")
+        return _self_excited(SelfExcitedMap(at_start, place, scale), begin, end, state, settings)
+    map = MechanismMap(at_start, place, scale, periods or 1)
     if state is None:
         orbit = _orbit_at_start(at_start, settings.most_periods, periods)
         if orbit is None:
@@ -242,6 +271,28 @@ def follow(
     while base.single is not None:
         base = base.single
     return _followed(branch, base)
+
+
+def _self_excited(
+    map: SelfExcitedMap, begin: float, end: float, state: ArrayLike | None, settings: FollowSettings
+) -> FollowedBranch:
+    """Follow a mechanism that moves by itself, from what it settles to, or from a state and period."""
+    flow = map.flow(begin)
+    if state is None:
+        try:
+            orbit = self_excited_orbit(flow, flow.rest())
+        except OrbitNotFoundError as error:
+            message = f"at {begin:.10g} there is no motion to begin with: {error}"
+            return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
+        first = np.append(orbit.instant.state, orbit.period)
+    else:
+        first = real_array("state", state)
+        if first.shape != (map.size,):
+            raise MechanismError(
+                f"the start has the shape {first.shape}, but without a drive it is {map.size - 1} states "
+                f"and the period: {listed((*flow.names, 'period'))}"
+            )
+    return _followed(continuation(map, first, begin, end, settings), map)
 
 
 def _orbit_at_start(mechanism: Mechanism, most_periods: int, periods: int | None) -> MechanismOrbit | None:

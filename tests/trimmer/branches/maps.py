@@ -24,6 +24,10 @@ class Given:
     events: int = 0
     middle: None = None
 
+    @property
+    def monodromy(self) -> np.ndarray:
+        return self.jacobian
+
     def rate(self) -> np.ndarray:
         return self.by_value
 
@@ -36,6 +40,12 @@ class Single:
 
     def doubled(self) -> DoubledMap:
         return DoubledMap(self)
+
+    def restarted(self, value: float, state: np.ndarray) -> tuple[Single, np.ndarray]:
+        return self, state
+
+    def phases(self, value: float, state: np.ndarray) -> list[np.ndarray]:
+        return [state]
 
 
 @dataclass(frozen=True)
