@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_map import Passage, PeriodMap, Signature
+from trimmer.branches.period_map import Passage, PeriodMap, Phase, Signature
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +57,10 @@ class DoubledPassage:
     def middle(self) -> Reals:
         """End of the first passage, shape (n,)."""
         return self.first.end
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, s."""
+        return min(self.first.shortest(part, phase), self.second.shortest(part, phase))
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,)."""

@@ -22,6 +22,7 @@ from trimmer.contact.statuses import (
     PLUS,
     RELEASED_MINUS,
     RELEASED_PLUS,
+    STICK,
     STICK_BEGUN,
 )
 from trimmer.errors import MechanismError, UnsupportedMotionError
@@ -31,6 +32,13 @@ DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
 MOST_STEPS = 200_000
 """Steps of a passage, after which it counts as one that cannot be followed."""
+STATUSES = {
+    Phase.UPPER: (PLUS,),
+    Phase.LOWER: (MINUS,),
+    Phase.EITHER: (PLUS, MINUS),
+    Phase.STICK: (STICK,),
+}
+"""Statuses of a part in each phase."""
 MIRRORED_CONTACT = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
 MIRRORED_FRICTION = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
@@ -243,6 +251,18 @@ class MechanismPassage:
             return Phase.EITHER
         status = self.flow.modes[int(log.mode[row])].statuses[part]
         return Phase.UPPER if status == PLUS else Phase.LOWER
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, or pauses, s.
+
+        Only what begins and ends within the passage counts, and what lasts longer than rounding can tell.
+        """
+        layout, log = self.flow.modes.layout, self.course.log
+        number = (*layout.contacts, *layout.frictions).index(part)
+        statuses = self.course.modes.tables.statuses[log.mode, number]
+        inside = np.isin(statuses, STATUSES[phase]).astype(np.int64)
+        lengths = np.diff(log.start[np.flatnonzero(np.diff(inside)) + 1])
+        return float(lengths[lengths > 0.0].min(initial=np.inf))
 
     @property
     def events(self) -> int:

@@ -57,6 +57,10 @@ class Passage(Protocol):
     @property
     def middle(self) -> Reals | None: ...  # noqa: D102
 
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if it is not known."""
+        ...
+
     def rate(self) -> Reals:
         """Return the derivative of ``end`` by the number that is varied, shape (n,)."""
         ...

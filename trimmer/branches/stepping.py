@@ -62,10 +62,17 @@ class Interval:
 
 @dataclass(frozen=True)
 class Limits:
-    """The interval of a branch, and how it is followed."""
+    """The interval of a branch, and how it is followed.
+
+    Attributes:
+        interval: The values.
+        settings: How it is followed.
+        smooth: Whether bifurcations are looked for too, and not only where phases change.
+    """
 
     interval: Interval
     settings: FollowSettings
+    smooth: bool = True
 
 
 def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:
@@ -137,7 +144,7 @@ def longest_step(
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
     length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
     while length >= smallest:
-        made = step(front, length, *limits.interval.ends)
+        made = step(front, length, limits.interval.ends, smooth=limits.smooth)
         if made is not None:
             return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))
         length *= 0.5

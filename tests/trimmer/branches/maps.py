@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -27,6 +28,9 @@ class Given:
     @property
     def monodromy(self) -> np.ndarray:
         return self.jacobian
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        return math.inf
 
     def rate(self) -> np.ndarray:
         return self.by_value
