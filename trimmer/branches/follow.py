@@ -26,7 +26,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.messages import listed
 from trimmer.response.forced_orbit import mechanism_orbit, require_repeating
-from trimmer.response.orbit import MechanismOrbit
+from trimmer.response.orbit import NEUTRAL, MechanismOrbit
 from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import orbit_from_rest
 
@@ -292,7 +292,14 @@ def _self_excited(
                 f"the start has the shape {first.shape}, but without a drive it is {map.size - 1} states "
                 f"and the period: {listed((*flow.names, 'period'))}"
             )
-    return _followed(continuation(map, first, begin, end, settings), map)
+    passage = map.passage(begin, first)
+    if abs(np.linalg.eigvals(passage.monodromy) - 1.0).min() <= NEUTRAL:
+        reason = BranchEnd.NOT_ISOLATED
+        return FollowedBranch(map, (), (), reason, f"{reason.value}, at {begin:.10g}")
+    doubled = map
+    for _ in range(passage.halvings):
+        doubled, first = doubled.doubled(), np.append(first[:-1], 0.5 * first[-1])
+    return _followed(continuation(doubled, first, begin, end, settings), map)
 
 
 def _orbit_at_start(mechanism: Mechanism, most_periods: int, periods: int | None) -> MechanismOrbit | None:

@@ -209,6 +209,14 @@ class SelfExcitedPassage(MechanismPassage):
         return np.append(super().rate(), 0.0)
 
     @property
+    def halvings(self) -> int:
+        """How often the events of each part may be halved into two like sequences, as after period doublings."""
+        parts: dict[int, list[int]] = {}
+        for _, part, kind in self.course.events:
+            parts.setdefault(part, []).append(kind)
+        return min((_halvings(kinds) for kinds in parts.values()), default=0)
+
+    @property
     def slant(self) -> float:
         """Cosine of the angle between the motion and the normal of the plane, relative to the sizes."""
         sizes = self.sizes[:-1]
@@ -231,6 +239,11 @@ class SelfExcitedPassage(MechanismPassage):
             return float((starts[-1] + 0.5 * own) % duration)
         first = int(np.argmax(lengths))
         return float(starts[first] + 0.5 * lengths[first])
+
+
+def _halvings(kinds: list[int]) -> int:
+    half = len(kinds) // 2
+    return 1 + _halvings(kinds[:half]) if half and kinds == 2 * kinds[:half] else 0
 
 
 def with_trivial(multipliers: Complexes) -> Complexes:
