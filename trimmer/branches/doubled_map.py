@@ -101,10 +101,10 @@ class DoubledMap:
         first = self.single.passage(value, state)
         return DoubledPassage(first, self.single.passage(value, first.end))
 
-    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:  # noqa: ARG002
+    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:
         """Return the map and the state to go on with from an orbit: both as they are."""
         return self, state
 
-    def phases(self, value: float, state: Reals) -> list[Reals]:  # noqa: ARG002
+    def phases(self, value: float, state: Reals) -> list[Reals]:
         """Return the states of an orbit at which a passage may begin: the one that is known."""
         return [state]

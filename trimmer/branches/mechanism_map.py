@@ -109,7 +109,7 @@ class MechanismMap:
         return MechanismPassage(self, value, flow, *self.followed(flow, state))
 
     def followed(self, flow: ExactFlow, state: Reals, duration: float = 0.0) -> tuple[Instant, Course]:
-        """Return the motion from a state and the instant at which it begins; arguments are those of ``course``.
+        """Return the motion from a state, for a duration, s, if that is given, and the instant it begins at.
 
         Raises:
             UnsupportedMotionError: if the motion cannot be followed.
@@ -132,11 +132,11 @@ class MechanismMap:
             return None
         return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
 
-    def restarted(self, value: float, state: Reals) -> tuple[MechanismMap, Reals]:  # noqa: ARG002
+    def restarted(self, value: float, state: Reals) -> tuple[MechanismMap, Reals]:
         """Return the map and the state to go on with from an orbit: the drive says where it begins."""
         return self, state
 
-    def phases(self, value: float, state: Reals) -> list[Reals]:  # noqa: ARG002
+    def phases(self, value: float, state: Reals) -> list[Reals]:
         """Return the states of an orbit at which a passage may begin: the one that is known."""
         return [state]
 

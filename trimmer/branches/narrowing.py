@@ -1,8 +1,8 @@
 """Where on a piece of branch a phase is born or dies, by how long it lasts on the side where it is there.
 
 A contact that is born tangentially, or interrupted so, lasts like the root of the distance from there, and
-stick like the root or the distance itself. So the distance is a smooth function of the duration, and where that
-is zero is found in a few steps; halving the piece is left for where it is not.
+stick like the root or the distance itself. So the distance is a smooth function of the duration, and where
+that is zero is found in a few steps; halving the piece is left for where it is not.
 """
 
 from __future__ import annotations

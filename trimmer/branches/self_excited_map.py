@@ -210,7 +210,7 @@ class SelfExcitedPassage(MechanismPassage):
 
     @property
     def halvings(self) -> int:
-        """How often the events of each part may be halved into two like sequences, as after period doublings."""
+        """How often the events of each part halve into two like sequences, as after period doublings."""
         parts: dict[int, list[int]] = {}
         for _, part, kind in self.course.events:
             parts.setdefault(part, []).append(kind)

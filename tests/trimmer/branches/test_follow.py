@@ -11,7 +11,8 @@ import pytest
 
 from tests.trimmer.branches.published import DEAD_ZONE, OSCILLATOR_WITH_STOP
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.mirror import is_mirror_symmetric
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind

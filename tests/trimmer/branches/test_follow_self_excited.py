@@ -14,7 +14,8 @@ from tests.mechanisms.brute_force import BruteForce, extend, settle
 from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError

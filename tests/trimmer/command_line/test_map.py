@@ -91,12 +91,12 @@ def test_the_text_names_the_curves(capsys) -> None:
 
 
 def test_an_interrupt_while_curves_are_followed_says_what_is_kept(tmp_path, capsys, monkeypatch) -> None:
-    from trimmer.maps import special_curves
+    from trimmer.maps import special_work
 
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(special_curves, "follow", interrupted)
+    monkeypatch.setattr(special_work, "follow", interrupted)
     file = tmp_path / "map.jsonl"
     told = run(capsys, *CURVES, "--output", str(file), code=130)
     assert f"the map is in {file}; the same call with --resume goes on with the special points" in told
