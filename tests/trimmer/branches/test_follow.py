@@ -39,7 +39,8 @@ def assert_special(
 
 
 def test_two_masses_and_a_stop() -> None:
-    # Published example of NLvib, rad/s. The fold 6e-9 below the first grazing is our own finding.
+    # Published example of NLvib, rad/s. The fold 6e-9 below the first grazing is in no published list;
+    # test_fold_beside_a_grazing.py finds it in another way.
     mechanism = Mechanism.from_toml(EXAMPLES / "two-mass-stop.toml")
     branch = follow(mechanism, "frequency", 0.85 / TURN, 0.5 / TURN, settings=ALONE)
     expected = [
