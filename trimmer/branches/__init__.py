@@ -2,8 +2,8 @@
 
 ``follow`` is the entry, and ``followed`` its result. ``mechanism_map`` maps a state to that a period later,
 and ``value_rate`` differentiates it by the number; ``self_excited_map`` does so with an unknown period, for
-what moves by itself. ``fitting`` chooses the map of a motion, ``mirror`` says whether half a period will
-do, ``outputs`` what the orbits look like.
+what moves by itself. ``fitting`` chooses the map of a motion, and whether half a period will do; ``outputs``
+says what the orbits look like.
 
 The rest knows nothing of mechanisms: ``period_map`` says what a branch is followed of. ``orbit`` solves
 for one orbit, ``arc`` for orbits on a short piece of the branch; ``borders``, by ``narrowing``, and

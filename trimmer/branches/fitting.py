@@ -8,7 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.mechanism_map import MechanismMap
-from trimmer.branches.mirror import is_mirror_symmetric
+from trimmer.response.same import is_mirror_symmetric
 
 SYMMETRIC = 1e-6
 """Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""

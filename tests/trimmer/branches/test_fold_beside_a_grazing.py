@@ -1,7 +1,7 @@
 """The fold of the two masses and a stop that lies 6e-9 beside the grazing, by 30-digit arithmetic.
 
-Written from the equations alone: between events the motion is a sum of exponentials and a steady vibration. In
-the motion with one contact in a period its duration is given, and all else is solved for, the frequency too.
+Written from the equations alone: between events the motion is a sum of exponentials and a steady vibration.
+In the motion with one contact in a period its duration is given; all else is solved for, the frequency too.
 """
 
 from __future__ import annotations

@@ -13,13 +13,13 @@ from tests.trimmer.branches.published import DEAD_ZONE, OSCILLATOR_WITH_STOP
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.mirror import is_mirror_symmetric
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
 from trimmer.response.forced_orbit import forced_orbit
+from trimmer.response.same import is_mirror_symmetric
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = 2.0 * math.pi
