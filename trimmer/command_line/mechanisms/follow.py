@@ -53,6 +53,13 @@ def _configure(parser: ArgumentParser) -> None:
         help="most motions on each branch (default: 2000)",
     )
     parser.add_argument(
+        "--wait",
+        type=positive_whole,
+        default=2000,
+        metavar="N",
+        help="drive periods to wait at A until it has settled (default: 2000)",
+    )
+    parser.add_argument(
         "--switches",
         type=int,
         choices=(0, 1, 2, 3, 4),
@@ -74,9 +81,11 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.follow_text import as_json, as_text
 
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
+    if arguments.points < 2:
+        raise OptionError(f"--points {arguments.points}: give a whole number from 2 on")
     mechanism = chosen_mechanism(arguments)
     if mechanism.frequency is None:
-        refuse_unused(arguments, ["periods", "harmonics"], "a frequency in the file")
+        refuse_unused(arguments, ["periods", "harmonics", "wait"], "a frequency in the file")
     branch = _branch(arguments, mechanism)
     _draw(arguments, branch)
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
@@ -90,13 +99,17 @@ def _run(arguments: Namespace) -> int:
 def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
     from trimmer.branches.follow import follow
     from trimmer.branches.settings import FollowSettings
+    from trimmer.mechanism.place_text import parse_place
     from trimmer.mechanism.places import assignment
 
+    parse_place(arguments.vary)
     (place, start), (_, stop) = (
         assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
     )
     try:
-        settings = FollowSettings(most_points=arguments.points, switches=arguments.switches)
+        settings = FollowSettings(
+            most_points=arguments.points, switches=arguments.switches, most_periods=arguments.wait
+        )
         return follow(mechanism, place, start, stop, periods=arguments.periods, settings=settings)
     except ValueError as error:
         raise OptionError(str(error)) from error
