@@ -169,6 +169,14 @@ class FollowedBranch:
         return output_measures(self.map.mechanism, course)
 
     @property
+    def searched(self) -> str:
+        """Where special points were looked for, and where not, in a sentence."""
+        return (
+            f"special points were looked for between neighbours of {len(self.points)} orbits; two contacts, or "
+            "phases of stick, that come and go between the same two are not seen"
+        )
+
+    @property
     def success(self) -> bool:
         """Whether it was followed to an end of the interval, around, or to one that it joins."""
         return self.reason.is_success

@@ -39,6 +39,8 @@ def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[s
         lines += ["Special points, in their order:", *table(heads, [_row(each) for each in branch.special])]
     if harmonics is not None:
         lines.append(_balance(branch, harmonics))
+    if branch.points:
+        lines.append(f"Searched: {branch.searched}")
     lines = [indent + line for line in [*lines, f"End: {branch.message}"]]
     for other in branch.branches:
         lines += _lines(other, harmonics, indent + "    ")
@@ -97,6 +99,7 @@ def _content(branch: FollowedBranch, harmonics: int | None) -> dict[str, object]
         "reason": branch.reason.word,
         "success": branch.success,
         "message": branch.message,
+        "searched": branch.searched,
         "parted": None if branch.parted is None else _special(branch.parted),
         "points": [_point(point, harmonics) for point in branch.points],
         "special": [_special(each) for each in branch.special],
