@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.claim import Finding
+from report.text_copy import BuildTime, TextCopy
 
 
 @dataclass(frozen=True)
@@ -58,11 +59,25 @@ class ParameterRow:
 
 @dataclass(frozen=True)
 class Highlight:
-    """A finding that matters most: the id of its claim, one sentence, and its size."""
+    """A finding that matters most: where it stands (the id of a claim, or of a place), and what to do.
 
-    claim: str
+    ``sentence`` and ``action`` are Markdown.
+    """
+
+    place: str
     sentence: str
-    size: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The first screen: what holds and what does not, what matters most, what a designer does (Markdown)."""
+
+    sentences: str
+    highlights: tuple[Highlight, ...]
+    figure: Figure
+    do: tuple[str, ...]
+    do_not: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -93,6 +108,58 @@ class CorrectedResult:
 
 
 @dataclass(frozen=True)
+class Digits:
+    """Parameters (LaTeX) that are printed with a number of digits, and what these leave open at most, %."""
+
+    number: str
+    symbols: tuple[str, ...]
+    left_open: str
+
+
+@dataclass(frozen=True)
+class EffectRow:
+    """A corrected prediction and what the parameters do to it.
+
+    ``quantity`` and ``unit`` are plain text; ``nominal`` is the value at the thesis's parameters;
+    ``largest`` (LaTeX) is the parameter with the largest effect, ``reach`` what it does; ``band`` holds nine
+    tenths of the samples.
+    """
+
+    quantity: str
+    unit: str
+    nominal: str
+    largest: str
+    reach: str
+    band: str
+
+
+@dataclass(frozen=True)
+class SurvivalRow:
+    """A finding on a claim, in how many samples it holds, and on what that rests, in words."""
+
+    claim: str
+    finding: str
+    holds: str
+    because: str
+
+
+@dataclass(frozen=True)
+class Robustness:
+    """How far the corrected results hold when parameters change by ``percent``.
+
+    ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
+    """
+
+    percent: int
+    samples: int
+    left_out: int
+    digits: tuple[Digits, ...]
+    effects: tuple[EffectRow, ...]
+    survivals: tuple[SurvivalRow, ...]
+    figure: Figure
+
+
+@dataclass(frozen=True)
 class Section:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
@@ -113,12 +180,16 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Provenance:
-    """What the report was made from; nothing in it depends on the time or the machine of the build."""
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is the processor time it took when that was last measured.
+    """
 
     version: str
     commit: str
     date: str
     libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
 
 
 @dataclass(frozen=True)
@@ -136,6 +207,49 @@ class Program:
 
 
 @dataclass(frozen=True)
+class Observation:
+    """A sentence on the physical twin, or a few: Markdown, with what it rests on and where that is computed.
+
+    ``title`` may be empty; ``evidence`` holds one check each, all of which hold, and is never empty.
+    """
+
+    id: str
+    title: str
+    text: str
+    evidence: tuple[str, ...]
+    source: str
+
+
+@dataclass(frozen=True)
+class TwinSection:
+    """A section of the chapter on the twin: observations and figures in their order."""
+
+    id: str
+    title: str
+    items: tuple[Observation | Figure, ...]
+
+
+@dataclass(frozen=True)
+class TwinChapter:
+    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them."""
+
+    title: str
+    sections: tuple[TwinSection, ...]
+
+    @property
+    def observations(self) -> tuple[Observation, ...]:
+        """All observations in their order."""
+        return tuple(
+            item for section in self.sections for item in section.items if isinstance(item, Observation)
+        )
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """All figures in their order."""
+        return tuple(item for section in self.sections for item in section.items if isinstance(item, Figure))
+
+
+@dataclass(frozen=True)
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
@@ -143,7 +257,7 @@ class Document:
     """
 
     title: str
-    highlights: tuple[Highlight, ...]
+    opening: Opening | None
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]
@@ -151,15 +265,25 @@ class Document:
     nomenclature: tuple[NomenclatureRow, ...]
     parameters: tuple[ParameterRow, ...]
     provenance: Provenance
+    text_copy: TextCopy
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
+    robustness: Robustness | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
+    twin: TwinChapter | None = None
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """All findings, in thesis order."""
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
+
+    @property
+    def drawings(self) -> tuple[Figure, ...]:
+        """All figures: of the first screen, claims, the chapter on the twin, and how far it holds."""
+        first = (self.opening.figure,) if self.opening else ()
+        last = (self.robustness.figure,) if self.robustness else ()
+        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last)

@@ -135,7 +135,7 @@ local function equation(div)
 end
 
 local function claim(div)
-  local opening = '<article class="claim" id="%s" data-verdict="%s" data-chapter="%s">'
+  local opening = '<article class="claim" id="%s" data-verdict="%s" data-grade="%s" data-chapter="%s">'
   local attributes = div.attributes
   local blocks = div.content:map(function(block)
     if block.t == "Div" and block.classes:includes("latex-sources") then
@@ -144,7 +144,7 @@ local function claim(div)
     return block
   end)
   return wrapped(
-    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.chapter)),
+    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.grade), escaped(attributes.chapter)),
     blocks,
     "</article>"
   )
@@ -155,6 +155,16 @@ local function figure(div)
   return wrapped(
     '<figure class="drawing" id="' .. escaped(div.identifier) .. '">',
     wrapped(opening:format(escaped(div.attributes.label)), { pandoc.Plain(div.content[1].content) }, "</div>")
+      .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption>"),
+    "</figure>"
+  )
+end
+
+-- The figure of the first screen has no tools, to leave room for what stands around it.
+local function opening_figure(div)
+  return wrapped(
+    '<figure class="opening-figure">',
+    wrapped('<div class="paper">', { pandoc.Plain(div.content[1].content) }, "</div>")
       .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption>"),
     "</figure>"
   )
@@ -199,9 +209,9 @@ local converters = {
   claim = claim,
   figure = figure,
   program = program,
-  printed = comparison_side("As printed"),
+  printed = comparison_side("Thesis, our wording"),
   derived = comparison_side("As derived"),
-  agreed = comparison_side("As printed and as derived"),
+  agreed = comparison_side("Thesis, our wording, and as derived"),
   missing = comparison_side("What is missing"),
   -- A chapter comes in several pieces.
   ["chapter-begin"] = function(div)
@@ -212,6 +222,7 @@ local converters = {
   end,
   group = section("group"),
   ["errata-sheet"] = section("errata-sheet"),
+  ["opening-figure"] = opening_figure,
   ["verdict-picture"] = function(div)
     return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
   end,
@@ -223,6 +234,13 @@ local converters = {
     return wrapped(opening, div.content, "</details>")
   end,
   outline = nothing,
+  -- Places of what the reader's own copy has: it is put there when the page is finished.
+  passage = function(div)
+    return raw("<!-- passage " .. escaped(div.attributes.claim) .. " -->")
+  end,
+  ["reader-copy"] = function()
+    return raw("<!-- reader's copy -->")
+  end,
 }
 
 function Div(div)

@@ -18,14 +18,17 @@ from report.document import (
     Document,
     Equation,
     Figure,
-    Highlight,
     NomenclatureRow,
+    Opening,
     ParameterRow,
     Program,
+    Robustness,
+    TwinChapter,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
+from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -60,9 +63,11 @@ class Parts:
         trimmer_steps: The derivation of the linear trimmer.
         element_steps: The derivation of the describing functions.
         programs: The corrected listings.
-        highlights: The findings that matter most.
+        opening: The first screen.
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
+        robustness: How far these hold when the parameters change.
+        twin: The chapter on the physical twin.
     """
 
     findings: tuple[Finding, ...]
@@ -70,16 +75,18 @@ class Parts:
     trimmer_steps: tuple[Step, ...]
     element_steps: tuple[Step, ...]
     programs: tuple[Program, ...]
-    highlights: tuple[Highlight, ...]
+    opening: Opening
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
+    robustness: Robustness
+    twin: TwinChapter
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
     """Return the finished document."""
     return Document(
         title=TITLE,
-        highlights=parts.highlights,
+        opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=_derivation(parts.trimmer_steps, parts.findings),
@@ -93,10 +100,13 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
         provenance=provenance(),
+        text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=_derivation(parts.element_steps, parts.findings),
         answers=parts.answers,
         corrected=parts.corrected,
+        robustness=parts.robustness,
+        twin=parts.twin,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from report.document import Document
+from report.document import Document, SurvivalRow
 
 _INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
 _IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
@@ -23,14 +23,18 @@ def check_claims(document: Document) -> None:
     """
     steps = document.derivation + document.describing_functions
     named = {
-        **{highlight.claim: "a highlight" for highlight in document.highlights},
         **{claim: f"step {step.id} of the derivation" for step in steps for claim in step.claims},
         **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
         **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
+        **{row.claim: "how far it holds" for row in _survivals(document)},
     }
     for claim in sorted(set(named) - {finding.id for finding in document.findings}):
         raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
+
+
+def _survivals(document: Document) -> tuple[SurvivalRow, ...]:
+    return document.robustness.survivals if document.robustness else ()
 
 
 def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:

@@ -38,7 +38,7 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
     source = {
         "main": _source(document, body, paper).encode(),
         f"figures/{NAME}.svg": verdict_picture(document).encode(),
-        **{f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.figures},
+        **{f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.drawings},
         **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
     }
     timestamp = _timestamp(document.provenance.date)

@@ -40,8 +40,8 @@ def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[s
 def select(document: Document, names: Sequence[str]) -> Document:
     """Return the document with the named chapters only, and with what rests on their claims.
 
-    Without names it is the whole document. The derivations and the answers to the research questions belong
-    to the whole report and are left out of a part.
+    Without names it is the whole document. The derivations, the chapter on the twin and the answers to the
+    research questions belong to the whole report and are left out of a part.
 
     Raises:
         UnknownChapterError: if a name is none of a chapter with findings.
@@ -55,13 +55,15 @@ def select(document: Document, names: Sequence[str]) -> Document:
         document,
         chapters=chosen,
         omitted=tuple(chapter for chapter in document.chapters if chapter.number not in numbers),
-        highlights=tuple(highlight for highlight in document.highlights if highlight.claim in kept),
+        opening=None,
         figures=tuple(figure for figure in document.figures if figure.id in kept),
         corrected=tuple(result for result in document.corrected if result.claim in kept),
         programs=tuple(program for program in document.programs if program.claim in kept),
+        robustness=None,
         derivation=(),
         describing_functions=(),
         answers=(),
+        twin=None,
     )
 
 

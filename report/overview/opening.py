@@ -1,0 +1,123 @@
+"""The first screen: what holds and what does not, the five findings that matter most, and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from report.claim import Finding, Verdict
+from report.document import Figure, Highlight, Opening
+from report.evidence import Evidence
+from report.items import items
+from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
+from report.text import filled
+from report.thesis import EXPERIMENT_GAP
+
+BOUND = 1.0
+"""Of friction in the thesis, N."""
+SLOWER = 108.0
+"""A speed beside that of the trimmer, Hz."""
+SOFT = 10e3
+"""Stiffness of a bridge that bears every gap of the map, N/m."""
+
+
+def opening(known: Evidence, findings: Sequence[Finding], figure: Figure) -> Opening:
+    """Return the first screen; its counts are over printed things."""
+    judged = items(findings)
+    reproduced = sum(item.verdict is Verdict.REPRODUCED for item in judged)
+    return Opening(
+        sentences=filled(
+            """
+            The derivations hold but for slips: [[ reproduced ]] of [[ total ]] printed things follow as
+            printed. The predictions do not: their loop is in no trimmer. So the trimmer with contact both
+            ways was computed.
+            """,
+            reproduced=reproduced,
+            total=len(judged),
+        ),
+        highlights=_highlights(known),
+        figure=figure,
+        do=_do(known),
+        do_not=_do_not(known),
+    )
+
+
+def _highlights(known: Evidence) -> tuple[Highlight, ...]:
+    in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
+    return (
+        _highlight(
+            "txt-3.1-output-sign",
+            "No trimmer has the loop with the limit cycles; with section 3.1's output even it has none.",
+            "Do not look for [[ frequency | f0 ]] Hz.",
+            frequency=known.cycles.friction.stable.frequency,
+        ),
+        _highlight(
+            "twin-main",
+            """
+            With contact both ways, 0.2 mm and 2 N repeat after [[ periods ]] drive periods, with lines at
+            thirds of the drive.
+            """,
+            "Look between the harmonics.",
+            periods=known.twin.main.twin.period_count,
+        ),
+        _highlight(
+            "txt-3.3-open-loop-odd",
+            "Measured spectra have even harmonics; the model has none for any parameters.",
+            "Compute without symmetry.",
+        ),
+        _highlight(
+            "txt-6.3-friction-dominates",
+            "Friction does not dominate the cutter's inertia.",
+            "Let it fly in the gap.",
+        ),
+        _highlight(
+            "txt-7-coulomb-evidence",
+            "Friction below [[ bound | f0 ]] N does not end the predicted cycle at 0.2 mm.",
+            "Allow for [[ force | f1 ]] N.",
+            bound=BOUND,
+            force=in_place,
+        ),
+    )
+
+
+def _highlight(place: str, sentence: str, action: str, /, **numbers: object) -> Highlight:
+    said = {name: value for name, value in numbers.items() if f"[[ {name} " in sentence}
+    done = {name: value for name, value in numbers.items() if name not in said}
+    return Highlight(place, filled(sentence, **said), filled(action, **done))
+
+
+def _do(known: Evidence) -> tuple[str, ...]:
+    stiffness = known.twin.stiffness
+    borne = stiffness.reaches[stiffness.second <= SOFT * (1 + 1e-9)].min()
+    return (
+        filled(
+            "Hold the gap below [[ reach | f2 ]] mm ([[ friction | f1 ]] N, [[ speed | f0 ]] Hz).",
+            reach=1e3 * known.twin.friction.reach(SMALL_FORCE),
+            friction=SMALL_FORCE,
+            speed=FREQUENCY,
+        ),
+        filled(
+            "Soften the bridge: [[ soft | f0 ]] kN/m bears [[ borne | f1 ]] mm.",
+            soft=1e-3 * SOFT,
+            borne=1e3 * float(borne),
+        ),
+    )
+
+
+def _do_not(known: Evidence) -> tuple[str, ...]:
+    speed = known.twin.speed
+    return (
+        filled(
+            "Fight 0.2 mm of play with friction: it takes [[ force | f1 ]] N.",
+            force=known.twin.friction_for_experiment,
+        ),
+        filled(
+            """
+            Trust one speed: [[ slower | f0 ]] Hz bears [[ less | f2 ]] mm, [[ speed | f0 ]] Hz
+            [[ more | f2 ]] mm.
+            """,
+            slower=SLOWER,
+            less=1e3 * speed.reach(SLOWER),
+            speed=FREQUENCY,
+            more=1e3 * speed.reach(FREQUENCY),
+        ),
+    )
