@@ -219,7 +219,7 @@ def viscous_controlled(_: Evidence) -> Record:
     source="derivations/elements/friction.py",
     impact=Impact.DOWNSTREAM,
     lines=(1604, 1627),
-    severity=Severity.RESULT,
+    severity=Severity.CONCLUSION,
 )
 def equivalent(_: Evidence) -> Record:
     b_1, a_1 = 4 * FORCE / sympy.pi, 0
@@ -250,7 +250,8 @@ def equivalent(_: Evidence) -> Record:
         multiplied by it, and takes the amplitude of the displacement for that of the velocity. The right term
         is $j\,4F_c/(\pi A)$: with the other sign, without a frequency, and in N/m.
 
-        All contours of section 5.2.5 contain it. The caption, which calls the listing viscous-controlled, is
+        All contours of section 5.2.5 contain it, and with them the limit cycle that chapter 7 gives the model
+        with friction. The caption, which calls the listing viscous-controlled, is
         [judged apart](#txt-A.7-captions).
     """)
 

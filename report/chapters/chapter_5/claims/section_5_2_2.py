@@ -151,8 +151,8 @@ def beta_range(known: Evidence) -> Record:
         The text gives the gap as $2b$, so that the bound would be $\pi/2$; in the derivation and the listing
         $b$ is the whole gap, and it is $\pi$. With $b$ the whole gap, 2 is where the pin no longer reaches a
         bridge that stays put. A bridge with inertia flies on, and meets the other side within half a period
-        as long as $\phi - \sin\phi = \beta$ has a root below $\pi$. Footnote 8 has the two conventions
-        exchanged: half of the gap is used for friction, all of it for inertia.
+        as long as $\phi - \sin\phi = \beta$ has a root below $\pi$. Footnote 8 has the conventions of section
+        2.3.4 exchanged: there $b$ is half of the gap for friction and all of it for inertia.
 
         The range from 2 to $\pi$ is left out, and with it a second, unstable limit cycle at $\beta =
         [[ beta | f1 ]]$ that the section does not mention.
