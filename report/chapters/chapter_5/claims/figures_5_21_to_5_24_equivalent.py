@@ -43,7 +43,7 @@ LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 def three_panels(known: Evidence) -> Record:
     found, system = known.cycles.equivalent.other_gap, known.numbers.displacement_only
     inner, outer = found
-    yield coulomb_part()
+    yield coulomb_part(made=repeated)
     yield assertion(
         rf"for $F_c$ = {OTHER_FORCE}, $b$ = $200\times10^{{-5}}$ and the drive's frequency",
         "there is more than one intersection",
