@@ -81,8 +81,8 @@ def without_force(known: Evidence) -> Record:
     yield text(r"""
         Without force the listing's function is that of backlash, and the intersections are those of figure
         5.8, as the text says. The amplitude and the frequency are those of the [rounded
-        coefficients](#txt-5.2.1-prediction). A shorter path is a shorter range of amplitudes, as the text
-        says too. The second intersection, at [[ inner | f2 ]] µm, would be missing on both curves if they
+        coefficients](#txt-5.2.1-prediction). The shorter path that the text mentions is a shorter range of
+        amplitudes. The second intersection, at [[ inner | f2 ]] µm, would be missing on both curves if they
         begin as in Listing A.9, at $b/2 + [[ offset | f0 ]]$ µm.
 
         None beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks

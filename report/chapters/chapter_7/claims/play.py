@@ -114,8 +114,8 @@ def play_and_stability(known: Evidence) -> Record:
         Rest stays stable, and if that is meant the text is right. But without play the loop comes to rest
         from any start, with play only from small ones: beyond the unstable limit cycle it goes on for ever.
         From the unstable one towards larger amplitudes a motion does go to the stable one, which is all that
-        section 5.2.3 looks at; towards smaller ones it comes to rest. Only if the answer is read for the
-        first direction alone is its shift right.
+        section 5.2.3 looks at; towards smaller ones it comes to rest. Read for larger amplitudes alone, the
+        sentence on the shift is right.
 
         The answer to the second sub-question has to read: an oscillation smaller than the unstable limit
         cycle, [[ unstable | f2 ]] gaps, dies out, a larger one ends at [[ stable | f2 ]] gaps.
