@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
-from derivations.narrative import Step
+from derivations.step import Step
 from derivations.symbols import PARAMETERS, QUANTITIES
 from report.claim import Finding, Statement
 from report.document import (

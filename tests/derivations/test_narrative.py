@@ -8,7 +8,8 @@ import sympy
 from derivations.latex import latex
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import derive_linear_trimmer
-from derivations.narrative import Formula, Step, narrative
+from derivations.narrative import narrative
+from derivations.step import Formula, Step
 from derivations.symbols import c2, k2, q1, t, u_dot
 
 

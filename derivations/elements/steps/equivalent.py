@@ -22,7 +22,7 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.latex import latex
-from derivations.narrative import Formula
+from derivations.step import Formula
 from derivations.symbols import A, k2, omega
 
 ONE = sympy.Integer(1)

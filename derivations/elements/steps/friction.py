@@ -14,14 +14,16 @@ from derivations.elements.friction import (
     viscous_waveform,
 )
 from derivations.elements.harmonics import HARMONIC, odd_harmonic
-from derivations.elements.proven_step import Equality, ProvenStep, cases, integral_over
+from derivations.elements.proven_step import Equality, ProvenStep, antiderivative_on, cases, integral_over
+from derivations.elements.waveform import THETA
 from derivations.latex import latex
-from derivations.narrative import Formula
+from derivations.step import Formula
 from derivations.symbols import A, omega
 
 ONE = sympy.Integer(1)
 VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)
 """Amplitude of a velocity, m/s."""
+UP = "On the first half of the period:"
 COUNT = sympy.Symbol("m", integer=True, nonnegative=True)
 
 
@@ -35,9 +37,11 @@ def relay() -> ProvenStep:
         "The output is $L$ while the input is positive and $-L$ while it is negative.",
         (
             cases("y", waveform.segments),
+            antiderivative_on(first, HARMONIC, sympy.I * LEVEL * sympy.exp(-sympy.I * HARMONIC * THETA) / HARMONIC, UP),
             integral_over(first, HARMONIC, -2 * sympy.I * LEVEL / HARMONIC),
             Equality("N_n", 4 * LEVEL / (sympy.pi * HARMONIC * A), odd_harmonic(waveform, A, HARMONIC)),
         ),
+        code=(relay_waveform, odd_harmonic),
     )
 
 
@@ -78,6 +82,7 @@ def coulomb_friction() -> ProvenStep:
                 for harmonic, closed in zip(fourfold, harmonics, strict=True)
             ),
         ),
+        code=(relay_waveform, friction_waveform, odd_harmonic),
     )
 
 
@@ -98,4 +103,5 @@ def viscous_friction() -> ProvenStep:
             Equality("N_1", sympy.I * omega * DAMPING, odd_harmonic(waveform, A, ONE)),
             Equality("N_n", sympy.Integer(0), odd_harmonic(waveform, A, HARMONIC)),
         ),
+        code=(viscous_waveform, odd_harmonic),
     )
