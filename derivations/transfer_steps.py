@@ -38,8 +38,8 @@ def transfer_function_step(derivation: LinearTrimmer) -> Step:
             Formula(
                 r"G(s) = \left(1 + \frac{c_2}{k_2} s\right) G_1(s)",
                 words="The pin's velocity acts through $c_2$ as its displacement acts through $k_2$, "
-                "$f_v/c_2 = f_u/k_2$, and $\\dot u$ is $s U$. So both inputs together differ from the first alone by "
-                "one factor.",
+                "$f_v/c_2 = f_u/k_2$, and $\\dot u$ is $s U$. So both inputs together differ from the first "
+                "alone by one factor.",
             ),
         ),
         code=(transfer_functions,),

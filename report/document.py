@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from report.claim import Finding
 
 
 @dataclass(frozen=True)
 class Equation:
-    """A displayed equation: LaTeX without dollar signs; ``thesis`` is its number in the thesis, or empty."""
+    """A displayed equation: LaTeX without dollar signs.
+
+    ``thesis`` is its number in the thesis, ``words`` Markdown prose before it; both may be empty.
+    """
 
     latex: str
     thesis: str = ""
+    words: str = ""
 
 
 @dataclass(frozen=True)
-class DerivationStep:
-    """A step of the derivation: Markdown prose, equations, and the claims it bears on."""
+class CodeLines:
+    """A function or class of this project: path of its file, name, first and last line, and its text."""
 
-    id: str
-    title: str
+    path: str
+    name: str
+    first: int
+    last: int
     text: str
-    equations: tuple[Equation, ...]
-    claims: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -38,12 +43,84 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class DerivationStep:
+    """A step of the derivation: Markdown prose and equations.
+
+    Attributes:
+        id: Identifier, unique among all steps.
+        title: Heading.
+        text: Prose.
+        equations: Shown after the prose.
+        claims: Ids of the claims on the equations that it shows.
+        others: Ids of the other claims that rest on it.
+        code: The lines that do what the step says.
+        picture: Shown before the equations, if there is one.
+        folded: Whether the equations are so long that a reader of the page asks for them first.
+    """
+
+    id: str
+    title: str
+    text: str
+    equations: tuple[Equation, ...]
+    claims: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
+    code: tuple[CodeLines, ...] = ()
+    picture: Figure | None = None
+    folded: bool = False
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number that a reader can move.
+
+    Attributes:
+        name: What the script calls it.
+        label: What the reader is told it is, as plain text.
+        minimum: Least value; of the decimal logarithm if ``logarithmic``.
+        maximum: Largest value, likewise.
+        value: Value to begin with, likewise.
+        logarithmic: Whether the slider moves the decimal logarithm.
+        factor: From the SI unit to the unit that is shown.
+        unit: The unit that is shown, as plain text.
+    """
+
+    name: str
+    label: str
+    minimum: float
+    maximum: float
+    value: float
+    logarithmic: bool
+    factor: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing of the explorable: title, least and largest x and y, and what it shows, as plain text."""
+
+    title: str
+    limits: tuple[float, float, float, float]
+    description: str
+
+
+@dataclass(frozen=True)
+class Explorable:
+    """What a reader can move: the formulas as a script, sliders, panels, and a picture for print."""
+
+    formulas: str
+    sliders: tuple[Slider, ...]
+    panels: tuple[Panel, ...]
+    still: Figure
+
+
+@dataclass(frozen=True)
 class NomenclatureRow:
-    """A symbol (LaTeX), its meaning and its SI unit (plain text)."""
+    """A symbol (LaTeX), its meaning and SI unit (plain text), and the id of the step that has it first."""
 
     symbol: str
     meaning: str
     unit: str
+    first: str = ""
 
 
 @dataclass(frozen=True)
@@ -139,7 +216,8 @@ class Program:
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
-    ``further_statements`` is how many statements were found by a second reading.
+    ``further_statements`` is how many statements were found by a second reading, ``solution`` the steps from
+    the equations to numbers, ``step_of`` the id of the step that each claim rests on.
     """
 
     title: str
@@ -153,11 +231,19 @@ class Document:
     provenance: Provenance
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
+    solution: tuple[DerivationStep, ...] = ()
+    step_of: Mapping[str, str] = field(default_factory=dict)
+    explorable: Explorable | None = None
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
+
+    @property
+    def steps(self) -> tuple[DerivationStep, ...]:
+        """All steps of the derivation, in their order."""
+        return (*self.derivation, *self.describing_functions, *self.solution)
 
     @property
     def findings(self) -> tuple[Finding, ...]:

@@ -112,6 +112,7 @@ local converters = {
   table = report_table,
   claim = claim,
   figure = figure,
+  ["step-picture"] = figure,
   program = program,
   ["chapter-begin"] = nothing,
   ["chapter-end"] = nothing,
@@ -152,8 +153,16 @@ local converters = {
   meta = call("meta"),
   evidence = call("evidence"),
   part = call("part"),
-  fold = nothing,
+  fold = function(div)
+    return div.classes:includes("kept") and div.content or {}
+  end,
+  ["code-lines"] = call("code-lines"),
+  explorable = nothing,
+  lines = function(div)
+    return pandoc.Para({ pandoc.Code(div.attributes.name), pandoc.Str(", "), pandoc.Code(div.attributes.place) })
+  end,
   ["latex-sources"] = nothing,
+  ["step-sources"] = nothing,
 }
 
 function Div(div)

@@ -1,1 +1,1 @@
-"""The loop of an element and the linear trimmer: harmonic balance, Loeb's rule, and how a solution is found."""
+"""The loop of an element and the linear trimmer: harmonic balance, Newton's method and Loeb's rule."""

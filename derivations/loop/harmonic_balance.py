@@ -9,7 +9,7 @@ from derivations.elements.backlash_closed_forms import friction_fundamental
 from derivations.elements.backlash_harmonics import CONTACT_ANGLE
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.step import Formula
-from derivations.symbols import A, omega
+from derivations.symbols import A
 
 ELEMENT, PLANT = sympy.symbols("N G")
 REAL_PARTS = sympy.symbols("N_r N_i G_r G_i", real=True)
@@ -96,7 +96,7 @@ def solution_step() -> ProvenStep:
     along = {symbol: _split(symbol) for symbol in (RESIDUAL, BY_ANGLE, BY_OMEGA)}
     return ProvenStep(
         "newton",
-        "Newton's method for amplitude and frequency",
+        "Newton’s method for amplitude and frequency",
         "For friction-controlled backlash $N$ is a function of the angle of contact $\\ell$ alone, and "
         "$g/A = 1 + \\cos\\ell$ gives the amplitude afterwards. So the unknowns are $\\ell$ and $\\omega$. "
         "The equation is divided by $G$, since $1/G$ is a quotient of the two polynomials turned over and "
@@ -106,7 +106,9 @@ def solution_step() -> ProvenStep:
             Formula(r"F(\ell, \omega) = N(\ell) + \frac{1}{G(j\omega)} = 0"),
             Equality(
                 r"F_\ell = \frac{dN}{d\ell}",
-                product(-2 * sympy.I / sympy.pi, sympy.sin(CONTACT_ANGLE), sympy.exp(sympy.I * CONTACT_ANGLE)),
+                product(
+                    -2 * sympy.I / sympy.pi, sympy.sin(CONTACT_ANGLE), sympy.exp(sympy.I * CONTACT_ANGLE)
+                ),
                 friction_fundamental().diff(CONTACT_ANGLE),
             ),
             Formula(

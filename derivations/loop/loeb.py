@@ -30,7 +30,7 @@ def loeb_step() -> ProvenStep:
     x_a, y_a, x_omega, y_omega = SLOPES
     return ProvenStep(
         "loeb",
-        "Loeb's rule: is the limit cycle stable?",
+        "Loeb’s rule: is the limit cycle stable?",
         "A limit cycle is stable if an amplitude that is a little too large shrinks. Let the amplitude "
         "differ by $\\delta A$ and change slowly, by the factor $e^{\\sigma t}$. An oscillation $e^{j\\omega "
         "t} e^{\\sigma t}$ is $e^{j(\\omega - j\\sigma)t}$: a growing amplitude is a complex frequency. So "

@@ -17,8 +17,11 @@ from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
 from report.claim import Finding, Statement, judge
 from report.collect import Records, collect
+from report.derivation.number_steps import number_steps
+from report.derivation.pictures import waveform_pictures
 from report.document import Document
 from report.evidence import Evidence, derive, solve
+from report.explorable.make import explorable
 from report.folders import templates
 from report.inventory import read_inventory
 from report.octave.listings import corrected_programs
@@ -51,6 +54,9 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         figures=tuple(results[f"figure-{figure.id}"] for figure in records.figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
+        number_steps=results["number-steps"],
+        pictures=results["waveforms"],
+        explorable=results["explorable"],
         programs=results["programs"],
         highlights=results["highlights"],
         answers=results["answers"],
@@ -90,6 +96,14 @@ def _tasks(
             key(["derivations.narrative", "report.evidence"]),
             partial(narrative, evidence.derivation),
         ),
+        Task(
+            "number-steps",
+            "prove",
+            key(["report.derivation.number_steps"]),
+            partial(number_steps, evidence),
+        ),
+        Task("explorable", "draw", key(["report.explorable.make"]), partial(explorable, evidence)),
+        Task("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),
         Task(
             "programs",
             "print",

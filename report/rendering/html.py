@@ -13,15 +13,15 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.document import Document
 from report.octave.archive import archive
+from report.rendering.drawings import drawings
 from report.rendering.markdown import ARCHIVE
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
 from report.rendering.summary import SYMBOLS
-from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
-STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js", "sources.js")
+STYLES = ("page.css", "tables.css", "explorable.css", "print.css")
+SCRIPTS = ("claims.js", "contents.js", "explorable.js", "figures.js", "page.js", "sources.js")
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
@@ -45,7 +45,6 @@ def to_html(document: Document, body: str) -> str:
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.
     """
-    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.figures}}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
@@ -53,7 +52,7 @@ def to_html(document: Document, body: str) -> str:
         symbols=SYMBOLS,
         verdicts={finding.verdict for finding in document.findings},
         contents=contents(body + code),
-        body=_with_programs(_with_drawings(body, drawings), document) + code,
+        body=_with_programs(_with_drawings(body, drawings(document)), document) + code,
         styles=_templates(STYLES),
         scripts=_templates(SCRIPTS),
         font=_base64(FONT.read_bytes()),
@@ -77,9 +76,9 @@ def contents(body: str) -> tuple[ContentsEntry, ...]:
     return tuple(entries)
 
 
-def _with_drawings(body: str, drawings: dict[str, str]) -> str:
+def _with_drawings(body: str, svg: dict[str, str]) -> str:
     """Put each drawing in the place of the image that names it."""
-    return _DRAWING.sub(lambda match: drawings[match["id"]], body)
+    return _DRAWING.sub(lambda match: svg[match["id"]], body)
 
 
 def _with_programs(body: str, document: Document) -> str:

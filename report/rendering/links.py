@@ -21,10 +21,14 @@ def check_claims(document: Document) -> None:
     Raises:
         BrokenLinkError: naming who names which claim, if one is not there.
     """
-    steps = document.derivation + document.describing_functions
+    steps = document.steps
     named = {
         **{highlight.claim: "a highlight" for highlight in document.highlights},
-        **{claim: f"step {step.id} of the derivation" for step in steps for claim in step.claims},
+        **{
+            claim: f"step {step.id} of the derivation"
+            for step in steps
+            for claim in step.claims + step.others
+        },
         **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
         **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},

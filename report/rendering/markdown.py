@@ -29,7 +29,7 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("programs", "derivation", "tables", "errata")
+BACK = ("programs", "explorable", "derivation", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -49,6 +49,7 @@ def to_markdown(document: Document) -> dict[str, str]:
         "document": document,
         "findings": {finding.id: finding for finding in document.findings},
         "figures": {figure.id: figure for figure in document.figures},
+        "titles": {step.id: step.title for step in document.steps},
         "program_of": {program.claim: program.name for program in document.programs},
         "counts": summary.count_table(document),
         "errata": errata.errata(document),

@@ -61,6 +61,9 @@ def select(document: Document, names: Sequence[str]) -> Document:
         programs=tuple(program for program in document.programs if program.claim in kept),
         derivation=(),
         describing_functions=(),
+        solution=(),
+        step_of={},
+        explorable=None,
         answers=(),
     )
 

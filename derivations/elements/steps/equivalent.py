@@ -60,6 +60,7 @@ def step() -> ProvenStep:
             *_units(units),
             Formula(f"N_{{eq}} = N_r + {latex(4 * sympy.I * FORCE / (sympy.pi * k2 * A))}", "5.14"),
         ),
+        code=(equivalent, friction_term, units_check),
     )
 
 

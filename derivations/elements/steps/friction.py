@@ -37,7 +37,9 @@ def relay() -> ProvenStep:
         "The output is $L$ while the input is positive and $-L$ while it is negative.",
         (
             cases("y", waveform.segments),
-            antiderivative_on(first, HARMONIC, sympy.I * LEVEL * sympy.exp(-sympy.I * HARMONIC * THETA) / HARMONIC, UP),
+            antiderivative_on(
+                first, HARMONIC, sympy.I * LEVEL * sympy.exp(-sympy.I * HARMONIC * THETA) / HARMONIC, UP
+            ),
             integral_over(first, HARMONIC, -2 * sympy.I * LEVEL / HARMONIC),
             Equality("N_n", 4 * LEVEL / (sympy.pi * HARMONIC * A), odd_harmonic(waveform, A, HARMONIC)),
         ),

@@ -1,0 +1,14 @@
+"""All drawings of the report as SVG, by the names under which its text asks for them."""
+
+from __future__ import annotations
+
+from report.document import Document
+from report.rendering.verdict_picture import NAME, verdict_picture
+
+
+def drawings(document: Document) -> dict[str, str]:
+    """Return the drawings: the counts of the verdicts, the figures, and the pictures of steps."""
+    pictures = (step.picture for step in document.steps if step.picture)
+    stills = (document.explorable.still,) if document.explorable else ()
+    figures = (*document.figures, *pictures, *stills)
+    return {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in figures}}
