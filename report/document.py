@@ -170,6 +170,15 @@ class CorrectedResult:
 
 
 @dataclass(frozen=True)
+class Follows:
+    """A claim (its id) that follows from another in the thesis, and how, in a few words of plain text."""
+
+    claim: str
+    source: str
+    how: str
+
+
+@dataclass(frozen=True)
 class Section:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
@@ -234,6 +243,7 @@ class Document:
     solution: tuple[DerivationStep, ...] = ()
     step_of: Mapping[str, str] = field(default_factory=dict)
     explorable: Explorable | None = None
+    spread: tuple[Follows, ...] = ()
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     sections: tuple[Section, ...] = ()

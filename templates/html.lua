@@ -217,6 +217,9 @@ local converters = {
   ["answer-side"] = function(div)
     return comparison_side(div.attributes.side)(pandoc.Div(div.content, { class = "answer-side" }))
   end,
+  ["spread-picture"] = function(div)
+    return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
+  end,
   ["step-picture"] = function(div)
     local blocks = { pandoc.Plain(div.content[1].content) }
     return wrapped('<figure class="picture" id="' .. escaped(div.identifier) .. '">', blocks, "")

@@ -113,6 +113,11 @@ local converters = {
   claim = claim,
   figure = figure,
   ["step-picture"] = figure,
+  ["spread-picture"] = function(div)
+    local image = div.content[1].content[1]
+    local opening = "#align(center, image(%s, alt: %s, width: 12.4cm))"
+    return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
+  end,
   program = program,
   ["chapter-begin"] = nothing,
   ["chapter-end"] = nothing,

@@ -29,6 +29,7 @@ from report.document import (
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
+from report.spread import read_follows
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -104,6 +105,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         solution=tuple(told[step.id] for step in parts.number_steps),
         step_of=step_of,
         explorable=parts.explorable,
+        spread=read_follows(inventory),
         answers=parts.answers,
         corrected=parts.corrected,
         sections=read_sections(),

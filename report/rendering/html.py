@@ -20,7 +20,7 @@ from report.rendering.sources import sources
 from report.rendering.summary import SYMBOLS
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
-STYLES = ("page.css", "tables.css", "explorable.css", "print.css")
+STYLES = ("page.css", "tables.css", "student.css", "print.css")
 SCRIPTS = ("claims.js", "contents.js", "explorable.js", "figures.js", "page.js", "sources.js")
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')

@@ -31,6 +31,7 @@ def check_claims(document: Document) -> None:
         },
         **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
+        **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
         **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
     }
     for claim in sorted(set(named) - {finding.id for finding in document.findings}):

@@ -11,7 +11,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
 from report.document import Document
-from report.rendering import errata, escaping, outline, summary, verdict_picture
+from report.rendering import errata, escaping, outline, spread_picture, summary, verdict_picture
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
@@ -29,7 +29,7 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("programs", "explorable", "derivation", "tables", "errata")
+BACK = ("programs", "explorable", "spread", "derivation", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -166,6 +166,8 @@ def _environment() -> Environment:
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
         picture_description=verdict_picture.description,
+        spread=spread_picture.spread,
+        spread_description=spread_picture.description,
     )
     environment.globals.update(
         shown=shown,
@@ -181,5 +183,6 @@ def _environment() -> Environment:
         ERRATA_LINE=ERRATA_LINE,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
+        SPREAD_PICTURE=spread_picture.NAME,
     )
     return environment

@@ -64,6 +64,7 @@ def select(document: Document, names: Sequence[str]) -> Document:
         solution=(),
         step_of={},
         explorable=None,
+        spread=(),
         answers=(),
     )
 
