@@ -12,7 +12,7 @@ from derivations.step import Formula
 from derivations.symbols import A
 
 ELEMENT, PLANT = sympy.symbols("N G")
-REAL_PARTS = sympy.symbols("N_r N_i G_r G_i", real=True)
+REAL_PARTS = sympy.symbols("n_p n_q G_p G_q", real=True)
 RESIDUAL, BY_ANGLE, BY_OMEGA = sympy.symbols("F F_ell F_omega")
 CHANGES = sympy.symbols("Delta_ell Delta_omega", real=True)
 
@@ -74,7 +74,7 @@ def balance_step() -> ProvenStep:
                 total(1, n_real * g_real, -n_imaginary * g_imaginary),
                 sympy.re(whole),
                 words="One complex equation is two real ones, for the two unknowns $A$ and $\\omega$. With "
-                "$N = N_r + j N_i$ and $G = G_r + j G_i$ both of these have to be zero:",
+                "$N = n_p + j n_q$ and $G = G_p + j G_q$ both of these have to be zero:",
             ),
             Equality(
                 r"\operatorname{Im}(1 + N G)",

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.step import Step
-from derivations.symbols import PARAMETERS, QUANTITIES
+from derivations.symbols import PARAMETERS
 from report.claim import Finding, Statement
 from report.derivation.code_lines import code_lines
+from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
 from report.document import (
     Answer,
@@ -22,7 +22,6 @@ from report.document import (
     Explorable,
     Figure,
     Highlight,
-    NomenclatureRow,
     ParameterRow,
     Program,
 )
@@ -91,10 +90,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         statements_in_thesis=len(inventory),
         derivation=tuple(told[step.id] for step in parts.trimmer_steps),
         figures=parts.figures,
-        nomenclature=tuple(
-            NomenclatureRow(latex(quantity.symbol), quantity.meaning, quantity.unit.text)
-            for quantity in QUANTITIES + ELEMENT_QUANTITIES
-        ),
+        nomenclature=nomenclature(steps, parts.findings),
         parameters=tuple(
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)

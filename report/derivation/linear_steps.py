@@ -72,13 +72,13 @@ def _modes(known: Evidence) -> Step:
     return Step(
         "modes",
         "Modes",
-        "Without the pin the trimmer swings in its modes. Each is a solution $v\\, e^{\\lambda t}$ of the "
-        "equations of motion; $\\lambda$ is a zero of the denominator, and an eigenvalue of the state "
+        "Without the pin the trimmer swings in its modes. Each is a solution $\\psi\\, e^{\\lambda t}$ of "
+        "the equations of motion; $\\lambda$ is a zero of the denominator, and an eigenvalue of the state "
         "matrix. Its imaginary part is the frequency of a free oscillation, its real part how fast that dies "
         "away.",
         (
             Formula(
-                r"\left(M \lambda^2 + C \lambda + K\right) v = 0, \quad "
+                r"\left(M \lambda^2 + C \lambda + K\right) \psi = 0, \quad "
                 r"\zeta = -\frac{\operatorname{Re} \lambda}{|\lambda|}"
             ),
             Formula(_modes_table(known), words="For the thesis's trimmer:"),

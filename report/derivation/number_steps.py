@@ -159,9 +159,9 @@ def _exact_orbit(known: Evidence) -> Step:
                 r"\dot{x} = A x + B r \ \text{ (flight)}, \quad y = C x"
             ),
             Formula(
-                r"x(t) = e^{Ft} x(0) + \int_0^t e^{F \tau} d\tau \; h \quad \text{for} \quad "
-                r"\dot{x} = F x + h",
-                words="With constant $F$ and $h$ the solution is a matrix exponential.",
+                r"x(t) = e^{St} x(0) + \int_0^t e^{S \tau} d\tau \; h \quad \text{for} \quad "
+                r"\dot{x} = S x + h",
+                words="With constant $S$ and $h$ the solution is a matrix exponential.",
             ),
             Formula(
                 r"x_1 = x(t_c) \ \text{ from } x_0 \text{ on the contact}, \quad "
@@ -200,7 +200,7 @@ def _motion() -> Step:
         "isolated on a polynomial whose truncation is below rounding, so that no event is passed over. Then "
         "the next segment begins, with the impact's new velocity where there is one.",
         (
-            Formula(r"x(t) = e^{F_i (t - t_i)} x(t_i), \quad t_i \le t \le t_{i+1}"),
+            Formula(r"x(t) = e^{S_i (t - t_i)} x(t_i), \quad t_i \le t \le t_{i+1}"),
             Formula(r"t_{i+1} = \min \left\{ t > t_i : e_i(x(t)) = 0 \right\}"),
         ),
         code=(simulate_loop,),
