@@ -179,7 +179,7 @@ end
 
 -- Chapters begin on a page of their own; Typst then sets them side by side on all cores. Levels are shifted
 -- after this filter: a chapter is still of level 2.
-local without_break = { summary = true, parameters = true, provenance = true, errata = true }
+local without_break = { summary = true, spread = true, parameters = true, provenance = true, errata = true }
 
 function Header(header)
   if header.level == 2 and not without_break[header.identifier] then

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from derivations.elements.quantities import ELEMENT_QUANTITIES
@@ -24,7 +24,7 @@ PATH = Path(__file__).parent.parent / "data" / "nomenclature.csv"
 
 
 class NomenclatureError(TrimmerError, ValueError):
-    """A symbol of the nomenclature stands nowhere, or is said to stand where it does not."""
+    """A symbol of the nomenclature is said to stand where it does not."""
 
 
 @dataclass(frozen=True)
@@ -88,25 +88,27 @@ def symbols_of_finding(finding: Finding) -> frozenset[str]:
 def nomenclature(steps: Iterable[Step], findings: Iterable[Finding]) -> tuple[NomenclatureRow, ...]:
     """Return the rows with their places, in the order of the alphabet, Greek letters last.
 
+    A symbol that stands in no step and on no card is left out.
+
     Raises:
-        NomenclatureError: naming a symbol that stands nowhere, or not where it is said to.
+        NomenclatureError: naming a symbol that is said to stand in a step which does not hold it.
     """
-    held: dict[str, frozenset[str]] = {step.id: symbols_of_step(step) for step in steps}
-    held |= {finding.id: symbols_of_finding(finding) for finding in findings}
-    found = [replace(entry, first=_first(entry, held)) for entry in sorted(entries(), key=_alphabetically)]
-    return tuple(NomenclatureRow(each.symbol, each.meaning, each.unit, each.first) for each in found)
+    of_steps = {step.id: symbols_of_step(step) for step in steps}
+    of_cards = {finding.id: symbols_of_finding(finding) for finding in findings}
+    rows = []
+    for entry in sorted(entries(), key=_alphabetically):
+        if entry.first in of_steps and not of_steps[entry.first] & entry.covers:
+            raise NomenclatureError(f"{entry.symbol} ({entry.meaning}) does not stand in {entry.first}")
+        place = entry.first or _first(entry, of_steps | of_cards)
+        if place in of_steps or place in of_cards:
+            rows.append(NomenclatureRow(entry.symbol, entry.meaning, entry.unit, place))
+    return tuple(rows)
+
+
+def _first(entry: Entry, held: Mapping[str, frozenset[str]]) -> str:
+    return next((place for place, symbols_there in held.items() if symbols_there & entry.covers), "")
 
 
 def _alphabetically(entry: Entry) -> tuple[bool, str, str]:
     name = entry.symbol.lstrip("\\")
     return entry.symbol.startswith("\\"), name.lower().replace("{", "").replace("}", ""), name
-
-
-def _first(entry: Entry, held: Mapping[str, frozenset[str]]) -> str:
-    own = symbols(entry.symbol) or entry.covers
-    places = (entry.first,) if entry.first else held
-    for place in places:
-        if held.get(place, frozenset()) & (own | entry.covers):
-            return place
-    where = f"in {entry.first}" if entry.first else "in any step or card"
-    raise NomenclatureError(f"the symbol {entry.symbol} ({entry.meaning}) does not stand {where}")

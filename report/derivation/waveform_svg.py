@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 168, 34, 8, 110, 34
-HIGHEST: Final = 1.15
-"""Largest output that is drawn, over A or the level."""
+ROOM: Final = 1.12
+"""Height of half of the plane over the largest value in it."""
 ROUNDING: Final = 1e-9
 COLOURS: Final = {"input": "#555555", "output": "#0072b2", "harmonic": "#d55e00"}
 DASHES: Final = {"input": "3 3", "output": "none", "harmonic": "8 3"}
@@ -50,7 +50,8 @@ def waveform_svg(identifier: str, title: str, words: str, pieces: tuple[Piece, .
     """
     first, last = float(pieces[0].phases[0]), float(pieces[-1].phases[-1])
     phases = np.linspace(first, last, 97)
-    plane = _Plane(first, last)
+    highest = ROOM * max(1.0, *(float(abs(piece.output).max()) for piece in pieces))
+    plane = _Plane(first, last, highest)
     curves = {
         "input": [(phases, np.sin(phases))],
         "harmonic": [(phases, first_harmonic(pieces, phases))],
@@ -75,16 +76,17 @@ def waveform_svg(identifier: str, title: str, words: str, pieces: tuple[Piece, .
 
 @dataclass(frozen=True)
 class _Plane:
-    """Where phases and outputs lie in the drawing."""
+    """Where phases and outputs lie in the drawing; ``highest`` is at its upper edge."""
 
     first: float
     last: float
+    highest: float
 
     def across(self, phase: float) -> float:
         return LEFT + (phase - self.first) / (self.last - self.first) * (WIDTH - LEFT - RIGHT)
 
     def down(self, output: float) -> float:
-        return TOP + (HIGHEST - output) / (2 * HIGHEST) * (HEIGHT - TOP - BOTTOM)
+        return TOP + (self.highest - output) / (2 * self.highest) * (HEIGHT - TOP - BOTTOM)
 
     def curve(self, name: str, phases: Reals, output: Reals) -> str:
         places = zip(phases, output, strict=True)

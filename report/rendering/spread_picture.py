@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
@@ -9,12 +10,14 @@ from xml.sax.saxutils import escape
 
 from report.claim import Finding, Verdict
 from report.document import Document, Follows
-from report.rendering.summary import SYMBOLS, reference
+from report.rendering.summary import SYMBOLS, capitalised, reference
 from report.rendering.verdict_picture import COLOURS
 
 NAME: Final = "spread"
 """Name of the picture among the drawings of the report."""
-WIDTH, ROW, HEIGHT, INDENT, EDGE = 470, 50, 38, 34, 14
+WIDTH, ROW, HEIGHT, INDENT, EDGE = 470, 64, 52, 26, 12
+LINE, LINES_OF_TITLE = 62, 2
+"""Characters in a line of a title, and lines of it."""
 
 
 @dataclass(frozen=True)
@@ -126,18 +129,20 @@ def _line(place: Place, above: Place) -> str:
 def _box(place: Place) -> Iterator[str]:
     verdict, left, top = place.finding.verdict, _left(place), _top(place)
     colour = COLOURS[verdict]
-    width = WIDTH - INDENT * 4 - 2
+    width = WIDTH - left - 2
     yield (
         f'<rect class="{verdict.value}" x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="3" '
         f'fill="none" stroke="{colour}" stroke-width="1.2"/>'
-        f'<text x="{left + 8}" y="{top + 15}" font-weight="bold" class="black">'
-        f"{escape(reference(place.finding))}</text>"
-        f'<text x="{left + width - 8}" y="{top + 15}" text-anchor="end" class="{verdict.value}" '
-        f'fill="{colour}"><tspan font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[verdict]}</tspan> '
-        f"{_outcome(place)}</text>"
-        f'<text x="{left + 8}" y="{top + 31}" font-size="11" class="black">'
-        f"{escape(place.how or place.finding.title)}</text>"
+        f'<text x="{left + 8}" y="{top + 15}"><tspan font-weight="bold" class="black">'
+        f'{escape(reference(place.finding))}</tspan><tspan dx="10" class="{verdict.value}" fill="{colour}" '
+        f'font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[verdict]}</tspan> '
+        f'<tspan class="{verdict.value}" fill="{colour}">{_outcome(place)}</tspan></text>'
     )
+    for number, line in enumerate(textwrap.wrap(capitalised(place.finding.title), LINE)[:LINES_OF_TITLE]):
+        yield (
+            f'<text x="{left + 8}" y="{top + 30 + 14 * number}" font-size="11" class="black">'
+            f"{escape(line)}</text>"
+        )
 
 
 def _outcome(place: Place) -> str:
