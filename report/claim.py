@@ -12,17 +12,27 @@ from typing import Any, Protocol, Self
 
 
 class Verdict(Enum):
-    """Agreement of a judgement, in rising order of severity."""
+    """Agreement of a judgement; the later ones prevail over the earlier.
+
+    ``COPY`` is what a page read by machine explains: a fault of the text that was read, perhaps not of the
+    thesis.
+    """
 
     REPRODUCED = "reproduced"
+    COPY = "copy"
     EXPLAINED = "explained"
     NOT_CHECKABLE = "not-checkable"
     ERRATUM = "erratum"
 
     @property
-    def severity(self) -> int:
-        """Rank of the verdict: a claim with several parts takes the most severe one."""
+    def rank(self) -> int:
+        """Place in the order: a claim with several parts takes the verdict of the highest rank."""
         return list(Verdict).index(self)
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether something is wrong in the thesis, and has a severity."""
+        return self in (Verdict.EXPLAINED, Verdict.ERRATUM)
 
 
 class Kind(Enum):
@@ -60,20 +70,33 @@ class Impact(Enum):
 
 
 class Severity(Enum):
-    """How much it matters that a statement is wrong."""
+    """How much it matters that a statement is wrong, the gravest first.
+
+    It changes a conclusion; a number or formula is wrong; a slip without effect; nothing is wrong.
+    """
 
     CONCLUSION = "conclusion"
     RESULT = "result"
     SLIP = "slip"
     NONE = "none"
 
+    @property
+    def rank(self) -> int:
+        """Place in the order, 0 for the gravest."""
+        return list(Severity).index(self)
+
 
 class Certainty(Enum):
-    """How sure a finding is: proven, computed in two ways, or depending on how the text is read."""
+    """How sure a finding is, the surest first: proven, computed in two ways, or as the text is read."""
 
     PROVEN = "proven"
     COMPUTED = "computed"
     READING = "reading"
+
+    @property
+    def rank(self) -> int:
+        """Place in the order, 0 for the surest."""
+        return list(Certainty).index(self)
 
 
 @dataclass(frozen=True)
@@ -112,10 +135,11 @@ Shown = Mathematics | Number | Words
 
 @dataclass(frozen=True)
 class Agreement:
-    """Whether printed and derived agree, and the method by which that was settled."""
+    """Whether printed and derived agree, the method by which that was settled, and how sure that is."""
 
     agrees: bool
     method: str
+    certainty: Certainty = Certainty.COMPUTED
 
 
 class Check(Protocol):
@@ -166,11 +190,25 @@ class Confirmation:
 
 
 @dataclass(frozen=True)
+class CopyFault:
+    """What the machine that read the page may have lost.
+
+    ``name`` says what; ``restored`` holds what the page then said against what is derived, and has to agree;
+    ``decided_by`` says what would decide it.
+    """
+
+    name: str
+    restored: Check
+    decided_by: str
+
+
+@dataclass(frozen=True)
 class Part:
     """One checkable part of a claim.
 
     ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where it works
-    on an instance of what is printed; ``item`` names the printed thing that the part judges.
+    on an instance of what is printed. ``item`` names the printed thing that the part judges; parts of any
+    claims with the same item count once. ``severity`` and ``certainty`` stand in place of those of the claim.
     """
 
     label: str
@@ -180,6 +218,9 @@ class Part:
     printed_form: Shown | None = None
     derived_form: Shown | None = None
     item: str = ""
+    copy_fault: CopyFault | None = None
+    severity: Severity | None = None
+    certainty: Certainty | None = None
 
 
 @dataclass(frozen=True)
@@ -198,7 +239,8 @@ class Claim:
 
     ``explanation`` and ``consequence`` are pandoc Markdown with TeX mathematics between dollar signs;
     ``source`` names the file of this project that derives the right side. ``lines`` are the first and the
-    last of the passage in the text that was read; they, ``severity`` and ``certainty`` may be missing.
+    last of the passage in the text that was read, ``paragraph`` its number in the section. ``severity`` is
+    that of the parts that are wrong, ``certainty`` that of all parts where they do not say it themselves.
     """
 
     id: str
@@ -208,6 +250,7 @@ class Claim:
     impact: Impact = Impact.NONE
     consequence: str = ""
     lines: tuple[int, int] | None = None
+    paragraph: int | None = None
     severity: Severity | None = None
     certainty: Certainty | None = None
 
@@ -216,7 +259,8 @@ class Claim:
 class JudgedPart:
     """A part with its verdict.
 
-    ``slip`` names the slip that gives the printed form (empty if nothing is wrong, or if no slip gives it).
+    ``slip`` names the slip that gives the printed form (empty if nothing is wrong, or if no slip gives it),
+    or what the copy may have lost; ``decided_by`` then says what would decide that.
     """
 
     label: str
@@ -225,6 +269,10 @@ class JudgedPart:
     derived: Shown
     method: str
     slip: str = ""
+    decided_by: str = ""
+    item: str = ""
+    severity: Severity = Severity.NONE
+    certainty: Certainty | None = None
 
 
 @dataclass(frozen=True)
@@ -241,6 +289,27 @@ class Finding:
     impact: Impact
     source: str
     parts: tuple[JudgedPart, ...]
+    lines: tuple[int, int] | None = None
+    paragraph: int | None = None
+
+    @property
+    def severity(self) -> Severity:
+        """Severity of the gravest part."""
+        return min((part.severity for part in self.parts), key=lambda severity: severity.rank)
+
+    @property
+    def certainty(self) -> Certainty | None:
+        """Certainty of the least sure part; None where nothing could be checked."""
+        known = [part.certainty for part in self.parts if part.certainty is not None]
+        return max(known, key=lambda certainty: certainty.rank, default=None)
+
+
+_SEVERITY_OF_IMPACT = {
+    Impact.NONE: Severity.SLIP,
+    Impact.NOTATION: Severity.SLIP,
+    Impact.LOCAL: Severity.RESULT,
+    Impact.DOWNSTREAM: Severity.RESULT,
+}
 
 
 class ContradictionError(Exception):
@@ -260,38 +329,74 @@ def judge(claim: Claim, entry: Statement) -> Finding:
     """
     if not claim.parts:
         raise ValueError(f"claim {claim.id} has no part to judge")
-    parts = tuple(_judge_part(claim.id, part) for part in claim.parts)
+    parts = tuple(_judge_part(claim, part) for part in claim.parts)
     return Finding(
         id=claim.id,
         kind=entry.kind,
         section=entry.section,
         title=entry.title,
-        verdict=max((part.verdict for part in parts), key=lambda verdict: verdict.severity),
+        verdict=max((part.verdict for part in parts), key=lambda verdict: verdict.rank),
         explanation=claim.explanation,
         consequence=claim.consequence,
         impact=claim.impact,
         source=claim.source,
         parts=parts,
+        lines=claim.lines,
+        paragraph=claim.paragraph,
     )
 
 
-def _judge_part(claim_id: str, part: Part | Uncheckable) -> JudgedPart:
+def _judge_part(claim: Claim, part: Part | Uncheckable) -> JudgedPart:
+    item = part.item or _own_item(claim, part)
     if isinstance(part, Uncheckable):
-        return JudgedPart(part.label, Verdict.NOT_CHECKABLE, part.printed, Words(part.missing), "not checked")
+        return JudgedPart(
+            part.label, Verdict.NOT_CHECKABLE, part.printed, Words(part.missing), "not checked", item=item
+        )
     outcome = part.comparison.compare()
-    method = outcome.method
-    if part.confirmation is not None:
-        second = part.confirmation.comparison.compare()
-        if not second.agrees:
-            raise ContradictionError(
-                f"{claim_id}, {part.label or 'only part'}: the derivation and its confirmation by "
-                f"{part.confirmation.means} disagree ({second.method})"
-            )
-        method = f"{method}; confirmed by {part.confirmation.means}"
     verdict, slip = _verdict_of(part, outcome)
-    printed = part.printed_form or part.comparison.printed_shown
-    derived = part.derived_form or part.comparison.derived_shown
-    return JudgedPart(part.label, verdict, printed, derived, method, slip)
+    return JudgedPart(
+        label=part.label,
+        verdict=verdict,
+        printed=part.printed_form or part.comparison.printed_shown,
+        derived=part.derived_form or part.comparison.derived_shown,
+        method=_confirmed(claim.id, part, outcome.method),
+        slip=slip,
+        decided_by=part.copy_fault.decided_by if part.copy_fault and verdict is Verdict.COPY else "",
+        item=item,
+        severity=_severity(claim, part) if verdict.is_wrong else Severity.NONE,
+        certainty=_certainty(claim, part, outcome, verdict),
+    )
+
+
+def _own_item(claim: Claim, part: Part | Uncheckable) -> str:
+    """Name what a part judges that shares it with no other: the claim, and the part where it has several."""
+    if len(claim.parts) == 1:
+        return claim.id
+    number = 1 + next(index for index, other in enumerate(claim.parts) if other is part)
+    return f"{claim.id}, {part.label or f'part {number}'}"
+
+
+def _severity(claim: Claim, part: Part) -> Severity:
+    return part.severity or claim.severity or _SEVERITY_OF_IMPACT[claim.impact]
+
+
+def _certainty(claim: Claim, part: Part, outcome: Agreement, verdict: Verdict) -> Certainty:
+    if verdict is Verdict.COPY:
+        return Certainty.READING
+    return part.certainty or claim.certainty or outcome.certainty
+
+
+def _confirmed(claim_id: str, part: Part, method: str) -> str:
+    """Return the method with the second way to the same, which has to agree."""
+    if part.confirmation is None:
+        return method
+    second = part.confirmation.comparison.compare()
+    if not second.agrees:
+        raise ContradictionError(
+            f"{claim_id}, {part.label or 'only part'}: the derivation and its confirmation by "
+            f"{part.confirmation.means} disagree ({second.method})"
+        )
+    return f"{method}; confirmed by {part.confirmation.means}"
 
 
 def _verdict_of(part: Part, outcome: Agreement) -> tuple[Verdict, str]:
@@ -299,4 +404,6 @@ def _verdict_of(part: Part, outcome: Agreement) -> tuple[Verdict, str]:
         return Verdict.REPRODUCED, ""
     if part.slip is not None and part.comparison.with_derived(part.slip.derived).compare().agrees:
         return part.slip.verdict, part.slip.name
+    if part.copy_fault is not None and part.copy_fault.restored.compare().agrees:
+        return Verdict.COPY, part.copy_fault.name
     return Verdict.ERRATUM, ""

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from report.claim import Finding
+from report.text_copy import BuildTime, TextCopy
 
 
 @dataclass(frozen=True)
@@ -135,11 +136,24 @@ class ParameterRow:
 
 @dataclass(frozen=True)
 class Highlight:
-    """A finding that matters most: the id of its claim, one sentence, and its size."""
+    """A finding that matters most: where it stands (the id of a claim, or of a place), and what to do.
 
-    claim: str
+    ``sentence`` and ``action`` are Markdown.
+    """
+
+    place: str
     sentence: str
-    size: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The first screen: what holds and what does not, what matters most, what a designer does (Markdown)."""
+
+    sentences: str
+    highlights: tuple[Highlight, ...]
+    do: tuple[str, ...]
+    do_not: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -179,6 +193,58 @@ class Follows:
 
 
 @dataclass(frozen=True)
+class Digits:
+    """Parameters (LaTeX) that are printed with a number of digits, and what these leave open at most, %."""
+
+    number: str
+    symbols: tuple[str, ...]
+    left_open: str
+
+
+@dataclass(frozen=True)
+class EffectRow:
+    """A corrected prediction and what the parameters do to it.
+
+    ``quantity`` and ``unit`` are plain text; ``nominal`` is the value at the thesis's parameters;
+    ``largest`` (LaTeX) is the parameter with the largest effect, ``reach`` what it does; ``band`` holds nine
+    tenths of the samples.
+    """
+
+    quantity: str
+    unit: str
+    nominal: str
+    largest: str
+    reach: str
+    band: str
+
+
+@dataclass(frozen=True)
+class SurvivalRow:
+    """A finding on a claim, in how many samples it holds, and on what that rests, in words."""
+
+    claim: str
+    finding: str
+    holds: str
+    because: str
+
+
+@dataclass(frozen=True)
+class Robustness:
+    """How far the corrected results hold when parameters change by ``percent``.
+
+    ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
+    """
+
+    percent: int
+    samples: int
+    left_out: int
+    digits: tuple[Digits, ...]
+    effects: tuple[EffectRow, ...]
+    survivals: tuple[SurvivalRow, ...]
+    figure: Figure
+
+
+@dataclass(frozen=True)
 class Section:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
@@ -199,12 +265,16 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Provenance:
-    """What the report was made from; nothing in it depends on the time or the machine of the build."""
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is how long it took when that was last measured.
+    """
 
     version: str
     commit: str
     date: str
     libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
 
 
 @dataclass(frozen=True)
@@ -230,7 +300,7 @@ class Document:
     """
 
     title: str
-    highlights: tuple[Highlight, ...]
+    opening: Opening | None
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]
@@ -238,6 +308,7 @@ class Document:
     nomenclature: tuple[NomenclatureRow, ...]
     parameters: tuple[ParameterRow, ...]
     provenance: Provenance
+    text_copy: TextCopy
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
     solution: tuple[DerivationStep, ...] = ()
@@ -246,6 +317,7 @@ class Document:
     spread: tuple[Follows, ...] = ()
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
+    robustness: Robustness | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
@@ -259,3 +331,10 @@ class Document:
     def findings(self) -> tuple[Finding, ...]:
         """All findings, in thesis order."""
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
+
+    @property
+    def drawings(self) -> tuple[Figure, ...]:
+        """All figures: those of claims, that of how far the results hold, and that of the explorable."""
+        robustness = (self.robustness.figure,) if self.robustness else ()
+        still = (self.explorable.still,) if self.explorable else ()
+        return (*self.figures, *robustness, *still)

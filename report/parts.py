@@ -15,7 +15,21 @@ from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.claim import Comparison, Confirmation, Mathematics, Part, Shown, Slip, Uncheckable, Verdict, Words
+from report.claim import (
+    Certainty,
+    Check,
+    Comparison,
+    Confirmation,
+    CopyFault,
+    Mathematics,
+    Part,
+    Severity,
+    Shown,
+    Slip,
+    Uncheckable,
+    Verdict,
+    Words,
+)
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.comparisons.expression import SameExpression, SameMatrix
@@ -24,12 +38,16 @@ from report.text import RecordError, filled
 DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
 
 
+THE_PAGE = "the page itself decides; only a text read from it by machine was at hand"
+
+
 class More(TypedDict, total=False):
     """What any part may have.
 
     ``form`` is TeX that is shown on both sides in place of what the comparison holds, ``printed_form`` and
-    ``derived_form`` are shown on one side, as TeX if they are strings; ``item`` names the printed thing that
-    the part judges.
+    ``derived_form`` are shown on one side, as TeX if they are strings. ``item`` names the printed thing that
+    the part judges; parts of any claims with the same item count once. ``copy_fault`` is what the machine
+    that read the page may have lost; ``severity`` and ``certainty`` stand in place of those of the claim.
     """
 
     second: Confirmation | None
@@ -38,6 +56,9 @@ class More(TypedDict, total=False):
     printed_form: Shown | str
     derived_form: Shown | str
     item: str
+    copy_fault: CopyFault | None
+    severity: Severity | None
+    certainty: Certainty | None
 
 
 def digits(label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]) -> Part:
@@ -115,6 +136,9 @@ def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
         printed,
         derived,
         more.get("item", ""),
+        more.get("copy_fault"),
+        more.get("severity"),
+        more.get("certainty"),
     )
 
 
@@ -137,6 +161,11 @@ def same(means: str, first: Any, second: Any) -> Confirmation:
     """Confirm an expression or a matrix by another derivation of it."""
     alike = SameMatrix if isinstance(first, sympy.MatrixBase) else SameExpression
     return Confirmation(filled(means), alike(first, second))
+
+
+def lost_in_the_copy(name: str, restored: Check, decided_by: str = THE_PAGE) -> CopyFault:
+    """Name what the machine that read the page may have lost; what is restored has to agree."""
+    return CopyFault(filled(name), restored, filled(decided_by))
 
 
 def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:

@@ -8,6 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from report.document import Provenance
+from report.text_copy import read_build_time
 
 LIBRARIES = (
     *("sympy", "mpmath", "numpy", "scipy", "numba", "control", "matplotlib"),
@@ -25,6 +26,7 @@ def provenance() -> Provenance:
         commit=commit,
         date=date,
         libraries=libraries(),
+        build_time=read_build_time(),
     )
 
 

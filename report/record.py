@@ -83,8 +83,9 @@ class ClaimRecord:
         items: Yields what the claim consists of.
         impact: How far a wrong statement reaches.
         lines: First and last line of the passage in the text that was read; None if they are not given.
-        severity: How much a wrong statement matters; None if it is not graded.
-        certainty: How sure the finding is; None if that is not said.
+        severity: How much it matters that a part is wrong, where the part does not say it itself.
+        certainty: How sure the finding is, where it is not what the comparisons of the parts say.
+        paragraph: Of the section, as counted in the text that was read; None where it is not given.
     """
 
     id: str
@@ -94,6 +95,7 @@ class ClaimRecord:
     lines: tuple[int, int] | None = None
     severity: Severity | None = None
     certainty: Certainty | None = None
+    paragraph: int | None = None
 
     def claim(self, known: Evidence) -> Claim:
         """Return the claim with its numbers.
@@ -119,6 +121,7 @@ class ClaimRecord:
             lines=self.lines,
             severity=self.severity,
             certainty=self.certainty,
+            paragraph=self.paragraph,
         )
 
 
@@ -130,12 +133,13 @@ def claim(
     lines: tuple[int, int] | None = None,
     severity: Severity | None = None,
     certainty: Certainty | None = None,
+    paragraph: int | None = None,
 ) -> Callable[[Callable[[Evidence], Record]], ClaimRecord]:
     """Make a claim of a function that yields what it consists of, and give it the function's name.
 
     For the arguments see ``ClaimRecord``.
     """
-    return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty)
+    return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty, paragraph)
 
 
 def text(prose: str) -> Text:

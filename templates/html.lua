@@ -134,7 +134,7 @@ local function equation(div)
 end
 
 local function claim(div)
-  local opening = '<article class="claim" id="%s" data-verdict="%s" data-chapter="%s">'
+  local opening = '<article class="claim" id="%s" data-verdict="%s" data-grade="%s" data-chapter="%s">'
   local attributes = div.attributes
   local blocks = div.content:map(function(block)
     if block.t == "Div" and block.classes:includes("latex-sources") then
@@ -143,7 +143,7 @@ local function claim(div)
     return block
   end)
   return wrapped(
-    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.chapter)),
+    opening:format(escaped(div.identifier), escaped(attributes.verdict), escaped(attributes.grade), escaped(attributes.chapter)),
     blocks,
     "</article>"
   )
@@ -198,9 +198,9 @@ local converters = {
   claim = claim,
   figure = figure,
   program = program,
-  printed = comparison_side("As printed"),
+  printed = comparison_side("Thesis, our wording"),
   derived = comparison_side("As derived"),
-  agreed = comparison_side("As printed and as derived"),
+  agreed = comparison_side("Thesis, our wording, and as derived"),
   missing = comparison_side("What is missing"),
   -- A chapter comes in several pieces.
   ["chapter-begin"] = function(div)
@@ -239,6 +239,13 @@ local converters = {
   outline = nothing,
   explorable = function()
     return raw('<div class="explorable"></div>')
+  end,
+  -- Places of what the reader's own copy has: it is put there when the page is finished.
+  passage = function(div)
+    return raw("<!-- passage " .. escaped(div.attributes.claim) .. " -->")
+  end,
+  ["reader-copy"] = function()
+    return raw("<!-- reader's copy -->")
   end,
 }
 

@@ -21,14 +21,16 @@ from report.document import (
     Equation,
     Explorable,
     Figure,
-    Highlight,
+    Opening,
     ParameterRow,
     Program,
+    Robustness,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
 from report.spread import read_follows
+from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -60,9 +62,10 @@ class Parts:
         pictures: Of the waveforms, by the ids of their steps.
         explorable: What a reader can move.
         programs: The corrected listings.
-        highlights: The findings that matter most.
+        opening: The first screen.
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
+        robustness: How far these hold when the parameters change.
     """
 
     findings: tuple[Finding, ...]
@@ -73,9 +76,10 @@ class Parts:
     pictures: Mapping[str, Figure]
     explorable: Explorable
     programs: tuple[Program, ...]
-    highlights: tuple[Highlight, ...]
+    opening: Opening
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
+    robustness: Robustness
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -85,7 +89,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     told = {step.id: _told(step, step_of, parts) for step in steps}
     return Document(
         title=TITLE,
-        highlights=parts.highlights,
+        opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=tuple(told[step.id] for step in parts.trimmer_steps),
@@ -96,6 +100,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
         provenance=provenance(),
+        text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=tuple(told[step.id] for step in parts.element_steps),
         solution=tuple(told[step.id] for step in parts.number_steps),
@@ -104,6 +109,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         spread=read_follows(inventory),
         answers=parts.answers,
         corrected=parts.corrected,
+        robustness=parts.robustness,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
     )

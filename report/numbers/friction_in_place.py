@@ -20,6 +20,8 @@ from trimmer.elements.friction_backlash import FrictionBacklash
 
 BACKLASH = FrictionBacklash(1.0)
 POINTS = 49
+FEW_POINTS = 13
+"""Enough for the largest force to 1e-6."""
 ZOOMS = 4
 HALVINGS = 50
 BEYOND = 0.01
@@ -85,19 +87,38 @@ def friction_branch(
         unstable: limit cycle without friction for a gap of one metre.
         stable: the other one, of higher frequency and larger amplitude.
     """
-    loop = _Loop(
+    loop = _loop(parameters, channels, unstable, stable)
+    first, last = 1 / stable.amplitude, 1 / unstable.amplitude
+    ratio = _ratio_of_largest_force(loop, first, last)
+    return FrictionBranch(
+        stable=loop.balances(np.linspace(first, ratio, POINTS)),
+        unstable=loop.balances(np.linspace(last, ratio, POINTS)),
+        merger=_merger(loop, ratio),
+    )
+
+
+def largest_force(
+    parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
+) -> Merger:
+    """Return where the two limit cycles of a loop become one; see ``friction_branch``."""
+    loop = _loop(parameters, channels, unstable, stable)
+    ratio = _ratio_of_largest_force(loop, 1 / stable.amplitude, 1 / unstable.amplitude, FEW_POINTS)
+    return _merger(loop, ratio)
+
+
+def _loop(
+    parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
+) -> _Loop:
+    return _Loop(
         pin=_PartialFractions.of(pin_model(parameters, channels=channels)),
         force=_PartialFractions.of(force_response(parameters)),
         omegas=((1 - BEYOND) * unstable.omega, (1 + BEYOND) * stable.omega),
     )
-    first, last = 1 / stable.amplitude, 1 / unstable.amplitude
-    ratio = _ratio_of_largest_force(loop, first, last)
+
+
+def _merger(loop: _Loop, ratio: float) -> Merger:
     (merger,) = zip(*_columns(loop.balances(np.array([ratio]))), strict=True)
-    return FrictionBranch(
-        stable=loop.balances(np.linspace(first, ratio, POINTS)),
-        unstable=loop.balances(np.linspace(last, ratio, POINTS)),
-        merger=Merger(*map(float, merger)),
-    )
+    return Merger(*map(float, merger))
 
 
 def _columns(balances: Balances) -> tuple[Reals, Reals, Reals]:
@@ -148,12 +169,12 @@ class _Loop:
         return np.asarray(-loop / (4j / math.pi * ratios * self.force.response(omegas)))
 
 
-def _ratio_of_largest_force(loop: _Loop, first: float, last: float) -> float:
+def _ratio_of_largest_force(loop: _Loop, first: float, last: float, points: int = POINTS) -> float:
     """Return the ratio gap/amplitude at the largest force, by ever finer grids and a last parabola."""
     for _ in range(ZOOMS):
-        grid = np.linspace(first, last, POINTS)
+        grid = np.linspace(first, last, points)
         forces = loop.balances(grid).force_per_gap
-        best = int(np.clip(forces.argmax(), 1, POINTS - 2))
+        best = int(np.clip(forces.argmax(), 1, points - 2))
         first, last = grid[best - 1], grid[best + 1]
     before, at, after = forces[best - 1 : best + 2]
     step = grid[1] - grid[0]

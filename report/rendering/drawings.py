@@ -8,9 +8,8 @@ from report.rendering.verdict_picture import NAME, verdict_picture
 
 
 def drawings(document: Document) -> dict[str, str]:
-    """Return the drawings: counts of verdicts, a slip's way, figures, pictures of steps."""
+    """Return the drawings: the counts of grades, a slip's way, all figures, and pictures of steps."""
     pictures = (step.picture for step in document.steps if step.picture)
-    stills = (document.explorable.still,) if document.explorable else ()
-    figures = (*document.figures, *pictures, *stills)
     graph = {spread_picture.NAME: spread_picture.spread_picture(document)} if document.spread else {}
-    return {NAME: verdict_picture(document), **graph, **{figure.id: figure.svg for figure in figures}}
+    figures = {figure.id: figure.svg for figure in (*document.drawings, *pictures)}
+    return {NAME: verdict_picture(document), **graph, **figures}

@@ -11,18 +11,33 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from report.copy.reading import ReaderCopy
 from report.document import Document
+from report.grade import grade
 from report.octave.archive import archive
 from report.rendering.drawings import drawings
+from report.rendering.figure_colours import variables, with_variables
 from report.rendering.markdown import ARCHIVE
+from report.rendering.passages import passages
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
-from report.rendering.summary import SYMBOLS
+from report.rendering.summary import GRADES, SYMBOLS
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 STYLES = ("page.css", "tables.css", "student.css", "print.css")
-SCRIPTS = ("claims.js", "contents.js", "explorable.js", "figures.js", "page.js", "sources.js")
+SCRIPTS = (
+    "search.js",
+    "claims.js",
+    "contents.js",
+    "explorable.js",
+    "zoom.js",
+    "figures.js",
+    "page.js",
+    "sources.js",
+)
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
+_PLACE_OF_PASSAGE = re.compile(r"<!-- passage (?P<claim>\S+) -->")
+_PLACE_OF_COPY = re.compile("<!-- reader's copy -->")
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 
 
@@ -35,25 +50,30 @@ class ContentsEntry:
     inner: tuple[ContentsEntry, ...]
 
 
-def to_html(document: Document, body: str) -> str:
+def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> str:
     """Return the report as one HTML page with its style, script, font, figures, programs and sources inside.
 
     Args:
         document: the report.
         body: its text, as ``Converter.html`` returns it.
+        copy: the reader's own copy, whose passages are then shown; it comes into the page here and is kept
+            nowhere else.
 
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.
     """
+    figures = {figure.id: figure.svg for figure in document.drawings}
+    svg = drawings(document) | {id: with_variables(each) for id, each in figures.items()}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
         document=document,
         symbols=SYMBOLS,
-        verdicts={finding.verdict for finding in document.findings},
+        grades={grade(finding) for finding in document.findings},
+        grade_words=GRADES,
         contents=contents(body + code),
-        body=_with_programs(_with_drawings(body, drawings(document)), document) + code,
-        styles=_templates(STYLES),
+        body=_with_copy(_with_programs(_with_drawings(body, svg), document), document, copy) + code,
+        styles=[*_templates(STYLES), variables(figures.values())],
         scripts=_templates(SCRIPTS),
         font=_base64(FONT.read_bytes()),
     )
@@ -85,6 +105,17 @@ def _with_programs(body: str, document: Document) -> str:
     """Put the archive of the programs into the link that downloads it."""
     address = f"data:application/zip;base64,{_base64(archive(document.programs))}"
     return body.replace(f'href="{ARCHIVE}"', f'href="{address}"', 1)
+
+
+def _with_copy(body: str, document: Document, copy: ReaderCopy | None) -> str:
+    """Put what the reader's copy has into the places for it; without a copy they stay empty."""
+    if copy is None:
+        return _PLACE_OF_COPY.sub("", _PLACE_OF_PASSAGE.sub("", body))
+    template = _environment().get_template("passage.html.j2")
+    shown = {claim: template.render(passage=passage) for claim, passage in passages(document, copy).items()}
+    notice = _environment().get_template("reader_copy.html.j2").render(copy=copy)
+    noticed = _PLACE_OF_COPY.sub(lambda _: notice, body)
+    return _PLACE_OF_PASSAGE.sub(lambda match: shown[match["claim"]], noticed)
 
 
 def _base64(content: bytes) -> str:

@@ -3,17 +3,34 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 
-from report.claim import Finding, JudgedPart, Shown
+from report.claim import Certainty, Finding, JudgedPart, Severity, Shown, Verdict
 from report.document import Document
+from report.items import Item, items
 
-SCHEMA = 1
+SCHEMA = 2
 
 
 def to_json(document: Document) -> str:
     """Return all findings of the document, in thesis order, as indented JSON with a trailing newline."""
-    content = {"schema": SCHEMA, "claims": [_claim(finding) for finding in document.findings]}
+    content = {
+        "schema": SCHEMA,
+        "thesis": {"sha256": document.text_copy.sha256},
+        "items": _numbers(items(document.findings)),
+        "claims": [_claim(finding) for finding in document.findings],
+    }
     return json.dumps(content, ensure_ascii=False, indent=2) + "\n"
+
+
+def _numbers(judged: tuple[Item, ...]) -> dict[str, object]:
+    verdicts = Counter(item.verdict for item in judged)
+    severities = Counter(item.severity for item in judged)
+    return {
+        "total": len(judged),
+        "verdicts": {verdict.value: verdicts[verdict] for verdict in Verdict},
+        "severities": {severity.value: severities[severity] for severity in Severity},
+    }
 
 
 def _claim(finding: Finding) -> dict[str, object]:
@@ -22,7 +39,11 @@ def _claim(finding: Finding) -> dict[str, object]:
         "kind": finding.kind.value,
         "section": finding.section,
         "title": finding.title,
+        "lines": list(finding.lines) if finding.lines else None,
+        "paragraph": finding.paragraph,
         "verdict": finding.verdict.value,
+        "severity": finding.severity.value,
+        "certainty": _value(finding.certainty),
         "printed": _joined(finding.parts, [part.printed for part in finding.parts]),
         "derived": _joined(finding.parts, [part.derived for part in finding.parts]),
         "explanation": finding.explanation,
@@ -35,15 +56,23 @@ def _claim(finding: Finding) -> dict[str, object]:
     }
 
 
-def _part(part: JudgedPart) -> dict[str, str]:
+def _part(part: JudgedPart) -> dict[str, object]:
     return {
         "label": part.label,
+        "item": part.item,
         "verdict": part.verdict.value,
+        "severity": part.severity.value,
+        "certainty": _value(part.certainty),
         "printed": str(part.printed),
         "derived": str(part.derived),
         "method": part.method,
         "slip": part.slip,
+        "decided_by": part.decided_by,
     }
+
+
+def _value(certainty: Certainty | None) -> str | None:
+    return certainty.value if certainty else None
 
 
 def _joined(parts: tuple[JudgedPart, ...], texts: list[str] | list[Shown]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from report.document import Document
+from report.document import Document, SurvivalRow
 
 _INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
 _IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
@@ -23,7 +23,6 @@ def check_claims(document: Document) -> None:
     """
     steps = document.steps
     named = {
-        **{highlight.claim: "a highlight" for highlight in document.highlights},
         **{
             claim: f"step {step.id} of the derivation"
             for step in steps
@@ -33,9 +32,14 @@ def check_claims(document: Document) -> None:
         **{figure.id: "a figure" for figure in document.figures},
         **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
         **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
+        **{row.claim: "how far it holds" for row in _survivals(document)},
     }
     for claim in sorted(set(named) - {finding.id for finding in document.findings}):
         raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
+
+
+def _survivals(document: Document) -> tuple[SurvivalRow, ...]:
+    return document.robustness.survivals if document.robustness else ()
 
 
 def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:

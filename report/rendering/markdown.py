@@ -9,9 +9,19 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Verdict, Words
+from report.claim import Finding, Mathematics, Number, Shown, Words
 from report.document import Document
-from report.rendering import errata, escaping, outline, spread_picture, summary, verdict_picture
+from report.grade import Grade, grade
+from report.rendering import (
+    certificate,
+    errata,
+    escaping,
+    outline,
+    places,
+    spread_picture,
+    summary,
+    verdict_picture,
+)
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
@@ -39,7 +49,7 @@ def to_markdown(document: Document) -> dict[str, str]:
     """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
+        BrokenLinkError: if two places share an identifier, or a link, an answer, a corrected
             result or a step of the derivation names a place or a claim that the report does not have, or
             a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
@@ -52,7 +62,7 @@ def to_markdown(document: Document) -> dict[str, str]:
         "titles": {step.id: step.title for step in document.steps},
         "program_of": {program.claim: program.name for program in document.programs},
         "counts": summary.count_table(document),
-        "errata": errata.errata(document),
+        "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
     pieces = {
@@ -158,13 +168,18 @@ def _environment() -> Environment:
         digits=escaping.digits,
         code_block=code_block,
         code_identifier=identifier,
+        grade=grade,
         reference=summary.reference,
         short_reference=summary.short_reference,
         methods=summary.methods,
         slips=summary.slips,
+        copy_faults=summary.copy_faults,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
+        figures_judged=certificate.figures_judged,
+        command=certificate.command,
+        build_time=certificate.build_time,
         picture_description=verdict_picture.description,
         spread=spread_picture.spread,
         spread_description=spread_picture.description,
@@ -174,13 +189,16 @@ def _environment() -> Environment:
         in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
-        verdicts=tuple(Verdict),
+        place=places.place,
+        grades=tuple(Grade),
+        grade_words=summary.GRADES,
+        certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
-        reaches=summary.REACHES,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,
+        ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
         SPREAD_PICTURE=spread_picture.NAME,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.copy.reading import ReaderCopy
 from trimmer.choices import Choice
 
 
@@ -13,6 +14,7 @@ class Format(Choice):
     HTML = "html"
     PDF = "pdf"
     JSON = "json"
+    CSV = "csv"
 
 
 class Paper(Choice):
@@ -27,7 +29,7 @@ class Request:
     """Which chapters (names such as ``ch5`` and ``appA``; none means all), which forms, on which paper.
 
     ``overwrite`` lets files of another kind be replaced, where there are such. Forms and paper may also be
-    given by their words.
+    given by their words. ``copy`` is the reader's own text copy, whose passages the HTML then shows.
 
     Raises:
         ChoiceError: if a form or paper is none of those there are.
@@ -37,6 +39,7 @@ class Request:
     formats: frozenset[Format] = frozenset(Format)
     paper: Paper = Paper.A4
     overwrite: bool = False
+    copy: ReaderCopy | None = None
 
     def __post_init__(self) -> None:
         formats = frozenset(Format.chosen(form, "format") for form in self.formats)

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import Final
 from xml.sax.saxutils import escape
 
-from report.claim import Finding, Verdict
+from report.claim import Finding
 from report.document import Document, Follows
-from report.rendering.summary import SYMBOLS, capitalised, reference
+from report.grade import Grade, grade
+from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
 from report.rendering.verdict_picture import COLOURS
 
 NAME: Final = "spread"
@@ -39,9 +40,14 @@ class Place:
     above: tuple[int, ...]
 
     @property
+    def grade(self) -> Grade:
+        """Grade of the finding."""
+        return grade(self.finding)
+
+    @property
     def holds(self) -> bool:
         """Whether the statement is right although it follows from a wrong one: there the slip stops."""
-        return self.finding.verdict is Verdict.REPRODUCED
+        return self.grade is Grade.REPRODUCED
 
 
 def spread(document: Document) -> tuple[Place, ...]:
@@ -98,7 +104,7 @@ def description(document: Document) -> str:
     """Return the graph in words, for a reader who does not see the picture."""
     places = spread(document)
     said = (
-        f"{reference(place.finding)}, {place.finding.verdict.value}"
+        f"{reference(place.finding)}, {GRADES[place.grade]}"
         + (
             f", follows from {' and '.join(reference(places[row].finding) for row in place.above)}"
             if place.above
@@ -127,16 +133,16 @@ def _line(place: Place, above: Place) -> str:
 
 
 def _box(place: Place) -> Iterator[str]:
-    verdict, left, top = place.finding.verdict, _left(place), _top(place)
-    colour = COLOURS[verdict]
+    left, top, colour = _left(place), _top(place), COLOURS[place.grade]
     width = WIDTH - left - 2
     yield (
-        f'<rect class="{verdict.value}" x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="3" '
+        f'<rect class="{place.grade.value}" x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="3" '
         f'fill="none" stroke="{colour}" stroke-width="1.2"/>'
         f'<text x="{left + 8}" y="{top + 15}"><tspan font-weight="bold" class="black">'
-        f'{escape(reference(place.finding))}</tspan><tspan dx="10" class="{verdict.value}" fill="{colour}" '
-        f'font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[verdict]}</tspan> '
-        f'<tspan class="{verdict.value}" fill="{colour}">{_outcome(place)}</tspan></text>'
+        f"{escape(reference(place.finding))}</tspan>"
+        f'<tspan dx="10" class="{place.grade.value}" fill="{colour}" '
+        f'font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[place.grade]}</tspan> '
+        f'<tspan class="{place.grade.value}" fill="{colour}">{_outcome(place)}</tspan></text>'
     )
     for number, line in enumerate(textwrap.wrap(capitalised(place.finding.title), LINE)[:LINES_OF_TITLE]):
         yield (
@@ -148,4 +154,4 @@ def _box(place: Place) -> Iterator[str]:
 def _outcome(place: Place) -> str:
     if not place.above:
         return "the slip is made"
-    return "holds: the slip stops" if place.holds else "wrong"
+    return "holds: the slip stops" if place.holds else GRADES[place.grade]

@@ -4,28 +4,42 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Finding, Impact, JudgedPart, Kind, Verdict
+from report.claim import Certainty, Finding, JudgedPart, Kind
 from report.document import Chapter, Document
+from report.grade import Grade, grade
+from report.items import Item, items
 
 SYMBOLS = {
-    Verdict.REPRODUCED: "✓",
-    Verdict.EXPLAINED: "≈",
-    Verdict.NOT_CHECKABLE: "?",
-    Verdict.ERRATUM: "✗",
+    Grade.CONCLUSION: "✗",
+    Grade.RESULT: "≠",
+    Grade.SLIP: "≈",
+    Grade.COPY: "¶",
+    Grade.NOT_CHECKABLE: "?",
+    Grade.REPRODUCED: "✓",
+}
+GRADES = {
+    Grade.CONCLUSION: "changes a conclusion",
+    Grade.RESULT: "wrong result",
+    Grade.SLIP: "slip",
+    Grade.COPY: "possibly the copy",
+    Grade.NOT_CHECKABLE: "not checkable",
+    Grade.REPRODUCED: "reproduced",
 }
 MEANINGS = {
-    Verdict.REPRODUCED: "follows from the thesis's own model, to every printed digit",
-    Verdict.EXPLAINED: "does not follow, but comes out when a named slip made earlier is repeated",
-    Verdict.NOT_CHECKABLE: "needs something the thesis does not give; the finding says what",
-    Verdict.ERRATUM: "is wrong in this place; the right form or value stands beside it",
+    Grade.CONCLUSION: "is wrong, and a conclusion of the thesis or a designer's choice changes with it",
+    Grade.RESULT: "a number or a formula is wrong; the right one stands beside it",
+    Grade.SLIP: "is wrong without effect on anything else",
+    Grade.COPY: "differs by what a page read by machine explains; the card says what would decide it",
+    Grade.NOT_CHECKABLE: "needs something the thesis does not give; the card says what",
+    Grade.REPRODUCED: "follows from the thesis's own model, to every printed digit",
 }
-REACHES = {
-    Impact.NONE: "",
-    Impact.NOTATION: "notation only",
-    Impact.LOCAL: "stays in this place",
-    Impact.DOWNSTREAM: "reaches later results",
+CERTAINTIES = {
+    Certainty.PROVEN: "proven",
+    Certainty.COMPUTED: "computed twice",
+    Certainty.READING: "depends on a reading",
 }
 _KIND_NAMES = {
     Kind.EQUATION: "Equation",
@@ -52,10 +66,10 @@ _MOST_LABELS = 3
 
 @dataclass(frozen=True)
 class Count:
-    """Number of claims of one chapter, or of all (``chapter`` is None), with one verdict."""
+    """Number of printed things of one chapter, or of all (``chapter`` is None), with one grade."""
 
     chapter: Chapter | None
-    verdict: Verdict
+    grade: Grade
     number: int
 
 
@@ -69,9 +83,16 @@ class CountRow:
 
 
 def count_table(document: Document) -> tuple[CountRow, ...]:
-    """Count claims by chapter and verdict; the last row counts all chapters together."""
-    rows = [_count_row(chapter, chapter.findings) for chapter in document.chapters]
-    return (*rows, _count_row(None, document.findings))
+    """Count printed things by chapter and grade; the last row counts all chapters together.
+
+    One that several claims judge counts in the chapter of the first.
+    """
+    judged = items(document.findings)
+    rows = [
+        _count_row(chapter, [item for item in judged if item.chapter == chapter.number])
+        for chapter in document.chapters
+    ]
+    return (*rows, _count_row(None, judged))
 
 
 def reference(finding: Finding) -> str:
@@ -113,7 +134,14 @@ def methods(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
 
 def slips(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
     """Return (parts, slip) for each distinct slip, in order; parts is empty if all parts share it."""
-    return _said_once([(part.label, part.slip) for part in parts])
+    return _said_once([(part.label, "" if part.decided_by else part.slip) for part in parts])
+
+
+def copy_faults(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
+    """Return (parts, what the copy may have lost, and what decides it), in order; as ``slips``."""
+    return _said_once(
+        [(part.label, f"{part.slip}; {part.decided_by}" if part.decided_by else "") for part in parts]
+    )
 
 
 def _said_once(said: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
@@ -130,7 +158,7 @@ def _named(labels: list[str], parts: int) -> str:
     return ", ".join(labels) if len(labels) <= _MOST_LABELS else f"{len(labels)} parts"
 
 
-def _count_row(chapter: Chapter | None, findings: tuple[Finding, ...]) -> CountRow:
-    numbers = Counter(finding.verdict for finding in findings)
-    counts = tuple(Count(chapter, verdict, numbers[verdict]) for verdict in Verdict)
-    return CountRow(chapter, counts, len(findings))
+def _count_row(chapter: Chapter | None, judged: Sequence[Item]) -> CountRow:
+    numbers = Counter(grade(item) for item in judged)
+    counts = tuple(Count(chapter, each, numbers[each]) for each in Grade)
+    return CountRow(chapter, counts, len(judged))

@@ -5,11 +5,14 @@ from dataclasses import replace
 import pytest
 
 from report.claim import (
+    Certainty,
     Claim,
     Confirmation,
     ContradictionError,
+    CopyFault,
     Kind,
     Part,
+    Severity,
     Slip,
     Statement,
     Uncheckable,
@@ -89,3 +92,42 @@ def test_assertion_and_its_denial():
     assert not replace(said, asserted=False).compare().agrees
     assert str(replace(said, asserted=False).printed_shown) == "Not so: it holds"
     assert not replace(said, derived=False).compare().agrees
+
+
+def test_what_the_copy_may_have_lost_is_no_erratum_if_it_agrees_when_restored():
+    fault = CopyFault("a digit is lost", PrintedDigits("12.5", 12.51), "the page")
+    lost = replace(WRONG, comparison=PrintedDigits("1.5", 12.51), copy_fault=fault)
+    finding = judge(claim(RIGHT, lost), ENTRY)
+    assert (finding.verdict, finding.severity) == (Verdict.COPY, Severity.NONE)
+    assert finding.certainty is Certainty.READING
+    assert (finding.parts[1].slip, finding.parts[1].decided_by) == ("a digit is lost", "the page")
+    other = replace(fault, restored=PrintedDigits("13.5", 12.51))
+    judged = judge(claim(replace(lost, copy_fault=other)), ENTRY).parts[0]
+    assert (judged.verdict, judged.decided_by) == (Verdict.ERRATUM, "")
+
+
+def test_severity_is_that_of_the_gravest_part_and_of_what_is_wrong_alone():
+    slip = replace(WRONG, label="slip", severity=Severity.SLIP)
+    whole = replace(claim(RIGHT, slip, WRONG), severity=Severity.CONCLUSION)
+    finding = judge(whole, ENTRY)
+    assert [part.severity for part in finding.parts] == [Severity.NONE, Severity.SLIP, Severity.CONCLUSION]
+    assert finding.severity is Severity.CONCLUSION
+    assert judge(replace(whole, parts=(RIGHT,)), ENTRY).severity is Severity.NONE
+    assert judge(replace(whole, parts=(RIGHT, slip)), ENTRY).severity is Severity.SLIP
+
+
+def test_certainty_is_that_of_the_least_sure_part_and_none_where_nothing_was_checked():
+    assert judge(claim(RIGHT, WRONG), ENTRY).certainty is Certainty.COMPUTED
+    assert judge(claim(MISSING), ENTRY).certainty is None
+    proven = replace(claim(RIGHT, replace(WRONG, certainty=Certainty.READING)), certainty=Certainty.PROVEN)
+    finding = judge(proven, ENTRY)
+    assert [part.certainty for part in finding.parts] == [Certainty.PROVEN, Certainty.READING]
+    assert finding.certainty is Certainty.READING
+
+
+def test_a_part_names_what_it_judges_by_itself_unless_it_shares_it():
+    (only,) = judge(claim(RIGHT), ENTRY).parts
+    assert only.item == "eq-9.9"
+    shared = replace(WRONG, item="737.514 Hz")
+    parts = judge(claim(RIGHT, shared, replace(shared, label="again"), replace(RIGHT, label="")), ENTRY).parts
+    assert [part.item for part in parts] == ["eq-9.9, right", "737.514 Hz", "737.514 Hz", "eq-9.9, part 4"]

@@ -5,56 +5,59 @@ from __future__ import annotations
 import sympy
 
 from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u, u_dot, velocities
-from report.chapters.chapter_2.claims import section_2_2_2, trimmer_printed
-from report.claim import Impact
+from report.chapters.chapter_2.claims import trimmer_printed
+from report.chapters.chapter_2.claims.section_2_2_1 import MOTOR_ITEM
+from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
+from report.comparisons.expression import SameExpression
 from report.comparisons.printed import total
 from report.evidence import Evidence
-from report.parts import expression, made_here, same
+from report.parts import expression, lost_in_the_copy, same
 from report.record import Record, claim, text
 
 SOURCE = "derivations/equations_of_motion.py"
 V1, V2, *_ = velocities
 
 
-@claim("eq-D.1", source=SOURCE)
+@claim("eq-D.1", source=SOURCE, lines=(1796, 1796), paragraph=2)
 def lagrangian(known: Evidence) -> Record:
     printed = total(trimmer_printed.kinetic_energy(), -trimmer_printed.potential_energy())
     yield expression("", printed, known.derivation.lagrangian, left=sympy.Symbol("L"))
     yield text("""
-        The energies are those of equations 2.4 and 2.5, and their difference is right. The potential energy
-        is called $V$ here and $U$ in section 2.2.1.
+        The energies are those of [equations 2.4](#eq-2.4) and [2.5](#eq-2.5), and their difference is right.
+        The potential energy is called $V$ here and $U$ in section 2.2.1.
     """)
 
 
-@claim("eq-D.2", source=SOURCE)
+@claim("eq-D.2", source=SOURCE, lines=(1804, 1804), paragraph=4)
 def momentum_rate(known: Evidence) -> Record:
     derived = known.derivation.lagrangian.diff(V1).diff(t)
     left = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot{q}_1}\right)"
-    yield expression("", m1 * accelerations[0], derived, left=left)
-    yield text(r"Only the kinetic energy holds $\dot q_1$, so its rate of momentum is as printed.")
+    form = rf"{left} = \frac{{d}}{{dt}}(m_1\dot q_1) = m_1\ddot q_1"
+    yield expression("", m1 * accelerations[0], derived, form=form)
+    yield text(r"Of the Lagrangian only the kinetic energy contains $\dot q_1$, so the line is right.")
 
 
-@claim("eq-D.3", source=SOURCE, impact=Impact.LOCAL)
+@claim("eq-D.3", source=SOURCE, lines=(1804, 1804), paragraph=4)
 def slope_of_lagrangian(known: Evidence) -> Record:
     derived = sympy.expand(known.derivation.lagrangian.diff(q1))
     spring_force = sympy.expand(m1 * known.derivation.newton[0].subs({V1: 0, V2: 0, u_dot: 0}))
+    printed = total(k1 * q1, -k2 * q2, k2 * q1, k2 * u)
     yield expression(
         "",
-        total(k1 * q1, -k2 * q2, k2 * q1, k2 * u),
+        printed,
         derived,
         left=r"\frac{\partial L}{\partial q_1}",
         second=same("the spring forces on the motor at rest", spring_force, derived),
-        slip=made_here("the slope of U is written for the slope of L = T - U", -derived),
+        copy_fault=lost_in_the_copy("the minus sign before the slope", SameExpression(-printed, derived)),
     )
     yield text(r"""
-        Every sign is reversed: printed is $\partial U/\partial q_1$, which is $-\partial L/\partial q_1$. Put
-        into equation 2.6 as it stands, it would turn both springs of the motor into pushing ones.
-
-        None downstream: equation D.5, which should follow from this line, has the right signs.
+        As copied, every sign is reversed: the right side is $-\partial L/\partial q_1$. One minus sign before
+        the slope, which the Euler-Lagrange equation has there, makes the line right. That
+        [equation D.5](#eq-D.5) has the right signs speaks for a sign lost in the copy.
     """)
 
 
-@claim("eq-D.4", source=SOURCE)
+@claim("eq-D.4", source=SOURCE, lines=(1804, 1804), paragraph=4)
 def slope_of_dissipation(known: Evidence) -> Record:
     derived = sympy.expand(known.derivation.rayleigh_function.diff(V1))
     # The rates have to survive when u and the coordinates are put to zero, so they are named first.
@@ -71,16 +74,19 @@ def slope_of_dissipation(known: Evidence) -> Record:
     yield text("The slope of the dissipation function is right, with all its signs.")
 
 
-@claim("eq-D.5", source=SOURCE)
+@claim("eq-D.5", source=SOURCE, lines=(1808, 1808), paragraph=5)
 def equation_of_motion(known: Evidence) -> Record:
     derived = known.derivation.accelerations[0]
     by_newton = same("Newton's second law", known.derivation.newton[0], derived)
-    yield expression("", trimmer_printed.accelerations()[0], derived, left=accelerations[0], second=by_newton)
+    printed, left = trimmer_printed.accelerations()[0], accelerations[0]
+    yield expression("", printed, derived, left=left, second=by_newton, item=MOTOR_ITEM)
     yield text("""
-        The result is right and the same as in equation 2.9. It does not follow from equation D.3 as printed,
-        whose signs are reversed.
+        The result is right and the same as in [equation 2.9](#eq-2.9). It follows from
+        [equation D.3](#eq-D.3) once that line has its minus sign.
     """)
 
 
-again = section_2_2_2.state_space_in_laplace_domain.items
-laplace_domain = claim("eq-D.6", source="derivations/algebra/laplace.py")(again)
+@claim("eq-D.6", source="derivations/algebra/laplace.py", lines=(1812, 1812), paragraph=6)
+def laplace_domain(known: Evidence) -> Record:
+    yield from transformed_state_space(known)
+    yield text("These are the lines of [equation 2.20](#eq-2.20), right for a system that starts at rest.")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash
 from report.parts import assertion, close, digits
@@ -18,15 +18,18 @@ CONSTANT = 0.05
 """Share by which a ripple may change and still be called unaltered."""
 SEVENTH = 7
 UNALTERED = "the amplitude of the drive does not alter it"
+DRIVE_ITEM = "the drive's amplitude does not alter the limit cycle"
+OPEN_LOOP_ITEM = "the open loop shows the limit cycle of the closed loop"
 
 
-@claim("fig-E.1", source="report/numbers/released_motion.py")
+@claim("fig-E.1", source="report/numbers/released_motion.py", lines=(1818, 1825), paragraph=1)
 def gaps(known: Evidence) -> Record:
     runs, cycle = known.motion.released.appendix, known.cycles.friction.stable
     for run in runs:
         second = close("harmonic balance", cycle.amplitude * run.gap, run.amplitude, 0.005)
         label = f"amplitude for $b$ = {run.gap:g} m, as in table 5.2"
-        yield digits(label, PREDICTED[run.gap], run.amplitude, "m", second=second)
+        item = f"{PREDICTED[run.gap]} m, amplitude for b = {1e4 * run.gap:.0f}e-4 m in table 5.2"
+        yield digits(label, PREDICTED[run.gap], run.amplitude, "m", second=second, item=item)
     frequencies = [run.frequency for run in runs]
     by_durations = "the exact orbit by two durations, with SciPy's matrix exponential"
     yield assertion(
@@ -40,8 +43,9 @@ def gaps(known: Evidence) -> Record:
     )
     yield text("""
         The exact amplitude is [[ exact | f4 ]] gaps, the predicted one [[ predicted | f4 ]]; to the digits of
-        table 5.2 they are the same. That all four are alike is no further evidence: gap and displacements
-        times one factor give the same motion. The reference of the text to the table is broken (??).
+        [table 5.2](#tab-5.2) they are the same. That all four agree is one result, not four: gap and
+        displacements times one factor give the same motion. The text's reference to the table is printed as
+        two question marks.
     """).given(exact=runs[0].amplitude / runs[0].gap, predicted=cycle.amplitude)
 
 
@@ -50,7 +54,13 @@ def unaltered(ripples: list[float]) -> bool:
     return max(ripples) - min(ripples) < CONSTANT * max(ripples)
 
 
-@claim("fig-E.2", source="report/numbers/drive_amplitudes.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-E.2",
+    source="report/numbers/drive_amplitudes.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1827, 1832),
+    paragraph=2,
+)
 def amplitudes(known: Evidence) -> Record:
     system, runs = known.numbers.displacement_only, known.motion.drive_amplitudes
     still, smallest, thesis, *_, largest = runs
@@ -74,6 +84,8 @@ def amplitudes(known: Evidence) -> Record:
         },
         method="exact simulation from rest",
         second=close(by_lines, ripple, smallest.ripple, 0.001),
+        item=DRIVE_ITEM,
+        severity=Severity.RESULT,
     )
     seventh = open_loop_harmonic(known, SEVENTH)
     by_response = "the seventh harmonic from describing function and frequency response"
@@ -84,6 +96,7 @@ def amplitudes(known: Evidence) -> Record:
         f"it changes by {100 * (1 - thesis.ripple / largest.ripple):.1f} %",
         method="exact simulation from rest",
         second=close(by_response, seventh, thesis.harmonics[SEVENTH], 1e-4),
+        item=DRIVE_ITEM,
     )
     yield assertion(
         "what it is",
@@ -95,13 +108,21 @@ def amplitudes(known: Evidence) -> Record:
         """,
         method=driven.METHOD,
         second=driven.confirm_period(known),
+        item=OPEN_LOOP_ITEM,
+        severity=Severity.CONCLUSION,
+        certainty=Certainty.PROVEN,
     )
     yield text("""
-        A drive far larger than the gap leaves behind the play a square wave of half a gap that does not
-        depend on its amplitude, so the ripple tends to [[ ripple | f1 ]] µm. That explains the observation
-        without a limit cycle, of which the open loop has none. At 0.15 mm it is [[ smaller | f0 ]] % smaller,
-        and at 1.5 µm nothing moves.
+        A drive far larger than the gap leaves a square wave of half a gap behind the play, whatever its
+        amplitude, so the ripple tends to [[ ripple | f1 ]] µm. That explains the observation without a limit
+        cycle, which the open loop does not have. At [[ small ]] mm the ripple is [[ smaller | f0 ]] %
+        smaller, and at [[ still ]] µm nothing moves.
 
         The answer of chapter 7, that the drive's amplitude has no effect on a limit cycle, rests on
         harmonics.
-    """).given(ripple=1e6 * largest.ripple, smaller=100 * (1 - smallest.ripple / largest.ripple))
+    """).given(
+        ripple=1e6 * largest.ripple,
+        small=f"{1e3 * smallest.amplitude:g}",
+        smaller=100 * (1 - smallest.ripple / largest.ripple),
+        still=f"{1e6 * still.amplitude:g}",
+    )

@@ -12,7 +12,7 @@ from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
@@ -43,9 +43,12 @@ VANISHING = 1e-9 * DRIVE_AMPLITUDE
 """Gap that stands for no gap, m."""
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
+SAME_BLOCKS = "own and built-in block of friction-controlled backlash give the same output"
+NO_GAP = "for b = 0 the output of the inertia-controlled block is its input"
+ANGLE_ITEM = "0.0016, separation angle of section 4.2.3"
 
 
-@claim("fig-4.1", source=BLOCKS)
+@claim("fig-4.1", source=BLOCKS, lines=(841, 846), paragraph=1)
 def two_blocks(_: Evidence) -> Record:
     distance = float(np.abs(blocks.own_block() - blocks.built_in_block()).max())
     own, settled = (
@@ -60,6 +63,7 @@ def two_blocks(_: Evidence) -> Record:
         f"over two periods from rest they differ by {distance:.1g} m at most",
         method="Listing A.7 and python-control's backlash, sample by sample, on a sine of 1.5 mm",
         second=close(waveform, float(np.ptp(own)), float(np.ptp(settled[blocks.SAMPLES :])), 1e-5),
+        item=SAME_BLOCKS,
     )
     yield text("""
         The blocks agree from the start on, not only when settled; Simulink's own block is taken to be what
@@ -68,7 +72,7 @@ def two_blocks(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-4.2", source=BLOCKS)
+@claim("fig-4.2", source=BLOCKS, lines=(855, 857), paragraph=1)
 def block_with_inertia(_: Evidence) -> Record:
     distance = float(np.abs(blocks.listing_a8() - blocks.exact_inertia(TIMED_GAP)).max())
     share = 100 * distance / DRIVE_AMPLITUDE
@@ -84,12 +88,12 @@ def block_with_inertia(_: Evidence) -> Record:
     )
     yield text("""
         To the width of a line the figure is right. The deviation is the jump from the rounded constant in
-        line 12 of Listing A.8. The block would show the same waveform for any other input, because its flight
-        is a function of time alone.
+        line 12 of Listing A.8. The block would show the same flight for any other input, because there its
+        output is a function of time alone.
     """)
 
 
-@claim("fig-4.3", source=SOURCE)
+@claim("fig-4.3", source=SOURCE, lines=(868, 868), paragraph=1)
 def gaps(_: Evidence) -> Record:
     phase, element = blocks.phases()[: blocks.SAMPLES], InertiaBacklash(VANISHING)
     output = element.waveform(phase, DRIVE_AMPLITUDE)
@@ -104,18 +108,19 @@ def gaps(_: Evidence) -> Record:
         f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
+        item=NO_GAP,
     )
     caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
     missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
     yield uncheckable("the other curves", caption, missing)
     yield text("""
-        What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of 0.4
-        mm only; for other gaps the figure is right if they were replaced each time, as they are in the figure
-        drawn here.
-    """)
+        What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of
+        [[ gap ]] mm only. For other gaps the figure is right if they were replaced each time, as in the
+        figure drawn here.
+    """).given(gap=1e3 * TIMED_GAP)
 
 
-@claim("txt-4.2.1-block-equivalence", source=SOURCE)
+@claim("txt-4.2.1-block-equivalence", source=SOURCE, lines=(839, 841), paragraph=1)
 def equivalent_blocks(_: Evidence) -> Record:
     yield from friction_parts("Listing A.7, ")
     output, library = blocks.own_block(MORE_SAMPLES), blocks.built_in_block(MORE_SAMPLES)
@@ -134,17 +139,18 @@ def equivalent_blocks(_: Evidence) -> Record:
         f"{off}, no more than {missed}",
         method="the listing, run over two periods, against the derived waveform",
         second=small(means, library[MORE_SAMPLES] - output[MORE_SAMPLES], 1e-12),
+        item=SAME_BLOCKS,
     )
     yield text("""
-        The built-in block keeps its output while the input moves inside of the dead band and follows it at
-        half of the band outside; the block itself was not at hand, python-control's was. Listing A.7 does the
-        same for any input, so the two agree from equal starts, not on the sine of figure 4.1 alone. The text
-        says that the listing has equation 2.36; it has the right waveform, and the equation has two signs
-        wrong.
+        The built-in block keeps its output while the input moves inside of the dead band, and outside of it
+        follows at half of the band; that block was not at hand, python-control's was. Listing A.7 does the
+        same for any input, so the two agree from equal starts, not on a sine alone. The text says that the
+        code is that of [equation 2.36](#eq-2.36); the code has the right waveform, two of the equation's
+        signs are wrong.
     """)
 
 
-@claim("txt-4.2.2-zero-gap", source=SOURCE)
+@claim("txt-4.2.2-zero-gap", source=SOURCE, lines=(857, 857), paragraph=2)
 def zero_gap(_: Evidence) -> Record:
     flight, contact = backlash.inertia_contact_ratio(), backlash.inertia_waveform(b).segments[1].value
     slope = sympy.diff(flight, backlash.CONTACT) - 2 * sympy.sin(backlash.CONTACT / 2) ** 2
@@ -157,12 +163,19 @@ def zero_gap(_: Evidence) -> Record:
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
+        item=NO_GAP,
+        certainty=Certainty.PROVEN,
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
     second = close(hardly, float(at_two[0]) / DRIVE_AMPLITUDE, math.sin(2.0), 1e-5)
     yield expression(
-        "contact, which is left", A * sympy.sin(THETA), contact.subs(b, 0), sympy.Symbol("y"), second=second
+        "contact, which is left",
+        A * sympy.sin(THETA),
+        contact.subs(b, 0),
+        sympy.Symbol("y"),
+        second=second,
+        item=NO_GAP,
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
@@ -173,7 +186,14 @@ def zero_gap(_: Evidence) -> Record:
     """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
 
 
-@claim("txt-4.2.3-roles", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-4.2.3-roles",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(861, 861),
+    paragraph=1,
+    severity=Severity.SLIP,
+)
 def roles(_: Evidence) -> Record:
     free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
     lighter, usual, heavier = (
@@ -187,6 +207,7 @@ def roles(_: Evidence) -> Record:
         f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
         method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
         second=so(means, lighter < usual < heavier),
+        certainty=Certainty.PROVEN,
     )
     ratio = r"\frac{v}{v_0}"
     flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"
@@ -194,20 +215,28 @@ def roles(_: Evidence) -> Record:
     stops = "$M = 0$ is friction-controlled: the load stops at once"
     yield expression(stops, sympy.Integer(0), sympy.limit(free, LOAD_MASS, 0, "+"), ratio)
     yield text("""
-        $M$ is the inertia and $D$ the friction; the sentence has them exchanged. The next sentence, on what
-        is left for $D = 0$ and for $M = 0$, is right and contradicts it.
+        $M$ is the inertia and $D$ the friction; the sentence has them exchanged. The next one, on what is
+        left for $D = 0$ and for $M = 0$, is right and contradicts it.
 
-        Read by the first sentence, an identified ratio $M/D$ would be taken for its inverse.
+        None in the thesis, which uses both letters rightly elsewhere. By this sentence a measured ratio $M/D$
+        would be taken for its inverse.
     """)
 
 
-@claim("txt-4.2.3-gamma", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-4.2.3-gamma",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(861, 863),
+    paragraph=1,
+)
 def gamma(_: Evidence) -> Record:
     right = TIME_CONSTANT * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
     by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
-    yield digits("value", PRINTED_GAMMA, right, second=close(decay, by_decay, right), slip=slip)
+    second = close(decay, by_decay, right)
+    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip, severity=Severity.RESULT)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
     unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
     milliseconds = "its value in milliseconds, which is that in seconds"
@@ -218,26 +247,44 @@ def gamma(_: Evidence) -> Record:
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
         second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
+        severity=Severity.SLIP,
+        certainty=Certainty.PROVEN,
     )
     yield text(r"""
-        With the ratio that is printed $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The value that
-        is printed is a hundred times as large and comes out with $M/D = 1/0.99$.
+        With the printed ratio $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The printed value is a
+        hundred times as large and comes out with $M/D = 1/0.99$.
 
         The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
         hundred times larger.
     """).given(right=right)
 
 
-@claim("txt-4.2.3-separation-angle", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-4.2.3-separation-angle",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(870, 876),
+    paragraph=2,
+)
 def angle_of_separation(_: Evidence) -> Record:
     gammas = (float(PRINTED_GAMMA), TIME_CONSTANT * DRIVE_OMEGA)
     printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)
     of_printed, of_right = (float(np.angle(each + 1j)) for each in gammas)
     means = r"the angle of $\gamma + j$"
     second = close(means, of_printed, printed)
-    yield digits("arithmetic, from 634.6652", PRINTED_ANGLE, printed, "rad", second=second)
+    label = f"arithmetic, from {PRINTED_GAMMA}"
+    yield digits(label, PRINTED_ANGLE, printed, "rad", second=second, item=ANGLE_ITEM)
     second, slip = close(means, of_right, right), repeated("the value printed for gamma is used", printed)
-    yield digits("for $M/D = 1/99$ at 100 Hz", PRINTED_ANGLE, right, "rad", second=second, slip=slip)
+    yield digits(
+        "for $M/D = 1/99$ at 100 Hz",
+        PRINTED_ANGLE,
+        right,
+        "rad",
+        second=second,
+        slip=slip,
+        item=ANGLE_ITEM,
+        severity=Severity.RESULT,
+    )
     as_time = printed / DRIVE_OMEGA
     share = math.degrees(printed) / 360 / DRIVE_FREQUENCY
     yield assertion(
@@ -247,6 +294,8 @@ def angle_of_separation(_: Evidence) -> Record:
         f"the arctangent is an angle in radians; at 100 Hz that angle takes {1e6 * as_time:.2f} µs",
         method="angle over angular frequency",
         second=close("the share of a turn, of the period of 10 ms", share, as_time),
+        severity=Severity.SLIP,
+        certainty=Certainty.PROVEN,
     )
     yield text(r"""
         The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or

@@ -6,7 +6,18 @@ from collections.abc import Iterable
 
 import sympy
 
-from report.claim import Finding, Impact, JudgedPart, Kind, Mathematics, Number, Shown, Verdict, Words
+from report.claim import (
+    Finding,
+    Impact,
+    JudgedPart,
+    Kind,
+    Mathematics,
+    Number,
+    Severity,
+    Shown,
+    Verdict,
+    Words,
+)
 from tests.report.rendering.sample_formulas import CASES, DOTS, SPECIAL, long_coefficient, state_matrix
 
 
@@ -17,9 +28,13 @@ def part(
     label: str = "",
     slip: str = "",
     method: str = "simplification",
+    severity: Severity = Severity.RESULT,
+    item: str = "",
 ) -> JudgedPart:
     """Return a judged part with its fields in the order they are written here."""
-    return JudgedPart(label, verdict, printed, derived, method, slip)
+    item = item or f"{label}: {printed} and {derived}"
+    severity = severity if verdict.is_wrong else Severity.NONE
+    return JudgedPart(label, verdict, printed, derived, method, slip, item=item, severity=severity)
 
 
 def finding(
@@ -32,11 +47,15 @@ def finding(
     consequence: str = "",
     impact: Impact = Impact.NONE,
     source: str = "derivations/mechanism.py",
+    lines: tuple[int, int] | None = None,
+    paragraph: int | None = None,
 ) -> Finding:
     """Return a finding with the worst verdict of its parts."""
     parts = tuple(parts)
-    worst = max((p.verdict for p in parts), key=lambda verdict: verdict.severity)
-    return Finding(id, kind, section, title, worst, explanation, consequence, impact, source, parts)
+    worst = max((p.verdict for p in parts), key=lambda verdict: verdict.rank)
+    return Finding(
+        id, kind, section, title, worst, explanation, consequence, impact, source, parts, lines, paragraph
+    )
 
 
 def chapter_two() -> tuple[Finding, ...]:
@@ -75,6 +94,8 @@ def chapter_two() -> tuple[Finding, ...]:
                 )
             ],
             r"The derivative of $u = \hat{u} \sin(\omega t)$ is right; see [equation 2.12](#eq-2.12).",
+            lines=(3, 5),
+            paragraph=4,
         ),
         finding(
             "eq-2.9",
@@ -105,7 +126,14 @@ def chapter_two() -> tuple[Finding, ...]:
             Kind.EQUATION,
             "2.2.1",
             "A-matrix",
-            [part(Verdict.ERRATUM, Mathematics(f"A = {wrong}"), Mathematics(f"A = {matrix}"))],
+            [
+                part(
+                    Verdict.ERRATUM,
+                    Mathematics(f"A = {wrong}"),
+                    Mathematics(f"A = {matrix}"),
+                    severity=Severity.CONCLUSION,
+                )
+            ],
             "One entry has a minus where the model gives a plus.",
             "Listing A.1 uses the right one.",
             Impact.LOCAL,
@@ -144,6 +172,7 @@ def chapter_two() -> tuple[Finding, ...]:
                     Mathematics(CASES),
                     Mathematics(CASES.replace("- b", r"- \frac{g}{2}").replace("+ b", r"+ \frac{g}{2}")),
                     slip="the symbol b is half the gap here",
+                    severity=Severity.SLIP,
                 )
             ],
             "The waveform is right if $b$ is read as half the gap.",
@@ -175,9 +204,19 @@ def chapter_five() -> tuple[Finding, ...]:
                     Number("488.2", "Hz"),
                     "frequency",
                     method="every printed digit",
+                    item="488 Hz",
                 ),
             ],
             "The coefficient is a sum of many products.",
+        ),
+        finding(
+            "eq-5.1",
+            Kind.EQUATION,
+            "5.1.1",
+            "numerator",
+            [part(Verdict.COPY, Number("707.6"), Number("7.076e7"), slip="the sign of the power is lost")],
+            "The copy has no power of ten where the coefficient needs one.",
+            lines=(7, 7),
         ),
         finding(
             "txt-5.2.1-impulse-1e-8",
@@ -202,6 +241,8 @@ def chapter_five() -> tuple[Finding, ...]:
             [part(Verdict.ERRATUM, Number("-60", "dB/decade"), Number("-40", "dB/decade"))],
             "The numerator has degree 5, the denominator 7.",
             source="trimmer/linear/low_pass.py",
+            lines=(9, 10),
+            paragraph=2,
         ),
         finding(
             "fig-5.1",
@@ -216,7 +257,10 @@ def chapter_five() -> tuple[Finding, ...]:
             Kind.FIGURE,
             "5",
             "spectrum of the output",
-            [part(Verdict.ERRATUM, Number("545", "Hz"), Number("550", "Hz"), "peak")],
+            [
+                part(Verdict.ERRATUM, Number("545", "Hz"), Number("550", "Hz"), "peak"),
+                part(Verdict.REPRODUCED, Number("488", "Hz"), Number("488", "Hz"), "again", item="488 Hz"),
+            ],
             "The peak is the fifth harmonic of the drive, not a mode.",
         ),
     )
@@ -237,5 +281,6 @@ def appendix_a() -> tuple[Finding, ...]:
             "The listing keeps one of two responses: `sys(1, 1)`.",
             "The loop of section 5.2 lacks the velocity of the pin.",
             Impact.DOWNSTREAM,
+            lines=(1190, 1199),
         ),
     )

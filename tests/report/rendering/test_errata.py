@@ -3,6 +3,7 @@ from __future__ import annotations
 from report.claim import Finding, Impact, JudgedPart, Kind, Number, Shown, Verdict, Words
 from report.document import Chapter, Document, Provenance
 from report.rendering.errata import Erratum, errata
+from report.text_copy import TextCopy
 
 LONG = "No: the motion repeats with the drive and nothing else stays in it, whatever the gap is and the load"
 
@@ -11,7 +12,7 @@ def of(*findings: Finding) -> tuple[Erratum, ...]:
     """Return the errata of a report of one chapter."""
     chapter = Chapter("chapter-5", "5", "Results", findings)
     nothing = Provenance("", "", "2026-05-04", ())
-    return errata(Document("", (), (chapter,), 253, (), (), (), (), nothing))
+    return errata(Document("", None, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0)))
 
 
 def finding(id: str, *parts: tuple[str, Verdict, Shown], kind: Kind = Kind.EQUATION) -> Finding:

@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 
 from report.document import Document
+from report.grade import grade
+from report.octave.archive import files
 from report.rendering.request import Format
 from report.rendering.sources import identifier
 from tests.report.rendering.sample_formulas import SPECIAL
@@ -86,9 +88,9 @@ def test_ids_are_unique_and_every_inner_link_has_its_target(outline: Outline) ->
 
 def test_every_claim_can_be_linked_to(outline: Outline, document: Document) -> None:
     articles = [attributes for tag, attributes in outline.elements if tag == "article"]
-    verdicts = {finding.id: finding.verdict.value for finding in document.findings}
-    assert len(articles) == len(verdicts)
-    assert {article["id"]: article["data-verdict"] for article in articles} == verdicts
+    marked = {finding.id: (finding.verdict.value, grade(finding).value) for finding in document.findings}
+    assert len(articles) == len(marked)
+    assert {one["id"]: (one["data-verdict"], one["data-grade"]) for one in articles} == marked
 
 
 def test_headings_are_nested_without_a_gap(outline: Outline) -> None:
@@ -127,13 +129,13 @@ def test_every_formula_offers_its_latex(text: str, document: Document) -> None:
     assert "<figcaption>eq-2.12, as derived</figcaption>" in text
 
 
-def test_a_verdict_is_said_in_words_and_by_a_symbol(text: str) -> None:
-    assert '<span class="badge erratum"><span aria-hidden="true">✗</span> erratum</span>' in text
+def test_a_grade_is_said_in_words_and_by_a_symbol(text: str) -> None:
+    assert '<span class="badge result"><span aria-hidden="true">≠</span> wrong result</span>' in text
 
 
 def test_sides_that_are_the_same_are_shown_once(text: str) -> None:
     article = text[text.index('<article class="claim" id="eq-2.8"') :].partition("</article>")[0]
-    assert "As printed and as derived" in article
+    assert "Thesis, our wording, and as derived" in article
     assert article.count('display="block"') == 1
 
 
@@ -145,9 +147,9 @@ def test_the_programs_can_be_taken_out_of_the_page(text: str, document: Document
     archive = re.search(r'href="data:application/zip;base64,([^"]+)" download="octave.zip"', text)
     assert archive is not None
     with zipfile.ZipFile(io.BytesIO(base64.b64decode(archive[1]))) as packed:
-        assert {name: packed.read(name).decode() for name in packed.namelist()} == {
-            program.name: program.text for program in document.programs
-        }
+        held = {name: packed.read(name).decode() for name in packed.namelist()}
+    assert held == files(document.programs)
+    assert held.keys() - {program.name for program in document.programs} == {"README.md"}
     assert "<summary>Show the 50 lines of main_numbers.m</summary>" in text
 
 

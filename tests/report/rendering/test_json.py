@@ -12,7 +12,7 @@ from tests.json_document import documented, keys
 
 def test_all_claims_are_there_in_thesis_order_with_the_keys_of_the_document(document: Document) -> None:
     content = json.loads(to_json(document))
-    assert content["schema"] == 1
+    assert content["schema"] == 2
     assert [claim["id"] for claim in content["claims"]] == [finding.id for finding in document.findings]
     assert set(keys(content)) == documented("claims.json of trimmer report")
 

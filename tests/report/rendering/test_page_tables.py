@@ -73,4 +73,4 @@ def test_the_cells_of_a_narrow_table_carry_the_names_of_their_columns(page: Page
         .locator("td")
         .evaluate_all("cells => cells.map(cell => getComputedStyle(cell, '::before').content)")
     )
-    assert [name.partition(" /")[0] for name in named] == ["none", '"As printed"', '"As derived"']
+    assert [name.partition(" /")[0] for name in named] == ["none", '"Thesis, our wording"', '"As derived"']

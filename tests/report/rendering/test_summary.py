@@ -1,7 +1,11 @@
 from __future__ import annotations
 
-from report.claim import Finding, Impact, JudgedPart, Kind, Number, Verdict
+from dataclasses import replace
+
+from report.claim import Certainty, Finding, Impact, JudgedPart, Kind, Number, Verdict
 from report.document import Document
+from report.grade import Grade, grade
+from report.items import items
 from report.rendering import summary
 
 
@@ -13,20 +17,20 @@ def finding(id: str, kind: Kind) -> Finding:
     return Finding(id, kind, "5.1.2", "", Verdict.REPRODUCED, "", "", Impact.NONE, "", (part("", ""),))
 
 
-def test_counts_add_up_by_chapter_and_by_verdict(document: Document) -> None:
+def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) -> None:
     *chapters, total = summary.count_table(document)
-    assert [row.total for row in chapters] == [len(chapter.findings) for chapter in document.chapters]
-    assert total.total == len(document.findings)
-    for index, verdict in enumerate(Verdict):
+    judged = items(document.findings)
+    assert sum(row.total for row in chapters) == total.total == len(judged)
+    assert total.total < sum(len(finding.parts) for finding in document.findings)  # one thing is judged twice
+    for index, each in enumerate(Grade):
         numbers = [row.counts[index].number for row in chapters]
-        assert sum(numbers) == total.counts[index].number
-        assert total.counts[index].number == sum(one.verdict is verdict for one in document.findings)
+        assert sum(numbers) == total.counts[index].number == sum(grade(item) is each for item in judged)
 
 
-def test_every_verdict_and_impact_has_its_words() -> None:
-    assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(Verdict)
-    assert len(set(summary.SYMBOLS.values())) == len(Verdict)
-    assert set(summary.REACHES) == set(Impact)
+def test_every_grade_and_certainty_has_its_words() -> None:
+    assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(summary.GRADES) == set(Grade)
+    assert len(set(summary.SYMBOLS.values())) == len(Grade)
+    assert set(summary.CERTAINTIES) == set(Certainty)
 
 
 def test_a_claim_is_named_as_a_reader_would() -> None:
@@ -65,3 +69,9 @@ def test_a_sentence_ends_with_one_full_stop() -> None:
         == summary.sentence("b is half the gap.")
         == "b is half the gap."
     )
+
+
+def test_what_the_copy_may_have_lost_is_no_slip_and_says_what_decides() -> None:
+    lost = replace(part("a", "", "a minus is lost"), decided_by="the page decides")
+    assert summary.slips((lost,)) == ()
+    assert summary.copy_faults((lost, part("b", ""))) == (("a", "a minus is lost; the page decides"),)

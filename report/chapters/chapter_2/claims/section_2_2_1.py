@@ -1,4 +1,4 @@
-"""Claims of section 2.2.1: pin, energies, motion and state space (2.1 to 2.14, figures 2.1 and 2.2)."""
+"""Claims of section 2.2.1: pin, energies and motion (2.1 to 2.9, figures 2.1 and 2.2)."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ import math
 import sympy
 
 from derivations.equations_of_motion import euler_lagrange
-from derivations.state_space import output_row
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.claim import Confirmation, Impact, Part
-from report.comparisons.printed import over, product, total
+from report.claim import Certainty, Impact, Part, Severity
+from report.comparisons.printed import product, total
 from report.evidence import Evidence
 from report.numbers.independent import symbolic
 from report.parts import digits, equal, expression, made_here, matrix, same
@@ -23,14 +22,13 @@ from trimmer import response_at
 SYMBOLS = "derivations/symbols.py"
 ENERGIES = "derivations/energies.py"
 MOTION = "derivations/equations_of_motion.py"
-STATE_SPACE = "derivations/state_space.py"
 RATE = 2 * sympy.pi * f
 PIN_MOTION = A * sympy.sin(RATE * t)
 TURNING_POINT = A * sympy.exp(RATE * sympy.I * t)
-STATE = sympy.ImmutableMatrix([*coordinates, *velocities])
-INPUT = sympy.ImmutableMatrix([u, u_dot])
-OUTPUT = output_row(of=1, relative_to=3, size=len(coordinates))
 AMPLITUDE_LOST = "the amplitude A is lost in the derivative"
+VELOCITY_ITEM = "2πf cos(2πft), velocity of the pin"
+MOTOR_ITEM = "q̈₁, equation of motion of the motor"
+"""Printed things that several claims judge."""
 
 
 def matrix_of(function: sympy.Expr, variables: tuple[sympy.Expr, ...]) -> sympy.ImmutableMatrix:
@@ -44,7 +42,9 @@ def by_newton(known: Evidence, variables: tuple[sympy.Expr, ...]) -> sympy.Immut
     return sympy.ImmutableMatrix(-sympy.diag(*masses) * slopes).expand()
 
 
-@claim("fig-2.1", source="derivations/mechanism.py")
+@claim(
+    "fig-2.1", source="derivations/mechanism.py", certainty=Certainty.PROVEN, lines=(127, 129), paragraph=2
+)
 def free_body_diagram(known: Evidence) -> Record:
     derivation = known.derivation
     free = matrix_of(derivation.kinetic_energy, velocities).rank()
@@ -67,12 +67,11 @@ def free_body_diagram(known: Evidence) -> Record:
     yield text("""
         Read with the names in the text (motor, driving bridge, housing, guard, coil spring), the diagram's
         four masses, five springs and four dampers give the printed matrices, by energies as by forces. Moved
-        together, the masses load the two springs with a fixed end alone. The drawing itself was not at hand;
-        it is drawn again from the text.
+        together, the masses load the two springs with a fixed end alone.
     """)
 
 
-@claim("fig-2.2", source=SYMBOLS)
+@claim("fig-2.2", source=SYMBOLS, lines=(134, 136), paragraph=3)
 def eccentric_pin(_: Evidence) -> Record:
     angle = sympy.Symbol("theta", real=True)
     turn = sympy.Matrix([[sympy.cos(angle), sympy.sin(angle)], [-sympy.sin(angle), sympy.cos(angle)]])
@@ -84,13 +83,13 @@ def eccentric_pin(_: Evidence) -> Record:
     yield expression("half of the stroke is the eccentricity", product(A), stroke / 2)
     yield text("""
         A point at distance $A$ from the axis, turned $f$ times a second, is displaced as printed along the
-        motion, and $A$ is the amplitude as the caption says. Since the bridge's edges are flat and stand
-        across the motion, the pin's own radius drops out and the bridge gets the same sine. The displacement
-        is relative to the motor, as in the energies.
+        motion, and $A$ is the amplitude as the caption says. With flat edges across the motion the pin's own
+        radius drops out, and the bridge gets the same sine. The displacement is relative to the motor, as in
+        the energies.
     """)
 
 
-@claim("eq-2.1", source=SYMBOLS)
+@claim("eq-2.1", source=SYMBOLS, lines=(138, 138), paragraph=4)
 def pin_motion(_: Evidence) -> Record:
     yield expression("", PIN_MOTION, sympy.im(TURNING_POINT), sympy.Symbol("x_i"))
     yield text("""
@@ -99,7 +98,7 @@ def pin_motion(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.2", source=MOTION)
+@claim("eq-2.2", source=MOTION, lines=(144, 144), paragraph=6)
 def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
     derived = kinetic + symbolic.sign_of_potential_energy(known.derivation) * potential
@@ -110,22 +109,28 @@ def lagrangian(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.3", source=ENERGIES)
+@claim("eq-2.3", source=ENERGIES, lines=(148, 148), paragraph=7)
 def kinetic_energy_in_general(_: Evidence) -> Record:
     index = sympy.Symbol("i", integer=True)
     mass, velocity = sympy.IndexedBase("m"), sympy.IndexedBase("v")
     values = {mass[i]: m for i, m in enumerate(masses, 1)}
     values |= {velocity[i]: v for i, v in enumerate(velocities, 1)}
     printed = sympy.Sum(mass[index] * velocity[index] ** 2 / 2, (index, 1, len(masses))).doit().subs(values)
-    yield expression("the sum for $n = 4$", printed, symbolic.work_from_rest(), sympy.Symbol("T"))
+    yield expression(
+        "the sum for $n = 4$",
+        printed,
+        symbolic.work_from_rest(),
+        sympy.Symbol("T"),
+        printed_form=r"T(\dot q_i) = \sum_{i=1}^n \frac{1}{2} m_i \dot q_i^2",
+    )
     yield text("""
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
-        are absolute; the sentence before the equation calls them relative, which is true of springs and not
+        are absolute. The sentence before the equation calls them relative, which is true of springs and not
         of masses.
     """)
 
 
-@claim("eq-2.4", source=ENERGIES)
+@claim("eq-2.4", source=ENERGIES, lines=(152, 152), paragraph=8)
 def kinetic_energy(known: Evidence) -> Record:
     derived, work = known.derivation.kinetic_energy, symbolic.work_from_rest()
     second = same("the work done on each mass", work, derived)
@@ -133,7 +138,7 @@ def kinetic_energy(known: Evidence) -> Record:
     yield text("The list of four masses gives the printed sum.")
 
 
-@claim("eq-2.5", source=ENERGIES)
+@claim("eq-2.5", source=ENERGIES, lines=(158, 158), paragraph=10)
 def potential_energy(known: Evidence) -> Record:
     derived, newton = known.derivation.potential_energy, known.derivation.newton
     at_rest = {velocity: 0 for velocity in (*velocities, u_dot)}
@@ -147,7 +152,7 @@ def potential_energy(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.6", source=MOTION)
+@claim("eq-2.6", source=MOTION, lines=(162, 162), paragraph=11)
 def euler_lagrange_equation(known: Evidence) -> Record:
     derivation = known.derivation
     balances = [euler_lagrange(derivation.lagrangian, derivation.rayleigh_function, q) for q in coordinates]
@@ -159,19 +164,18 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     yield matrix("the four bodies, $Q_i = 0$", printed, derived, form=f"{inertia} - {forces}")
     yield text("""
         For each of the four bodies the printed left side equals mass times acceleration less the forces of
-        Newton's law. The pin acts through $U$ and $R$, so every $Q_i$ is zero; the text says that $Q_i$
-        carries the input, but here it carries nothing.
+        Newton's law. The text says that $Q_i$ carries the input. In this derivation the pin acts through $U$
+        and $R$, and every $Q_i$ is zero.
     """)
 
 
-@claim("eq-2.7", source=ENERGIES)
+@claim("eq-2.7", source=ENERGIES, lines=(166, 166), paragraph=12)
 def rayleigh_function(known: Evidence) -> Record:
     derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
     second = same("the power balance", lost / 2, derived)
     yield expression("", trimmer_printed.rayleigh_function(), derived, sympy.Symbol("R"), second=second)
     yield text("""
-        The four dampers give the printed sum, and twice that sum is exactly the power that the energy loses
-        in every motion.
+        The four dampers give the printed sum, and twice that sum is the power that is lost in every motion.
     """)
 
 
@@ -185,6 +189,7 @@ def velocity_part() -> Part:
         u_dot,
         second=same("the velocity of a point on a circle", sympy.re(RATE * TURNING_POINT), derived),
         slip=made_here(AMPLITUDE_LOST, derived / A),
+        item=VELOCITY_ITEM,
     )
 
 
@@ -195,131 +200,58 @@ def output_with_the_slip(known: Evidence) -> float:
     return gain * math.hypot(DRIVE_AMPLITUDE, damper_over_spring * DRIVE_OMEGA)
 
 
-@claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL)
+@claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(172, 172), paragraph=13)
 def pin_velocity(known: Evidence) -> Record:
     yield velocity_part()
     yield text(r"""
-        The derivative of $A\sin(2\pi f t)$ keeps its amplitude, which the printed line loses. The units show
-        it too: the printed right side is in 1/s, a velocity is in m/s.
+        The derivative of $A\sin(2\pi f t)$ keeps the amplitude $A$; the printed line has lost it. The units
+        show it too: the printed right side is in 1/s, a velocity is in m/s.
 
-        The printed velocity is [[ larger | f0 ]] times too large at $A = 1.5$ mm. Fed into the second input
-        at 100 Hz, it would give figure 5.1 an amplitude of [[ output | f1 ]] mm; the thesis finds 1.5 mm
-        there, and its loop drops the velocity (Listing A.1, line 58), so neither contains this slip.
-    """).given(larger=1 / DRIVE_AMPLITUDE, output=1e3 * output_with_the_slip(known))
+        Nothing that the thesis computes contains this slip. Its loop drops the velocity (Listing A.1, line
+        58), and [figure 5.1](#fig-5.1) would have an amplitude of [[ output | f1 ]] mm in place of the
+        printed [[ size ]] mm.
+    """).given(output=1e3 * output_with_the_slip(known), size=1e3 * DRIVE_AMPLITUDE)
 
 
-@claim("txt-2.2.1-single-input-velocity", source=SYMBOLS, impact=Impact.LOCAL)
-def pin_velocity_in_words(known: Evidence) -> Record:
+@claim(
+    "txt-2.2.1-single-input-velocity",
+    source=SYMBOLS,
+    impact=Impact.LOCAL,
+    severity=Severity.SLIP,
+    lines=(170, 172),
+    paragraph=13,
+)
+def pin_velocity_in_words(_: Evidence) -> Record:
     amplitude = A * RATE
     squared = sympy.trigsimp(PIN_MOTION.diff(t) ** 2 + (PIN_MOTION.diff(t, 2) / RATE) ** 2)
     second = same("velocity and acceleration at any time", squared, amplitude**2)
     yield velocity_part()
-    yield expression("its amplitude", RATE, amplitude, second=second, slip=made_here(AMPLITUDE_LOST, RATE))
+    slip = made_here(AMPLITUDE_LOST, RATE)
+    yield expression("its amplitude", RATE, amplitude, second=second, slip=slip, item=VELOCITY_ITEM)
     yield text(r"""
-        The factor before the cosine of equation 2.8 is $2\pi f$, [[ rate | f1 ]]/s at [[ frequency | f0 ]]
-        Hz. The velocity of a pin with an eccentricity of [[ size ]] mm has the amplitude $2\pi f A =
+        This is the slip of [equation 2.8](#eq-2.8). The printed amplitude of the velocity is $2\pi f$,
+        [[ rate | f1 ]]/s at [[ frequency | f0 ]] Hz. For an eccentricity of [[ size ]] mm it is $2\pi f A =
         [[ velocity | f4 ]]$ m/s.
 
-        Equation 3.2 and the equations of motion take the velocity as an input. Figure 5.1 does not contain
-        the slip, which would make it [[ higher | f1 ]] times too high; the models behind chapter 3 are not
-        given.
+        None that can be seen: equation 3.2 takes the velocity as an input, but the models behind chapter 3
+        are not given.
     """).given(
         rate=DRIVE_OMEGA,
         frequency=DRIVE_FREQUENCY,
         size=1e3 * DRIVE_AMPLITUDE,
         velocity=DRIVE_AMPLITUDE * DRIVE_OMEGA,
-        higher=output_with_the_slip(known) / DRIVE_AMPLITUDE,
     )
 
 
-@claim("eq-2.9", source=MOTION)
+@claim("eq-2.9", source=MOTION, lines=(176, 176), paragraph=14)
 def equations_of_motion(known: Evidence) -> Record:
     derivation, printed = known.derivation, trimmer_printed.accelerations()
     lines = zip(printed, derivation.accelerations, derivation.newton, accelerations, strict=True)
     for index, (line, derived, newton, left) in enumerate(lines, start=1):
         second = same("Newton's second law for each body", newton, derived)
-        yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second)
+        item = MOTOR_ITEM if index == 1 else ""
+        yield expression(rf"$\ddot q_{index}$", line, derived, left, second=second, item=item)
     yield text("""
         All four lines follow from the energies, and again from the forces alone. Signs and indices of every
         term are right.
-    """)
-
-
-def newton_rates(known: Evidence) -> sympy.ImmutableMatrix:
-    """Return the rates of the eight states by Newton's second law."""
-    return sympy.ImmutableMatrix([*velocities, *known.derivation.newton])
-
-
-def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.MatrixBase) -> Confirmation:
-    """Confirm a matrix of the state equation by derivatives."""
-    slopes = newton_rates(known).jacobian(variables)
-    return same("the slopes of Newton's accelerations", slopes, derived)
-
-
-@claim("eq-2.10", source=STATE_SPACE)
-def general_form(known: Evidence) -> Record:
-    space = known.derivation.space
-    form = r"\dot q(t) = A q(t) + B u(t), \quad y(t) = C q(t) + D u(t)"
-    rates = space.a * STATE + space.b * INPUT
-    output = (OUTPUT * STATE)[0] + (sympy.zeros(1, INPUT.rows) * INPUT)[0]
-    relative = coordinates[1] - coordinates[3]
-    yield matrix("$A q + B u$ with the derived matrices", rates, newton_rates(known), form=form)
-    yield expression("$C q + D u$ with the row of cutter and guard", output, relative, form=form)
-    yield text("""
-        With $A$ and $B$ of the trimmer the printed form gives back the velocities and the accelerations of
-        Newton's law. The letter $q$ now stands for all eight states; until here it stood for the four
-        displacements.
-    """)
-
-
-@claim("eq-2.11", source=STATE_SPACE)
-def first_order_equations(known: Evidence) -> Record:
-    x1, x2, x3, x4, x5, x6, x7, x8 = states = sympy.symbols("x_1:9", real=True)
-    m1, m2, m3, m4 = masses
-
-    def minus(coefficient: sympy.Expr, state: sympy.Symbol) -> sympy.Expr:
-        return product(-1, coefficient, state)
-
-    printed = (
-        *(x5, x6, x7, x8),
-        over(total(minus(c1 + c2, x5), c2 * x6, minus(k1 + k2, x1), k2 * x2, -k2 * u, -c2 * u_dot), m1),
-        over(total(c2 * x5, -c2 * x6, k2 * x1, minus(k2 + k5, x2), k5 * x3, k2 * u, c2 * u_dot), m2),
-        over(total(minus(c3 + c4, x7), c4 * x8, k5 * x2, minus(k3 + k4 + k5, x3), k4 * x4), m3),
-        over(total(c4 * x7, -c4 * x8, k4 * x3, -k4 * x4), m4),
-    )
-    named = dict(zip(STATE, states, strict=True))
-    derived = [rate.subs(named) for rate in (*velocities, *known.derivation.accelerations)]
-    lines = zip(printed, derived, newton_rates(known).subs(named), strict=True)
-    for index, (line, rate, newton) in enumerate(lines, start=1):
-        left = rf"\dot{{x}}_{{{index}}}"
-        second = same("Newton's second law", newton, rate)
-        yield expression(rf"$\dot x_{index}$", line, rate, left, second=second)
-    yield text("All eight lines follow from equation 2.9 with the states as numbered.")
-
-
-@claim("eq-2.12", source=STATE_SPACE)
-def state_matrix(known: Evidence) -> Record:
-    derived, printed = known.derivation.space.a, trimmer_printed.state_matrix()
-    yield matrix("", printed, derived, sympy.Symbol("A"), second=by_slopes(known, STATE, derived))
-    yield text("All 64 entries are right.")
-
-
-@claim("eq-2.13", source=STATE_SPACE)
-def input_matrix(known: Evidence) -> Record:
-    derived, printed = known.derivation.space.b, trimmer_printed.input_matrix()
-    yield matrix("", printed, derived, sympy.Symbol("B"), second=by_slopes(known, INPUT, derived))
-    yield text("""
-        Both columns are right. There are two because the damper $c_2$ sits on the pin; dampers elsewhere
-        would not ask for a velocity input.
-    """)
-
-
-@claim("eq-2.14", source=STATE_SPACE)
-def output_matrix(_: Evidence) -> Record:
-    printed = trimmer_printed.output_matrix()
-    yield matrix("cutter relative to guard, $q_2 - q_4$", printed, OUTPUT, sympy.Symbol("C"))
-    yield text("""
-        The row gives the displacement of the cutter relative to the guard, $q_2 - q_4$. Section 3.1 writes
-        the output with the opposite sign, $x_4 - x_2$. Without feedback magnitudes and frequencies are the
-        same; in the closed loop the sign matters (see that section).
     """)

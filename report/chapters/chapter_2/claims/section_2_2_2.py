@@ -11,7 +11,7 @@ from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
-from report.claim import Impact
+from report.claim import Certainty, Impact, Part, Severity
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
@@ -19,10 +19,13 @@ from report.numbers.independent.linear_trimmer import matrix_formula, settled_ga
 from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA
+from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
 
 SOURCE = "derivations/algebra/laplace.py"
+STATE_ITEM = "sQ = AQ + BU, state equation in the Laplace domain"
+OUTPUT_ITEM = "Y = CQ + DU, output equation in the Laplace domain"
+"""Printed things that appendix D prints again."""
 IN_TIME = "trimmer/linear/time_response.py"
 
 
@@ -33,34 +36,32 @@ def responses(known: Evidence) -> tuple[complex, complex, complex]:
     return response, settled_gain(known.numbers.parameters), exact
 
 
-@claim("eq-2.15", source=IN_TIME)
+@claim("eq-2.15", source=IN_TIME, lines=(219, 219), paragraph=2)
 def magnitude(known: Evidence) -> Record:
     gain, settled, exact = (abs(each) for each in responses(known))
     yield part(
-        f"at 100 Hz: the gain is {gain:.5f}, a simulation gives {settled:.5f}",
+        f"at {DRIVE_FREQUENCY:.0f} Hz: the gain is {gain:.5f}, a simulation gives {settled:.5f}",
         CloseNumbers(gain, settled, 1e-4),
         second=close(EXACTLY, exact, gain),
         form=r"\left|\frac{A_y}{A_u}\right| = |G(j\omega)|",
     )
     yield text(r"""
         The trimmer, simulated until its transients are gone, answers a sine with a sine whose amplitude is
-        $|G(j\omega)|$ times the input's. The ratio of amplitudes is positive, so the bars on the left are not
-        needed.
+        $|G(j\omega)|$ times the input's.
     """)
 
 
-@claim("eq-2.16", source=IN_TIME)
+@claim("eq-2.16", source=IN_TIME, lines=(223, 223), paragraph=3)
 def phase(known: Evidence) -> Record:
     angle, settled, exact = (cmath.phase(each) for each in responses(known))
     yield part(
-        f"at 100 Hz: the phase is {angle:.6f} rad, a simulation gives {settled:.6f} rad",
+        f"at {DRIVE_FREQUENCY:.0f} Hz: the phase is {angle:.6f} rad, a simulation gives {settled:.6f} rad",
         CloseNumbers(angle, settled, 1e-3),
         second=close(EXACTLY, exact, angle),
         form=r"\angle G(j\omega) = \phi(j\omega) = \phi",
     )
     yield text(r"""
-        The same simulation shows the phase of $G(j\omega)$ between input and output. The symbol $\phi$ stands
-        for a function of $\omega$ and for its value at once; nothing depends on it.
+        The simulation of [equation 2.15](#eq-2.15) shows the phase of $G(j\omega)$ between input and output.
     """)
 
 
@@ -71,7 +72,7 @@ def transfer_formula(known: Evidence) -> sympy.Expr:
     return (system.c * resolvent * system.b)[0] + system.d
 
 
-@claim("eq-2.17", source=SOURCE)
+@claim("eq-2.17", source=SOURCE, lines=(227, 227), paragraph=4)
 def output_in_laplace_domain(known: Evidence) -> Record:
     printed = transfer_formula(known) * known.general.input_transform
     yield expression("", printed, known.transformed.output, form="Y(s) = G(s)U(s)")
@@ -82,7 +83,7 @@ def output_in_laplace_domain(known: Evidence) -> Record:
     """)
 
 
-def transform_integral(capital: str, small: str) -> Record:
+def transform_integral(capital: str, small: str, prose: str) -> Record:
     """Yield what the claims on the transforms of output and input consist of."""
     unit = DIMENSIONS[u] / DIMENSIONS[s]
     printed = rf"{capital}(s) = \int_0^\infty {small}(t)e^{{-st}}"
@@ -95,44 +96,71 @@ def transform_integral(capital: str, small: str) -> Record:
         dimension_of(u * sympy.exp(-s * t), DIMENSIONS) == unit,
         f"the transform is in {unit}, the printed integrand alone is not",
         method="dimension check",
+        certainty=Certainty.PROVEN,
         second=close(means, laplace_integral(function, place), float(listed)),
         printed_form=printed,
         derived_form=rf"{printed}\,dt",
     )
-    yield text("""
-        The printed integral lacks $dt$. With it, the transform has the unit of $[[ small ]]$ times a second,
-        as equation 2.20 needs.
+    yield text(prose)
+
+
+@claim(
+    "eq-2.18", source=SOURCE, impact=Impact.NOTATION, severity=Severity.SLIP, lines=(231, 231), paragraph=5
+)
+def transform_of_output(_: Evidence) -> Record:
+    return transform_integral(
+        "Y",
+        "y",
+        """
+        The printed integral lacks $dt$. With it, the transform has the unit of $y$ times a second, as
+        equation 2.20 needs.
 
         None: the later equations use the transform with its $dt$.
-    """).given(small=small)
+        """,
+    )
 
 
-@claim("eq-2.18", source=SOURCE, impact=Impact.NOTATION)
-def transform_of_output(_: Evidence) -> Record:
-    return transform_integral("Y", "y")
-
-
-@claim("eq-2.19", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "eq-2.19", source=SOURCE, impact=Impact.NOTATION, severity=Severity.SLIP, lines=(235, 235), paragraph=6
+)
 def transform_of_input(_: Evidence) -> Record:
-    return transform_integral("U", "u")
+    return transform_integral(
+        "U",
+        "u",
+        """
+        As in [equation 2.18](#eq-2.18), the integral lacks $dt$.
+
+        None: the later equations use the transform with its $dt$.
+        """,
+    )
 
 
-@claim("eq-2.20", source=SOURCE)
-def state_space_in_laplace_domain(known: Evidence) -> Record:
+def transformed_state_space(known: Evidence) -> tuple[Part, Part, Part]:
+    """Return the parts on the transformed state space, which section 2.2.2 and appendix D print alike."""
     system, solved = known.general, known.transformed
     right_side = sympy.ImmutableMatrix(system.a * solved.state + system.b * system.input_transform)
     rate, transform_of_rate = s * sympy.Symbol("Q"), transform_of_derivative(sympy.Integer(0))
     output = (system.c * solved.state)[0] + system.d * system.input_transform
-    yield expression(r"transform of $\dot q$ from rest", rate, transform_of_rate)
-    yield matrix("state equation", right_side, s * solved.state, form="sQ(s) = AQ(s) + BU(s)")
-    yield expression("output equation", output, solved.output, form="Y(s) = CQ(s) + DU(s)")
+    states, reads = "sQ(s) = AQ(s) + BU(s)", "Y(s) = CQ(s) + DU(s)"
+    return (
+        expression(
+            r"transform of $\dot q$ from rest", rate, transform_of_rate, form="sQ(s)", item=STATE_ITEM
+        ),
+        matrix("state equation", right_side, s * solved.state, form=states, item=STATE_ITEM),
+        expression("output equation", output, solved.output, form=reads, item=OUTPUT_ITEM),
+    )
+
+
+@claim("eq-2.20", source=SOURCE, lines=(239, 239), paragraph=7)
+def state_space_in_laplace_domain(known: Evidence) -> Record:
+    yield from transformed_state_space(known)
     yield text(r"""
         The transform of $\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at rest,
-        which is what a transfer function assumes. Checked on a general system of two states.
+        which is what a transfer function assumes. It was checked on a general system of two states.
     """)
 
 
-@claim("eq-2.21", source=SOURCE)
+@claim("eq-2.21", source=SOURCE, lines=(243, 243), paragraph=8)
 def transfer_function(known: Evidence) -> Record:
     point, numbers = 300 + 2000j, known.numbers
     numerator, denominator = (
@@ -150,16 +178,16 @@ def transfer_function(known: Evidence) -> Record:
     yield text("""
         The matrix formula gives what solving the transformed equations one by one gives. With the two columns
         of $B$ it is a row of two transfer functions, of which the thesis keeps the first. The text sends the
-        reader to appendix D for the rest of the derivation; it is in appendix A.1.
+        reader to appendix D for the full derivation; its steps stand in appendix A.1.
     """)
 
 
-@claim("fig-2.3", source=SOURCE)
+@claim("fig-2.3", source=SOURCE, lines=(215, 215), paragraph=2)
 def block_diagram(known: Evidence) -> Record:
     block, signal = sympy.symbols("G U")
     named = {block: transfer_formula(known), signal: known.general.input_transform}
     yield expression("", (block * signal).subs(named), known.transformed.output, form=r"Y = G\,U")
     yield text("""
-        The diagram stands for equation 2.17: one block that multiplies the input's transform by $G(s)$. It is
-        redrawn from the text, which is all that was at hand.
+        The diagram stands for [equation 2.17](#eq-2.17): one block that multiplies the input's transform by
+        $G(s)$.
     """)

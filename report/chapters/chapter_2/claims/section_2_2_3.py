@@ -6,17 +6,18 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations.algebra import stability
-from report.claim import Impact
+from report.claim import Certainty, Impact, Part, Severity
+from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
 from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
-from report.parts import assertion, close, digits, equal, expression, made_here
+from report.parts import assertion, close, digits, equal, expression, lost_in_the_copy
 from report.record import Record, claim, text
 
 SOURCE = "derivations/algebra/stability.py"
 
 
-@claim("eq-2.22", source="derivations/transfer_function.py")
+@claim("eq-2.22", source="derivations/transfer_function.py", lines=(255, 255), paragraph=2)
 def eigenvalue_problem(known: Evidence) -> Record:
     eigenvalue = sympy.Symbol("lambda")
     state_matrix = known.derivation.space.a.subs(exact_values(known.numbers.parameters))
@@ -26,12 +27,19 @@ def eigenvalue_problem(known: Evidence) -> Record:
     form = r"\det(A - \lambda I) = 0"
     yield expression(r"$\det(A - \lambda I)$ of the trimmer", determinant, dynamics, form=form)
     yield text(r"""
-        For the trimmer the printed determinant equals $\det(M\lambda^2 + C\lambda + K)/\det M$, the condition
-        for a motion $q\,e^{\lambda t}$ without input, in exact arithmetic.
+        In exact arithmetic the printed determinant of the trimmer equals $\det(M\lambda^2 + C\lambda +
+        K)/\det M$. Where that is zero there is a motion $q\,e^{\lambda t}$ without input.
     """)
 
 
-@claim("txt-2.2.3-corollary", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-2.2.3-corollary",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    severity=Severity.SLIP,
+    lines=(259, 259),
+    paragraph=4,
+)
 def corollary(_: Evidence) -> Record:
     norm = stability.exponential_norm(stability.double_integrator())
     (time,) = norm.free_symbols
@@ -45,49 +53,59 @@ def corollary(_: Evidence) -> Record:
         sympy.limit(norm, time, sympy.oo) < sympy.oo,
         r"""
         the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$, which no
-        $K$ bounds. True is: $\mathrm{Re}\,\lambda_k < 0$ for every $k$ if and only if such a bound holds with
-        some $\gamma > 0$
+        $K$ bounds. With $\mathrm{Re}\,\lambda_k < 0$ for every $k$ there is a bound with some $\gamma > 0$
         """,
         numbers={"norm": norm},
         method="counterexample with its matrix exponential in closed form",
+        certainty=Certainty.PROVEN,
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
     yield text(r"""
-        The condition has to be strict. With eigenvalues on the imaginary axis the solution may grow, as the
-        double integrator does, and $\gamma \ge 0$ would allow no decay at all.
+        Both signs have to be strict; of the eigenvalues the sentence before the corollary says so. With
+        eigenvalues on the imaginary axis the solution may grow, as that of the double integrator does, and
+        $\gamma = 0$ would not be decay.
 
-        None for the trimmer: all its eigenvalues have negative real parts, so the strict form applies and it
-        is stable.
+        None for the trimmer: all its eigenvalues have negative real parts, so the strict form applies.
     """)
 
 
-@claim("eq-2.23", source=SOURCE)
+@claim("eq-2.23", source=SOURCE, lines=(269, 269), paragraph=8)
 def argument_principle(_: Evidence) -> Record:
     printed = stability.NUMBER_OF_ZEROS - stability.NUMBER_OF_POLES
     yield expression("", printed, stability.encirclements_of_origin(), sympy.Symbol("N"))
     yield text("""
         The residues of the logarithmic derivative add up to zeros less poles. With the contour upwards along
-        the imaginary axis, as in the text, $N$ counts clockwise turns. The sentence that calls encirclements
-        points, poles or zeros is muddled; the equation is right.
+        the imaginary axis, as in the text, $N$ counts clockwise turns. The text calls encirclements points;
+        the turns about the origin are meant.
     """)
 
 
-@claim("eq-2.24", source=SOURCE)
-def closed_loop_fraction(_: Evidence) -> Record:
+def closed_loop_part() -> Part:
+    """Return the part on the closed loop, which equation 2.24 and figure 2.4 share."""
     linear, nonlinear = stability.LINEAR_PART, stability.NONLINEAR_PART
     in_feedback = stability.closed_loop(feedback=nonlinear, forward=linear)
     printed = linear / (1 + linear * nonlinear)
-    yield expression("$N$ in the feedback path", printed, in_feedback, sympy.Symbol("M"))
+    form = r"M(s) = \frac{G(s)}{1 + G(s)N(s)}"
+    return expression("$N$ in the feedback path", printed, in_feedback, form=form)
+
+
+@claim("eq-2.24", source=SOURCE, lines=(275, 275), paragraph=10)
+def closed_loop_fraction(_: Evidence) -> Record:
+    yield closed_loop_part()
     yield text("""
         Solving the loop gives the printed fraction when $N$ sits in the feedback path. In figure 2.5 it sits
-        before $G$; then the numerator is $GN$. The poles, and so the condition $1 + GN = 0$, are the same.
+        before $G$, and the numerator becomes $GN$. The poles, and so the condition $1 + GN = 0$, stay the
+        same.
     """)
 
 
-closed_loop_diagram = claim("fig-2.4", source=SOURCE)(closed_loop_fraction.items)
+@claim("fig-2.4", source=SOURCE, lines=(287, 287), paragraph=12)
+def closed_loop_diagram(known: Evidence) -> Record:
+    yield closed_loop_part()
+    yield text("The text reads the diagram as [equation 2.24](#eq-2.24), and so it is solved.")
 
 
-@claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", impact=Impact.LOCAL)
+@claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", lines=(293, 293), paragraph=15)
 def nyquist_statement(_: Evidence) -> Record:
     critical, example = examples.critical_point(), examples.unstable_plant()
     yield digits(
@@ -95,15 +113,14 @@ def nyquist_statement(_: Evidence) -> Record:
         "1",
         critical,
         second=equal("a loop with one unstable pole", example.points_that_agree(), [critical]),
-        slip=made_here("the minus sign is lost", -critical),
+        copy_fault=lost_in_the_copy("the minus sign before the 1", PrintedDigits("-1", critical)),
     )
     yield text("""
-        The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the sentence before says. Example: $G =
-        2/(s - 1)$ with unit feedback has one open-loop pole in the right half plane and is [[ stability ]] in
-        closed loop. Its locus turns [[ about_critical ]] time counter-clockwise about $-1$, as the criterion
-        asks, and [[ about_printed ]] times about $+1$.
-
-        None: section 5.1.2 and all later sections use $(-1, j0)$.
+        The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the observation before the statement and
+        all later sections have it. An example decides: $G = 2/(s - 1)$ with unit feedback has one open-loop
+        pole in the right half plane and is [[ stability ]] in closed loop. Its locus turns
+        [[ about_critical ]] time counter-clockwise about $-1$, as the criterion asks, and [[ about_printed ]]
+        times about $+1$.
     """).given(
         stability="stable" if example.stable_in_loop else "unstable",
         about_critical=example.turns[-1],

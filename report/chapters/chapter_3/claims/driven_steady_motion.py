@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from derivations.elements.incremental_dissipation import incremental_dissipation
 from report.claim import Confirmation
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, DrivenRun
+from report.numbers.driven_motion import FORCES, STARTED_ASIDE, DrivenRun
 from report.numbers.independent.harmonics import harmonic_behind, harmonic_of_friction
 from report.parts import close, so
 from report.text import filled
@@ -94,10 +94,13 @@ def period_in_words(evidence: Evidence) -> str:
     return filled(
         """
         two motions with the same pin lose the energy of their difference to dampers and friction, so all end
-        with the same velocities, which have the pin's period; in [[ count ]] runs with gaps up to 20 mm the
-        last two periods differ by [[ repeat | power0 ]] of the output at most, and two starts 1 mm apart have
-        lost all but [[ apart | power0 ]] of that energy after [[ time | f1 ]] s
+        with the same velocities, which have the pin's period; in [[ count ]] runs with gaps up to
+        [[ gap | f0 ]] mm the last two periods differ by [[ repeat | power0 ]] of the output at most, and two
+        starts [[ aside | f0 ]] mm apart have lost all but [[ apart | power0 ]] of that energy after
+        [[ time | f1 ]] s
         """,
+        gap=1e3 * max(run.gap for run in driven.runs),
+        aside=1e3 * STARTED_ASIDE,
         count=len(driven.runs),
         repeat=max(run.repeat for run in driven.runs),
         apart=driven.apart[-1],

@@ -2,20 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.claim import Impact, Part, Uncheckable
+from report.claim import Certainty, Impact, Part, Severity, Uncheckable
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
-from report.numbers.driven_motion import FORCES, DrivenRun
+from report.numbers.driven_motion import FORCES, DrivenRun, transient_peaks
 from report.numbers.independent.harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
 from report.parts import assertion, close, digits, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, SAMPLE_RATE, TABLE_2
+from report.thesis import (
+    DRIVE_AMPLITUDE,
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    SAMPLE_RATE,
+    TABLE_2,
+)
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
@@ -23,6 +34,8 @@ AT_THE_DRIVE = f"{driven.BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of fri
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
 SETTLED = int(0.1 * SAMPLE_RATE)
 """Samples at the end of a run, when the start has died out: as many as the experiment recorded."""
+OFF_A_HARMONIC = 0.1
+"""Distance from a multiple of the drive's frequency at which a peak is no harmonic, as a share of it."""
 
 
 def measured(what: str) -> Uncheckable:
@@ -35,22 +48,17 @@ def simulated(missing: str = PARAMETERS) -> Uncheckable:
     return uncheckable("curves", "curves for three forces of friction", missing)
 
 
-@claim("fig-3.1", source=OPEN_LOOP)
-def motions_without_play(known: Evidence) -> Record:
-    yield from motions(known, 0.0, "without play")
-
-
-@claim("fig-3.3", source=OPEN_LOOP)
-def motions_with_play(known: Evidence) -> Record:
-    yield from motions(known, EXPERIMENT_GAP, "with play")
-
-
-def motions(known: Evidence, gap: float, case: str) -> Record:
-    """Yield what the figures of the measured motions, with and without play, consist of."""
-    runs = driven.runs_with(known, gap)
+def guard_shares(runs: Sequence[DrivenRun]) -> list[float]:
+    """Return how far the guard moves in each settled run, as a share of the cutter's motion."""
     settled = [(run.guard[run.last(SETTLED)], run.cutter[run.last(SETTLED)]) for run in runs]
-    shares = [float(np.ptp(guard) / np.ptp(cutter)) for guard, cutter in settled]
-    bound = max(guard_over_cutter(known.numbers.parameters, gap, run.force) for run in runs)
+    return [float(np.ptp(guard) / np.ptp(cutter)) for guard, cutter in settled]
+
+
+@claim("fig-3.1", source=OPEN_LOOP, lines=(712, 714), paragraph=3)
+def motions_without_play(known: Evidence) -> Record:
+    runs = driven.runs_with(known, 0.0)
+    shares = guard_shares(runs)
+    bound = max(guard_over_cutter(known.numbers.parameters, 0.0, run.force) for run in runs)
     means = f"a bound from harmonics, {100 * bound:.0f} %, for any friction up to these forces"
     yield assertion(
         "cutter and guard",
@@ -62,9 +70,20 @@ def motions(known: Evidence, gap: float, case: str) -> Record:
     )
     yield measured("measured motions")
     yield text("""
-        The model [[ case ]] moves as the text describes. The recorded curves cannot be checked, and the
-        figure drawn here has the parameters of Listing A.1, not those of the experiment's trimmer.
-    """).given(case=case)
+        The model without play moves as the text describes. The recorded curves cannot be checked. The figure
+        drawn here has the parameters of Listing A.1, another trimmer's, at the drive of the experiment.
+    """)
+
+
+@claim("fig-3.3", source=OPEN_LOOP, lines=(743, 743), paragraph=5)
+def motions_with_play(known: Evidence) -> Record:
+    shares = guard_shares(driven.runs_with(known, EXPERIMENT_GAP))
+    yield measured("measured motions")
+    yield text("""
+        The recorded curves cannot be checked, and the text says no more of them. In the model with play the
+        guard moves [[ least | f1 ]] to [[ most | f1 ]] % as far as the cutter. The figure drawn here has the
+        parameters of Listing A.1, another trimmer's, at the drive of the experiment.
+    """).given(least=100 * min(shares), most=100 * max(shares))
 
 
 def largest(run: DrivenRun) -> set[int]:
@@ -72,7 +91,7 @@ def largest(run: DrivenRun) -> set[int]:
     return set(sorted(range(1, run.harmonics.size), key=lambda order: -run.harmonics[order])[:3])
 
 
-@claim("fig-3.2", source=OPEN_LOOP)
+@claim("fig-3.2", source=OPEN_LOOP, lines=(716, 723), paragraph=4)
 def spectrum_without_play(known: Evidence) -> Record:
     runs = driven.runs_with(known, 0.0)
     first, third, fifth, seventh = (1e6 * runs[1].harmonics[order] for order in (1, 3, 5, 7))
@@ -88,11 +107,12 @@ def spectrum_without_play(known: Evidence) -> Record:
     yield measured("measured spectra")
     yield text("""
         The model with friction alone has these three as its largest peaks too, for each of the forces of
-        section 3.3. The measured spectra cannot be checked; their peaks are those of table 3.1.
+        section 3.3; its parameters are those of Listing A.1, its drive is the experiment's. The measured
+        spectra cannot be checked; their peaks are those of [table 3.1](#tab-3.1).
     """)
 
 
-@claim("fig-3.4", source=OPEN_LOOP)
+@claim("fig-3.4", source=OPEN_LOOP, lines=(761, 761), paragraph=6)
 def spectrum_with_play(known: Evidence) -> Record:
     gap = float("200e-6")
     again = close("chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), gap)
@@ -116,12 +136,18 @@ def spectrum_with_play(known: Evidence) -> Record:
     )
     yield measured("measured spectra")
     yield text("""
-        Play of 0.2 mm raises the odd harmonics in the model. It adds no even ones, which table 3.2 lists as
-        measured, see section 3.3.
-    """)
+        Play of [[ gap | f0 ]] µm raises the odd harmonics in the model of Listing A.1, driven as in the
+        experiment. It adds no even ones, which table 3.2 lists as measured, see [the open
+        loop](#txt-3.3-open-loop-odd).
+    """).given(gap=1e6 * EXPERIMENT_GAP)
 
 
-@claim("fig-3.5", source="report/chapters/chapter_3/claims/measured_peaks.py")
+@claim(
+    "fig-3.5",
+    source="report/chapters/chapter_3/claims/measured_peaks.py",
+    lines=(780, 780),
+    paragraph=1,
+)
 def enlarged_spectrum(_: Evidence) -> Record:
     frequencies = [float(cell) for row in TABLE_2.values() for cell in row[1:]]
     low, high = min(frequencies), max(frequencies)
@@ -139,7 +165,7 @@ def enlarged_spectrum(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-3.6", source=OPEN_LOOP)
+@claim("fig-3.6", source=OPEN_LOOP, lines=(793, 795), paragraph=5)
 def smallest_gap(known: Evidence) -> Record:
     even = power_of(max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, EXPERIMENT_GAP)))
     yield assertion(
@@ -149,6 +175,7 @@ def smallest_gap(known: Evidence) -> Record:
         f"even harmonics up to {even} m, which is rounding and what is left of the start",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
+        certainty=Certainty.PROVEN,
     )
     yield simulated()
     yield text("""
@@ -167,15 +194,24 @@ def following_the_drive(known: Evidence) -> Part:
     domain = "the domain of the describing function, which begins at half a gap"
     return assertion(
         r"$b$ = $200\times10^{-4}$ m",
-        "the trimmer moves with the drive",
+        f"driven by {pin:.1f} mm, as in section 5.2.1, the trimmer moves",
         output > 0,
         f"{free}, so it never reaches the bridge and the output stays at {output:.0f}",
         method=driven.BY_LISTING,
         second=so(domain, bool(np.isnan(element))),
+        item="200e-4 m, gap of figures 3.7 and 3.8",
+        certainty=Certainty.READING,
     )
 
 
-@claim("fig-3.7", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-3.7",
+    source=OPEN_LOOP,
+    impact=Impact.DOWNSTREAM,
+    lines=(797, 801),
+    paragraph=5,
+    severity=Severity.RESULT,
+)
 def largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
     thirds, fifths = (driven.micrometres(driven.runs_with(known, LARGER_GAP), order) for order in (3, 5))
@@ -191,40 +227,53 @@ def largest_gap(known: Evidence) -> Record:
     )
     yield simulated()
     yield text("""
-        A play of 20 mm lets a pin of 1.5 mm, the eccentricity of section 5.2.1, swing freely: nothing can
-        move. Either the gap is misprinted or the pin moved by more than a centimetre. At 2 mm the model has
-        two additional oscillations as described, which are the third and fifth harmonic; if $b$ were half of
-        the gap, that play would not be crossed either.
+        The stroke of the pin is not given here. If it is the [[ pin ]] mm of section 5.2.1, a play of
+        [[ largest | f0 ]] mm lets it swing freely and nothing moves: the gap is misprinted. If the gap is
+        right, the pin moves by more than a centimetre. At [[ larger | f0 ]] mm the model of Listing A.1 has
+        two additional oscillations as described, the third and the fifth harmonic.
 
         It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a limit
         cycle: harmonics of the drive look the same.
-    """)
+    """).given(pin=1e3 * DRIVE_AMPLITUDE, largest=1e3 * LARGEST_GAP, larger=1e3 * LARGER_GAP)
 
 
-@claim("fig-3.8", source=OPEN_LOOP, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-3.8",
+    source=OPEN_LOOP,
+    impact=Impact.DOWNSTREAM,
+    lines=(808, 812),
+    paragraph=6,
+    severity=Severity.RESULT,
+)
 def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
-    same = "all motions end with the same velocities, which repeat with the drive"
-    repeat = power_of(known.motion.driven.run(LARGER_GAP, FORCES[0]).repeat)
+    run = known.motion.driven.run(LARGER_GAP, FORCES[0])
+    _, peak, *_ = transient_peaks(run)
+    mode = known.numbers.modes[1].frequency
     yield assertion(
-        "settled motion, any gap",
-        "it holds frequencies that are no harmonics of the drive",
-        not driven.has_odd_harmonics_only(known),
-        f"{same}; with a gap of 2 mm the last two periods differ by {repeat}",
-        method=driven.METHOD,
-        second=driven.confirm_odd(known),
+        "a spectrum that begins with the start",
+        "beside harmonics of the drive it shows another frequency",
+        abs(peak / MEASURED_DRIVE_FREQUENCY - round(peak / MEASURED_DRIVE_FREQUENCY)) > OFF_A_HARMONIC,
+        """
+        with a gap of [[ gap | f0 ]] mm what dies out after the start has a peak at [[ peak | f0 ]] Hz; the
+        settled motion holds harmonics only, its last two periods differ by [[ repeat ]]
+        """,
+        numbers={"gap": 1e3 * run.gap, "peak": peak, "repeat": power_of(run.repeat)},
+        method=AT_THE_DRIVE,
+        second=close("the second natural mode", mode, peak, 0.01),
     )
     yield simulated()
     yield text("""
-        With the printed gap the spectrum would be empty, see figure 3.7. With a gap that is crossed it holds
-        the odd harmonics, and, if the record begins with the start, natural modes that die out: with Listing
-        A.1 at [[ mode | f0 ]] Hz, in the place of the peak at 366 Hz.
+        With the printed gap and the stroke of section 5.2.1 the spectrum would be empty, see [figure
+        3.7](#fig-3.7). With a gap that is crossed it holds the odd harmonics and, if the record begins with
+        the start, natural modes that die out: with Listing A.1 at [[ mode | f0 ]] Hz, where the experiment's
+        trimmer has its peak at [[ printed ]] Hz.
 
-        See the peak at 365.999 Hz.
-    """).given(mode=known.numbers.modes[1].frequency)
+        Whether that peak is a limit cycle is judged [at the peak](#txt-3.3-peak-366).
+    """).given(mode=mode, printed=OPEN_LOOP_PEAK)
 
 
-@claim("fig-3.9", source=CLOSED_LOOP)
+@claim("fig-3.9", source=CLOSED_LOOP, lines=(817, 821), paragraph=8)
 def released_loop(known: Evidence) -> Record:
     released = known.motion.released
     lines = {
@@ -247,7 +296,8 @@ def released_loop(known: Evidence) -> Record:
     yield simulated(f"{PARAMETERS}; and from which state the loop was released")
     lasting = released.released(LARGEST_GAP, least, OUTSIDE)
     yield text("""
-        All that the text reads from the figure also happens when nothing but a natural mode dies out. A limit
-        cycle would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and would
-        have an amplitude of [[ amplitude | f0 ]] mm in a gap of 20 mm, which no trimmer has room for.
-    """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude)
+        All that the text reads from the figure also happens when only a natural mode dies out. A limit cycle
+        would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and with an
+        amplitude of [[ amplitude | f0 ]] mm in a gap of [[ gap | f0 ]] mm. For which of the two it is see
+        [the peak near 350 Hz](#txt-3.3-peak-350).
+    """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude, gap=1e3 * LARGEST_GAP)

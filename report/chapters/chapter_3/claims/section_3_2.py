@@ -11,11 +11,11 @@ from derivations.symbols import velocities
 from report.chapters.chapter_1.claims import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
-from report.claim import Confirmation, Impact
+from report.claim import Certainty, Confirmation, Impact, Severity
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
-from report.parts import assertion, close, digits, equal, repeated, so, uncheckable
+from report.parts import assertion, close, digits, equal, so, uncheckable
 from report.record import Record, claim, text
 from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
@@ -23,16 +23,23 @@ PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
 DIFFERENCE = "219.890"
 """Both differences of table 3.1, Hz."""
+DRIVE_ITEM = "109.945 Hz, driving frequency in the tables of the experiment"
+MISPRINTED_ITEM = "109.450 Hz, first harmonic of measurements 2 and 3 in table 3.2"
 QUOTED = (
-    ("section 3.2 and tables, first peak", peaks.TABLE_1[1]),
-    *((place, "109.845") for place in ("section 3.2", "footnote 7 of section 5.2.1", "appendix A.9")),
-    ("table 3.2, measurements 2 and 3", TABLE_2["M2"][0]),
-    ("sections 3.2 and 3.3, about", "109"),
+    ("section 3.2 and tables, first peak", peaks.TABLE_1[1], DRIVE_ITEM),
+    (
+        "sections 3.2 and A.9, footnote 7 of section 5.2.1",
+        "109.845",
+        "109.845 Hz, driving frequency seen in the experiment",
+    ),
+    ("table 3.2, measurements 2 and 3", TABLE_2["M2"][0], MISPRINTED_ITEM),
 )
-"""The drive's frequency wherever it is quoted, Hz."""
+"""The drive's frequency wherever it is quoted, Hz, and the printed thing that each is."""
+ABOUT, ABOUT_SHARE = "109", 0.01
+"""The drive's frequency where it is called approximate, Hz, and the share by which it then may be off."""
 
 
-@claim("txt-3.2-odd-harmonics", source=driven.SOURCE)
+@claim("txt-3.2-odd-harmonics", source=driven.SOURCE, lines=(723, 732), paragraph=4)
 def odd_harmonics(known: Evidence) -> Record:
     thirds, fifths = (driven.micrometres(driven.runs_with(known, 0.0), order) for order in (3, 5))
     alike = "linear parts and friction are odd and all motions end with the same velocities"
@@ -44,6 +51,7 @@ def odd_harmonics(known: Evidence) -> Record:
         f"{alike}, which therefore change sign after half a period; in the runs up to {mirror} of the output",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
+        certainty=Certainty.PROVEN,
     )
     third, fifth = driven.listed(thirds), driven.listed(fifths)
     found = f"with 0.25, 0.5 and 0.75 N the third has {third} µm and the fifth {fifth} µm"
@@ -56,12 +64,20 @@ def odd_harmonics(known: Evidence) -> Record:
         second=driven.confirm_friction(known),
     )
     yield text("""
-        For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. The
-        fifth is larger than the third because it meets the natural mode at [[ mode | f1 ]] Hz.
+        For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. With
+        Listing A.1, driven at the measured frequency, the fifth is larger than the third, because it meets
+        the natural mode at [[ mode | f1 ]] Hz.
     """).given(mode=known.numbers.modes[2].frequency)
 
 
-@claim("tab-3.1", source=PEAKS, impact=Impact.NOTATION)
+@claim(
+    "tab-3.1",
+    source=PEAKS,
+    impact=Impact.NOTATION,
+    lines=(725, 730),
+    paragraph=4,
+    severity=Severity.SLIP,
+)
 def first_table(_: Evidence) -> Record:
     for order, printed in peaks.TABLE_1.items():
         number = order * peaks.DRIVE_BIN
@@ -70,17 +86,23 @@ def first_table(_: Evidence) -> Record:
             fifth = float(peaks.TABLE_1[3]) + float(DIFFERENCE)
             means = "$f_3$ and the difference that the table prints"
             second = close(means, fifth, float(number * peaks.BIN), 1e-6)
-        yield digits(f"$f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+        item = DRIVE_ITEM if order == 1 else ""
+        yield digits(f"$f_{order}$", printed, number * peaks.BIN, "Hz", second=second, item=item)
     number = 2 * peaks.DRIVE_BIN
     for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
         yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
     yield text("""
-        The peaks are bins 11, 33 and 55 of [[ spacing | f4 ]] Hz, so $f_5$ is 549.725 Hz; 559.725 is not a
-        bin, is not five times the first, and contradicts the difference printed beside it. With that digit
-        put right the three are odd multiples of one frequency.
+        The peaks are the bins [[ bins ]] of [[ spacing | f4 ]] Hz, so $f_5$ is [[ fifth | f3 ]] Hz. The
+        printed [[ printed ]] Hz is no bin, is not five times the first, and contradicts the difference
+        printed beside it. With that one digit put right the three are odd multiples of one frequency.
 
         None on the text, which calls them multiples of the drive's frequency.
-    """).given(spacing=float(peaks.BIN))
+    """).given(
+        bins=", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1),
+        spacing=float(peaks.BIN),
+        fifth=float(5 * peaks.DRIVE_BIN * peaks.BIN),
+        printed=peaks.TABLE_1[5],
+    )
 
 
 def by_numpy(number: int) -> Confirmation:
@@ -89,7 +111,14 @@ def by_numpy(number: int) -> Confirmation:
     return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
 
 
-@claim("tab-3.2", source=PEAKS, impact=Impact.NOTATION)
+@claim(
+    "tab-3.2",
+    source=PEAKS,
+    impact=Impact.NOTATION,
+    lines=(745, 754),
+    paragraph=5,
+    severity=Severity.SLIP,
+)
 def second_table(_: Evidence) -> Record:
     measured = {}
     for name, row in TABLE_2.items():
@@ -99,7 +128,8 @@ def second_table(_: Evidence) -> Record:
             if not peaks.on_a_bin(printed):
                 first = float(TABLE_2["M1"][0])
                 second = close("the same peak in measurement 1", first, float(number * peaks.BIN), 1e-6)
-            yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second)
+            item = {TABLE_2["M1"][0]: DRIVE_ITEM, TABLE_2["M2"][0]: MISPRINTED_ITEM}.get(printed, "")
+            yield digits(f"{name}, $f_{order}$", printed, number * peaks.BIN, "Hz", second=second, item=item)
     ranges = {name: peaks.common_drive(row, Fraction(1)) for name, row in measured.items()}
     places = ", ".join(f"{name} {low:.2f} to {high:.2f} Hz" for name, (low, high) in ranges.items())
     closest = [peaks.common_drive(row, Fraction(1, 2)) for row in measured.values()]
@@ -114,37 +144,61 @@ def second_table(_: Evidence) -> Record:
         second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
     )
     yield text("""
-        All cells but two are bins of [[ spacing | f4 ]] Hz to the last digit; 109.450 is 109.945 misprinted.
-        The text puts unequal differences down to the resolution: with peaks one bin off a common drive fits
-        all of a measurement, with the nearest bins none does, so peaks were shifted, by leakage or because
-        the motor did not run evenly.
+        All cells but two are bins of [[ spacing | f4 ]] Hz to the last digit; [[ misprint ]] is [[ meant ]]
+        misprinted. The text puts unequal differences down to the resolution, which is right: with peaks one
+        bin off, a common drive fits each measurement. With the nearest bins none does, so peaks were shifted,
+        by leakage or because the motor did not run evenly.
 
         The two cells change nothing else. That $f_2$ and $f_4$ are there at all matters more, see the
-        comparison with the model in section 3.3.
-    """).given(spacing=float(peaks.BIN))
+        [comparison with the model](#txt-3.3-open-loop-odd).
+    """).given(spacing=float(peaks.BIN), misprint=TABLE_2["M2"][0], meant=TABLE_2["M1"][0])
 
 
-@claim("txt-3.2-drive-frequency", source=PEAKS, impact=Impact.LOCAL)
+@claim(
+    "txt-3.2-drive-frequency",
+    source=PEAKS,
+    impact=Impact.NOTATION,
+    lines=(714, 754),
+    paragraph=4,
+    severity=Severity.SLIP,
+)
 def drive_frequency(_: Evidence) -> Record:
     drive = peaks.DRIVE_BIN * peaks.BIN
     means = "a third of the third harmonic in table 3.1"
     second = close(means, float(peaks.TABLE_1[3]) / 3, float(drive), 1e-6)
-    slip = repeated("the digits after the point are cut off", Fraction(int(drive)))
-    for place, printed in QUOTED:
-        yield digits(place, printed, drive, "Hz", second=second, slip=slip)
+    for place, printed, item in QUOTED:
+        yield digits(place, printed, drive, "Hz", second=second, item=item)
+    share = abs(float(ABOUT) / float(drive) - 1)
+    yield assertion(
+        "sections 3.2 and 3.3, called approximate",
+        f"the drive runs at about {ABOUT} Hz",
+        share <= ABOUT_SHARE,
+        f"{ABOUT} Hz is {100 * share:.1f} % below the first peak",
+        method="quotient of the two frequencies",
+        second=second,
+    )
     odd = {order: order * peaks.DRIVE_BIN for order in peaks.TABLE_1}
     low, high = peaks.common_drive(odd, Fraction(1, 2))
     yield text("""
-        The tables' peaks are 1, 3 and 5 times 109.945 Hz; 109.845 Hz, of which the text calls them multiples,
-        and 109.450 Hz fit no bin, and 109 is cut rather than rounded. What the bins of experiment 1 say of
-        the drive is that it lies between [[ low | f2 ]] and [[ high | f2 ]] Hz.
+        The peaks of table 3.1 are 1, 3 and 5 times [[ right ]] Hz. The text calls them multiples of
+        [[ other ]] Hz, which has one digit wrong, and table 3.2 has [[ misprint ]] Hz twice; neither is a bin
+        of these spectra. The bins of experiment 1 say that the drive lies between [[ low | f2 ]] and
+        [[ high | f2 ]] Hz, so the three decimals mean nothing.
 
-        Section 5.2.1 and appendix A.9 carry 109.845 Hz on. The models of chapters 4 and 5 run at 100 Hz, so
-        their harmonics meet the natural modes elsewhere than the experiment's.
-    """).given(low=low, high=high)
+        None on results: section 5.2.1 and appendix A.9 quote [[ other ]] Hz again, and the models of chapters
+        4 and 5 run at 100 Hz.
+    """).given(right=QUOTED[0][1], other=QUOTED[1][1], misprint=QUOTED[2][1], low=low, high=high)
 
 
-@claim("txt-3.2-play-place", source="derivations/mechanism.py", impact=Impact.LOCAL)
+@claim(
+    "txt-3.2-play-place",
+    source="derivations/mechanism.py",
+    impact=Impact.LOCAL,
+    lines=(736, 736),
+    paragraph=5,
+    severity=Severity.SLIP,
+    certainty=Certainty.READING,
+)
 def place_of_the_play(known: Evidence) -> Record:
     bodies = sympy.hessian(known.derivation.kinetic_energy, velocities).rank()
     yield assertion(
@@ -160,30 +214,38 @@ def place_of_the_play(known: Evidence) -> Record:
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), bodies),
     )
     yield text("""
-        The text says that backlash was added between the driving bridge and the cutter. Section 1.1 calls
-        these two rigidly connected, section 3.1 announces play between pin and bridge, and every model of the
-        thesis has it there. It is taken for a slip of the pen.
+        Here the play was added between driving bridge and cutter. Section 1.1 calls these two rigidly
+        connected, section 3.1 announces play between pin and bridge, and every model of the thesis has it
+        there. Read as a slip of the pen nothing follows from it.
 
-        If the gap of 200 µm was where this sentence has it, no model of the thesis describes the second
-        experiment: the bridge would need a mass of its own.
+        Read as it stands, no model of the thesis describes the second experiment: the bridge would need a
+        mass of its own.
     """)
 
 
-@claim("txt-3.2-predicted-488", source=driven.SOURCE)
+@claim("txt-3.2-predicted-488", source=driven.SOURCE, lines=(736, 738), paragraph=5)
 def predicted_frequency(known: Evidence) -> Record:
     missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
     yield uncheckable("frequency of the prediction", "488 Hz", missing)
     yield text("""
-        The number cannot be checked; with Listing A.1 the two limit cycles lie at
-        [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop whose
-        play is moved by $-y$. In the experiment and in open loop a motor moves the pin, nothing leads from
-        $y$ back to it, and in the thesis's model no motion of its own frequency can last. So that no peak was
-        found at 488 Hz neither contradicts the describing function nor shows that friction suppressed a limit
-        cycle, as chapter 6 concludes; see the statement on the missing limit cycle.
+        The number cannot be checked; for another trimmer, that of Listing A.1, the two limit cycles lie at
+        [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop that
+        feeds the output back to the pin. In the experiment a motor moves the pin, and in the thesis's model
+        of that no motion of another frequency can last. So the missing peak neither contradicts the
+        describing function nor shows that friction suppressed a limit cycle, see [the missing limit
+        cycle](#txt-3.2-no-limit-cycle).
     """).given(pair=known.cycles.friction)
 
 
-@claim("txt-3.2-no-limit-cycle", source=driven.SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-3.2-no-limit-cycle",
+    source=driven.SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(756, 763),
+    paragraph=6,
+    severity=Severity.CONCLUSION,
+    certainty=Certainty.PROVEN,
+)
 def no_limit_cycle(known: Evidence) -> Record:
     periodic, second = driven.has_the_drives_period(known), driven.confirm_period(known)
     every = "every motion of the driven model ends in one that repeats with the drive"
@@ -200,10 +262,10 @@ def no_limit_cycle(known: Evidence) -> Record:
         second=second,
     )
     yield text("""
-        The observation is what the model demands, with or without play, for every gap and friction: a driven
-        trimmer has none. So it does not say whether friction, or play, could keep up a limit cycle in a loop.
-        The proof is for play that displaces the bridge; a bridge that rattles in its play with a mass of its
-        own is outside of the thesis's model.
+        The observation is what the model demands for every gap and friction: a driven trimmer has no limit
+        cycle where play only passes the pin's displacement on, as in the thesis. So it does not say whether
+        friction, or play, could keep one up in a loop. A bridge that rattles in its play with a mass of its
+        own is outside of that model and of this proof.
 
         The experiment cannot test the describing function; a loop with feedback would have to be built.
     """)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.chapters.chapter_3.claims.section_3_3 import BIN, PEAK, PREDICTED
+from report.chapters.chapter_3.claims.section_3_3_closed_loop import BIN, PEAK, PREDICTED
 from report.claim import Impact
 from report.evidence import Evidence
 from report.parts import assertion, so

@@ -1,0 +1,192 @@
+"""Claims of section 3.3 on the closed loop: its peak near 350 Hz, and what friction does to a limit cycle."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy
+
+from derivations.elements.friction import FORCE
+from report.chapters.chapter_3.claims import driven_steady_motion as driven
+from report.claim import Certainty, Impact, Severity
+from report.evidence import Evidence
+from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
+from report.parts import assertion, close, so, uncheckable
+from report.record import Record, claim, text
+from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
+
+SOURCE = "report/numbers/released_motion.py"
+PEAK, PREDICTED = "350", "488"
+"""Peak of figure 3.9 for every gap, and the limit cycle predicted for the same trimmer in section 3.2, Hz."""
+BIN = 10.0
+"""Widest bin of the spectra of chapter 3, Hz."""
+ABOUT = 0.05
+"""Share by which a frequency that is printed as about equal may be off."""
+ALIKE = 1e-9
+"""Relative difference of two motions that are alike but for their scale."""
+ASSUMED_FORCE = "1.0"
+"""Force below which section 3.3 assumes friction to be, N."""
+UNMOVED = 0.005
+"""Share by which a frequency may change and still be called unaffected."""
+RISING = f"{driven.BY_LISTING}, gap 0.2 mm"
+
+
+@claim(
+    "txt-3.3-peak-350",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(812, 821),
+    paragraph=8,
+    severity=Severity.CONCLUSION,
+)
+def peak_350(known: Evidence) -> Record:
+    mode, least = known.numbers.modes[1].frequency, FORCES_OF_FIGURE[0]
+    inside, outside = (
+        [known.motion.released.released(gap, least, start) for gap in (EXPERIMENT_GAP, LARGEST_GAP)]
+        for start in (INSIDE, OUTSIDE)
+    )
+    small, large = (released_peak(run) for run in inside)
+    goes_on, scaled = (run.frequency for run in outside)
+    yield assertion(
+        "why it should be a limit cycle",
+        "a frequency that does not depend on the gap belongs to a limit cycle",
+        abs(large - small) > BIN or any(run.goes_on for run in inside),
+        """
+        released inside of its play the loop dies out, with peaks at [[ small | f1 ]] and [[ large | f1 ]] Hz
+        for gaps of [[ gap ]] and [[ largest ]] mm; released outside it has its limit cycle, at
+        [[ goes_on | f1 ]] and [[ scaled | f1 ]] Hz
+        """,
+        numbers={
+            "small": small,
+            "large": large,
+            "gap": f"{1e3 * EXPERIMENT_GAP:g}",
+            "largest": f"{1e3 * LARGEST_GAP:g}",
+            "goes_on": goes_on,
+            "scaled": scaled,
+        },
+        method=f"{driven.BY_LISTING}, two starts for each gap",
+        second=close("the second natural mode, which knows no gap", mode, small, 5e-3),
+        item="350 Hz, peak of figure 3.9 for every gap read as a limit cycle",
+    )
+    distance = float(OPEN_LOOP_PEAK) - float(PEAK)
+    yield assertion(
+        "agreement with the open loop",
+        "the peak of the open loop agrees with it, as far as about 350 Hz goes",
+        abs(distance) <= ABOUT * float(OPEN_LOOP_PEAK),
+        f"{OPEN_LOOP_PEAK} Hz lies {distance:.0f} Hz higher, {100 * distance / float(PEAK):.0f} %",
+        method="read in the text: the two printed frequencies",
+    )
+    missing = "the parameters of that trimmer (table C.1), and from which state the loop was released"
+    yield uncheckable(
+        "which it is in the experiment's trimmer", "this peak belongs to a limit cycle", missing
+    )
+    yield text("""
+        The text takes the peak for a limit cycle because it is there for every gap. Natural modes do not know
+        the gap either: the loop with Listing A.1, released inside of its play, dies out with a peak at its
+        second natural mode, whatever the gap and the sooner the more friction. Released outside it goes on at
+        [[ lasting | f0 ]] Hz. For the experiment's trimmer section 3.2 itself predicts a limit cycle at
+        [[ predicted ]] Hz, not near [[ peak ]] Hz.
+
+        The peak reads as a natural mode that is dying out. Chapter 7 takes from this section that friction
+        suppresses limit cycles.
+    """).given(lasting=goes_on, predicted=PREDICTED, peak=PEAK)
+
+
+@claim("txt-3.3-friction-suppresses", source=SOURCE, lines=(821, 821), paragraph=8)
+def suppression(known: Evidence) -> Record:
+    released, branches = known.motion.released, known.cycles.equivalent.in_place_both_channels
+    lasting = [run for run in released.by_force if run.goes_on]
+    weak, predicted = lasting[1], branches.stable
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.amplitude)
+    yield assertion(
+        "amplitude",
+        "the amplitude of the limit cycle falls as friction rises",
+        bool((np.diff([run.amplitude for run in lasting]) < 0).all()),
+        ", ".join(f"{1e6 * run.amplitude:.0f} µm with {run.force:g} N" for run in lasting),
+        method=RISING,
+        second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / EXPERIMENT_GAP, 0.02),
+    )
+    *_, before, last = released.by_force
+    merger = EXPERIMENT_GAP * branches.merger.force_per_gap
+    merge = f"harmonic balance, whose two solutions merge at {merger:.3f} N"
+    yield assertion(
+        "existence",
+        "enough friction suppresses it",
+        before.goes_on and not last.goes_on,
+        f"with {before.force} N it lasts, with {last.force} N the motion comes to rest",
+        method=RISING,
+        second=so(merge, before.force < merger < last.force),
+    )
+    scale, rate = sympy.symbols("lambda", positive=True), sympy.Symbol("w", real=True)
+    same_force = FORCE * scale * sympy.sign(scale * rate) == scale * FORCE * sympy.sign(rate)
+    small, large = released.by_force[1].output, released.scaled.output
+    distance = float(np.abs(large - SCALE * small).max() / np.abs(large).max())
+    alike = f"exact simulation with a factor of {SCALE}, whose two motions agree to a billionth"
+    yield assertion(
+        "larger gap",
+        "a larger gap needs more friction",
+        bool(same_force),
+        """
+        displacements, gap and $F_c$ times the same factor give the same motion times that factor, so the
+        force that ends it is proportional to the gap
+        """,
+        method="every equation is of first degree in displacements, gap and force",
+        second=so(alike, distance < ALIKE),
+        certainty=Certainty.PROVEN,
+    )
+    least, *_, most = (released.released(LARGEST_GAP, force, OUTSIDE) for force in FORCES_OF_FIGURE)
+    yield text("""
+        With friction between cutter and guard that resists their motion all of it holds, and the force that
+        is needed is proportional to the gap. With Listing A.1 and [[ gap ]] mm the limit cycle lasts up to
+        [[ force ]] N: the forces below [[ assumed ]] N that the text assumes weaken it and do not end it. For
+        [[ largest_gap ]] mm the largest force of figure 3.9 takes [[ share | f1 ]] % of its
+        [[ amplitude | f0 ]] mm, which no figure shows; what was suppressed there seems to be another peak.
+    """).given(
+        gap=f"{1e3 * EXPERIMENT_GAP:g}",
+        force=lasting[-1].force,
+        assumed=ASSUMED_FORCE,
+        largest_gap=f"{1e3 * LARGEST_GAP:g}",
+        share=100 * (1 - most.amplitude / least.amplitude),
+        amplitude=1e3 * least.amplitude,
+    )
+
+
+@claim(
+    "txt-3.3-friction-frequency",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(803, 803),
+    paragraph=6,
+    severity=Severity.RESULT,
+)
+def frequency_under_friction(known: Evidence) -> Record:
+    yield assertion(
+        "oscillations of the driven trimmer",
+        "friction leaves their frequency",
+        driven.has_the_drives_period(known),
+        "they are harmonics of the drive, whatever the friction",
+        method=driven.METHOD,
+        second=driven.confirm_period(known),
+        certainty=Certainty.PROVEN,
+    )
+    lasting = [run for run in known.motion.released.by_force if run.goes_on]
+    without, weak, *_, strong = lasting
+    slower = without.frequency - strong.frequency
+    predicted = known.cycles.equivalent.in_place_both_channels.stable
+    balance = np.interp(weak.force / EXPERIMENT_GAP, predicted.force_per_gap, predicted.frequency)
+    yield assertion(
+        "self-sustained oscillation",
+        "friction leaves its frequency",
+        slower < UNMOVED * without.frequency,
+        ", ".join(f"{run.frequency:.1f} Hz with {run.force:g} N" for run in lasting),
+        method=RISING,
+        second=close(f"harmonic balance at {weak.force} N", balance, weak.frequency, 1e-3),
+    )
+    yield text("""
+        The observation is right: friction lowers the peaks and does not move them, as harmonics of a drive
+        behave. The reason given is not, that a self-sustained oscillation loses amplitude and keeps its
+        frequency. Backlash acts by the ratio of amplitude and gap, so a smaller oscillation is slower: with
+        Listing A.1 by [[ slower | f0 ]] Hz at [[ force ]] N.
+
+        A peak that stays in its place while friction changes speaks for a harmonic of the drive and against a
+        limit cycle; the text takes it for the opposite.
+    """).given(slower=slower, force=strong.force)

@@ -1,0 +1,20 @@
+"""Where a claim stands in the thesis, in words."""
+
+from __future__ import annotations
+
+from report.claim import Finding
+from report.rendering.outline import Group
+
+
+def place(finding: Finding, group: Group) -> str:
+    r"""Say as Markdown where a claim stands: ``section\ 5.2.1, paragraph\ 4, lines\ 7–9 of the copy``."""
+    section = rf"{'section' if group.heading else 'chapter'}\ {group.number}"
+    paragraph = rf"paragraph\ {finding.paragraph}" if finding.paragraph is not None else ""
+    return ", ".join(filter(None, (section, paragraph, _lines(finding))))
+
+
+def _lines(finding: Finding) -> str:
+    if finding.lines is None:
+        return ""
+    first, last = finding.lines
+    return rf"line\ {first} of the copy" if first == last else rf"lines\ {first}–{last} of the copy"

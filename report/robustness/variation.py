@@ -1,0 +1,112 @@
+"""What becomes of the predictions when parameters change: one at a time, and all at once."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Final, final
+
+import numpy as np
+
+from report.robustness.predictions import QUANTITIES, Predictions, Quantity, predict
+from trimmer import TrimmerParameters
+
+SHARE: Final = 0.1
+"""By how much each parameter changes, up and down."""
+SAMPLES: Final = 500
+SEED: Final = 20261122
+BAND: Final = (5.0, 95.0)
+"""Percentiles between which nine of ten samples lie."""
+
+
+@final
+@dataclass(frozen=True)
+class Effect:
+    """What a quantity is with one parameter lowered and raised by ``SHARE``; ``parameter`` is its symbol."""
+
+    parameter: str
+    lowered: float
+    raised: float
+
+    @property
+    def size(self) -> float:
+        """Distance between the two."""
+        return abs(self.raised - self.lowered)
+
+
+@final
+@dataclass(frozen=True)
+class Sensitivity:
+    """A quantity at the thesis's parameters, its effects, the largest first, and nine tenths of samples."""
+
+    quantity: Quantity
+    nominal: float
+    effects: tuple[Effect, ...]
+    band: tuple[float, float]
+
+
+@final
+@dataclass(frozen=True)
+class Variation:
+    """All of it: a sensitivity for each quantity, and the predictions at random parameters.
+
+    ``left_out`` of the samples have a loop without a stable limit cycle, and are not in ``samples``.
+    """
+
+    sensitivities: tuple[Sensitivity, ...]
+    samples: tuple[Predictions, ...]
+    left_out: int
+
+
+def vary(parameters: TrimmerParameters) -> Variation:
+    """Vary each parameter by itself, and all of them at random.
+
+    Raises:
+        ValueError: if a loop loses its stable limit cycle when one parameter changes.
+    """
+    nominal = _predicted(parameters)
+    ends = {
+        name: tuple(_predicted(_scaled(parameters, {name: factor})) for factor in (1 - SHARE, 1 + SHARE))
+        for name in asdict(parameters)
+    }
+    drawn = [predict(each) for each in random_parameters(parameters, SAMPLES)]
+    samples = tuple(each for each in drawn if each is not None)
+    return Variation(
+        tuple(_sensitivity(quantity, nominal, ends, samples) for quantity in QUANTITIES),
+        samples,
+        len(drawn) - len(samples),
+    )
+
+
+def random_parameters(parameters: TrimmerParameters, count: int) -> list[TrimmerParameters]:
+    """Draw parameters, each evenly and independently within ``SHARE`` of its value."""
+    names = list(asdict(parameters))
+    factors = np.random.default_rng(SEED).uniform(1 - SHARE, 1 + SHARE, (count, len(names)))
+    return [_scaled(parameters, dict(zip(names, row, strict=True))) for row in factors]
+
+
+def _scaled(parameters: TrimmerParameters, factors: dict[str, float]) -> TrimmerParameters:
+    values = asdict(parameters)
+    return TrimmerParameters(**{name: factors.get(name, 1.0) * value for name, value in values.items()})
+
+
+def _predicted(parameters: TrimmerParameters) -> Predictions:
+    found = predict(parameters)
+    if found is None:
+        raise ValueError(f"{parameters} has a loop without a stable limit cycle")
+    return found
+
+
+def _sensitivity(
+    quantity: Quantity,
+    nominal: Predictions,
+    ends: dict[str, tuple[Predictions, ...]],
+    samples: tuple[Predictions, ...],
+) -> Sensitivity:
+    effects = [Effect(name, quantity.of(low), quantity.of(high)) for name, (low, high) in ends.items()]
+    low, high = np.nanpercentile([quantity.of(each) for each in samples], BAND)
+    return Sensitivity(
+        quantity,
+        quantity.of(nominal),
+        tuple(sorted(effects, key=lambda effect: -effect.size)),
+        (float(low), float(high)),
+    )

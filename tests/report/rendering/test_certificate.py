@@ -1,0 +1,72 @@
+"""The page on what was read counts and names what the data say."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from report.document import Document
+from report.rendering import certificate
+from report.rendering.markdown import to_markdown
+from report.rendering.outline import Group
+from report.rendering.places import place
+from report.rendering.selection import select
+
+
+def front(document: Document) -> str:
+    return " ".join(to_markdown(document)["front"].replace("\\", "").split())
+
+
+def test_figures_are_counted_from_the_findings(document: Document) -> None:
+    assert certificate.figures_judged(document) == 3
+    assert "The 3 figures are judged by what the text says of them" in front(document)
+    cards = "".join(to_markdown(document).values())
+    assert cards.count("drawing was not seen; this card judges") == 3
+
+
+@pytest.mark.parametrize(
+    ("chapters", "says"),
+    [
+        ("ch2", "The one figure judged here is judged by what the text says of it"),
+        ("appA", "drawing was seen. A"),
+    ],
+)
+def test_a_part_counts_its_own(document: Document, chapters: str, says: str) -> None:
+    assert says in front(select(document, [chapters]))
+
+
+def test_the_command_makes_the_same_part_again(document: Document) -> None:
+    assert certificate.command(document) == "trimmer report"
+    assert certificate.command(select(document, ["appA", "CH2"])) == "trimmer report --only ch2 appA"
+
+
+def test_the_time_is_the_measured_one_or_left_out(document: Document) -> None:
+    assert "62 s from nothing on 2 cores, measured with version 0.1.0" in front(document)
+    unknown = dataclasses.replace(document.provenance, build_time=None)
+    assert "from nothing" not in front(dataclasses.replace(document, provenance=unknown))
+
+
+def test_what_was_read_is_named(document: Document) -> None:
+    text = front(document)
+    assert all(word in text for word in ("0" * 64, "1200 lines", "<b>play</b>", "author; appendix_C"))
+
+
+@pytest.mark.parametrize(
+    ("lines", "paragraph", "heading", "expected"),
+    [
+        (None, None, "", r"chapter\ 2"),
+        (None, 3, "2.1 Title", r"section\ 2, paragraph\ 3"),
+        ((7, 7), None, "2.1 Title", r"section\ 2, line\ 7 of the copy"),
+        ((7, 9), 0, "2.1 Title", r"section\ 2, paragraph\ 0, lines\ 7–9 of the copy"),
+    ],
+)
+def test_a_place_is_said_as_far_as_it_is_known(
+    document: Document,
+    lines: tuple[int, int] | None,
+    paragraph: int | None,
+    heading: str,
+    expected: str,
+) -> None:
+    finding = dataclasses.replace(document.findings[0], lines=lines, paragraph=paragraph)
+    assert place(finding, Group("2", heading, (finding,))) == expected
