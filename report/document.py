@@ -267,7 +267,7 @@ class Chapter:
 class Provenance:
     """What the report was made from; nothing in it depends on the time or the machine of the build.
 
-    ``build_time`` is how long it took when that was last measured.
+    ``build_time`` is the processor time it took when that was last measured.
     """
 
     version: str

@@ -159,7 +159,7 @@ def sample() -> Document:
             "0123abc",
             "2026-05-04T10:11:12+02:00",
             (("sympy", "1.14.0"), ("typst", "0.15.0")),
-            BuildTime(61.7, 2, "0.1.0"),
+            BuildTime(61.7, "0.1.0"),
         ),
         text_copy=TextCopy(
             "0" * 64, 1200, "Trimmers & <b>play</b>", "Thesis", "A *company*", ("author", "appendix_C")
