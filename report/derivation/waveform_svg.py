@@ -13,7 +13,7 @@ import numpy as np
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 168, 34, 8, 110, 34
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 168, 34, 8, 130, 34
 ROOM: Final = 1.12
 """Height of half of the plane over the largest value in it."""
 ROUNDING: Final = 1e-9

@@ -16,7 +16,8 @@ from report.rendering.verdict_picture import COLOURS
 
 NAME: Final = "spread"
 """Name of the picture among the drawings of the report."""
-WIDTH, ROW, HEIGHT, INDENT, EDGE = 470, 64, 52, 26, 12
+WIDTH, INDENT, EDGE, GAP = 470, 26, 12, 10
+FIRST_LINE, NEXT_LINE, BELOW = 16, 15, 8
 LINE, LINES_OF_TITLE = 62, 2
 """Characters in a line of a title, and lines of it."""
 
@@ -29,6 +30,7 @@ class Place:
         finding: What was found about it.
         depth: How many statements it follows from, one after the other.
         row: Its line, from 0.
+        top: Upper edge of its box.
         how: How it follows from the one before; empty for the first.
         above: Lines of the statements that it follows from.
     """
@@ -36,8 +38,19 @@ class Place:
     finding: Finding
     depth: int
     row: int
+    top: float
     how: str
     above: tuple[int, ...]
+
+    @property
+    def title(self) -> tuple[str, ...]:
+        """The title in lines."""
+        return tuple(textwrap.wrap(capitalised(self.finding.title), LINE)[:LINES_OF_TITLE])
+
+    @property
+    def height(self) -> float:
+        """Height of its box."""
+        return FIRST_LINE + NEXT_LINE * len(self.title) + BELOW
 
     @property
     def grade(self) -> Grade:
@@ -75,7 +88,8 @@ def _add(
     above = tuple(places[source] for source in sources)
     depth = 1 + max((place.depth for place in above), default=-1)
     rows = tuple(place.row for place in above)
-    places[claim] = Place(findings[claim], depth, len(places), how, rows)
+    top = max((place.top + place.height + GAP for place in places.values()), default=2.0)
+    places[claim] = Place(findings[claim], depth, len(places), top, how, rows)
     for edge in edges:
         if edge.source == claim:
             _add(places, edge.claim, edge.how, edges, findings)
@@ -84,7 +98,7 @@ def _add(
 def spread_picture(document: Document) -> str:
     """Return the graph as SVG; the text in it stays text, and words repeat what colour says."""
     places = spread(document)
-    height = ROW * len(places) + 4
+    height = places[-1].top + places[-1].height + 2
     return "".join(
         (
             f'<svg xmlns="http://www.w3.org/2000/svg" class="spread" role="img" '
@@ -119,34 +133,30 @@ def _left(place: Place) -> float:
     return INDENT * place.depth + 1
 
 
-def _top(place: Place) -> float:
-    return ROW * place.row + 2
-
-
 def _line(place: Place, above: Place) -> str:
     start, end = _left(above) + EDGE, _left(place)
-    level = _top(place) + HEIGHT / 2
+    level = place.top + place.height / 2
     return (
-        f'<path class="edge" d="M{start},{_top(above) + HEIGHT}V{level}H{end - 1}m-6,-4l6,4l-6,4" '
+        f'<path class="edge" d="M{start},{above.top + above.height}V{level}H{end - 1}m-6,-4l6,4l-6,4" '
         f'fill="none" stroke="#888888" stroke-width="1.2"/>'
     )
 
 
 def _box(place: Place) -> Iterator[str]:
-    left, top, colour = _left(place), _top(place), COLOURS[place.grade]
+    left, top, colour = _left(place), place.top, COLOURS[place.grade]
     width = WIDTH - left - 2
     yield (
-        f'<rect class="{place.grade.value}" x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="3" '
+        f'<rect class="{place.grade.value}" x="{left}" y="{top}" width="{width}" height="{place.height}" rx="3" '
         f'fill="none" stroke="{colour}" stroke-width="1.2"/>'
-        f'<text x="{left + 8}" y="{top + 15}"><tspan font-weight="bold" class="black">'
+        f'<text x="{left + 8}" y="{top + FIRST_LINE}"><tspan font-weight="bold" class="black">'
         f"{escape(reference(place.finding))}</tspan>"
         f'<tspan dx="10" class="{place.grade.value}" fill="{colour}" '
         f'font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[place.grade]}</tspan> '
         f'<tspan class="{place.grade.value}" fill="{colour}">{_outcome(place)}</tspan></text>'
     )
-    for number, line in enumerate(textwrap.wrap(capitalised(place.finding.title), LINE)[:LINES_OF_TITLE]):
+    for number, line in enumerate(place.title, start=1):
         yield (
-            f'<text x="{left + 8}" y="{top + 30 + 14 * number}" font-size="11" class="black">'
+            f'<text x="{left + 8}" y="{top + FIRST_LINE + NEXT_LINE * number}" font-size="11" class="black">'
             f"{escape(line)}</text>"
         )
 
