@@ -13,6 +13,7 @@ from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex, latex_number, latex_text
 from derivations.linear_trimmer import LinearTrimmer
+from derivations.loop.narrative import loop_narrative
 from derivations.narrative import narrative
 from derivations.step import Formula, Step
 from derivations.symbols import QUANTITIES, Quantity
@@ -49,7 +50,7 @@ END = "\\end{document}\n"
 
 
 def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str:
-    """Return the derivation of the linear trimmer and that of its elements as a LaTeX document.
+    """Return the derivation of the linear trimmer, of its elements and of their loop as a LaTeX document.
 
     Added is the nomenclature.
 
@@ -70,6 +71,8 @@ def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str
             *linear,
             "\\part{The describing functions}",
             *nonlinear,
+            "\\part{The loop}",
+            *(_section(step) for step in loop_narrative(derivation)),
             _nomenclature(),
             END,
         )

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derivations.loop.dissipation import dissipation_step
-from derivations.loop.harmonic_balance import balance_step, solution_step
-from derivations.loop.loeb import loeb_step
+from derivations.loop.narrative import loop_narrative
 from derivations.step import Formula, Step
 from report.derivation.linear_steps import array, linear_steps
 from report.evidence import Evidence
@@ -26,15 +24,16 @@ def number_steps(known: Evidence) -> tuple[Step, ...]:
     Raises:
         UnprovenError: if an equation is not proven.
     """
+    balance, method, loeb, dissipation = loop_narrative(known.derivation)
     return (
         *linear_steps(known),
-        balance_step().proven(),
-        solution_step().proven(),
+        balance,
+        method,
         _solution(known),
-        loeb_step().proven(),
+        loeb,
         _exact_orbit(known),
         _motion(),
-        dissipation_step(known.derivation),
+        dissipation,
         _spectrum(),
         _reading(),
     )

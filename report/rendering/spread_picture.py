@@ -146,7 +146,8 @@ def _box(place: Place) -> Iterator[str]:
     left, top, colour = _left(place), place.top, COLOURS[place.grade]
     width = WIDTH - left - 2
     yield (
-        f'<rect class="{place.grade.value}" x="{left}" y="{top}" width="{width}" height="{place.height}" rx="3" '
+        f'<rect class="{place.grade.value}" x="{left}" y="{top}" width="{width}" '
+        f'height="{place.height}" rx="3" '
         f'fill="none" stroke="{colour}" stroke-width="1.2"/>'
         f'<text x="{left + 8}" y="{top + FIRST_LINE}"><tspan font-weight="bold" class="black">'
         f"{escape(reference(place.finding))}</tspan>"
