@@ -178,8 +178,8 @@ const explorableModel = (formulas) => {
     const told = (cycles, shown) => {
       if (cycles.length === 0) return "No intersection between 60 and 1500 Hz: harmonic balance predicts no limit cycle.";
       const lines = cycles.map((cycle) =>
-        `${cycle.stable ? "●" : "○"} ${cycle.frequency.toFixed(2)} Hz, amplitude ${written(1 / cycle.ratio, 4)} gaps = ` +
-        `${written(1e6 * cycle.amplitude, 4)} µm, ${verdict(cycle)}` +
+        `${cycle.stable ? "●" : "○"} ${cycle.frequency.toFixed(2)}\u00a0Hz, amplitude ${written(1 / cycle.ratio, 4)}\u00a0gaps = ` +
+        `${written(1e6 * cycle.amplitude, 4)}\u00a0µm, ${verdict(cycle)}` +
         `${cycle === shown && cycles.length > 1 ? "; its motion and contour are drawn" : ""}`);
       return lines.join("\n");
     };

@@ -91,9 +91,11 @@ local function claim(div)
   return result
 end
 
+-- What belongs to one place of the text stays there; other drawings float.
 local function figure(div)
   local image = div.content[1].content[1]
-  local opening = "#drawing(%s, alt: %s)["
+  local stays = div.classes:includes("step-picture") or div.classes:includes("still")
+  local opening = (stays and "#picture" or "#drawing") .. "(%s, alt: %s)["
   return wrapped(
     opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
     { table.unpack(div.content, 2) },
@@ -139,7 +141,7 @@ local converters = {
   ["step-picture"] = figure,
   ["spread-picture"] = function(div)
     local image = div.content[1].content[1]
-    local opening = "#align(center, image(%s, alt: %s, width: 12.4cm))"
+    local opening = "#align(center, image(%s, alt: %s, width: 11cm))"
     return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
   end,
   program = program,

@@ -16,9 +16,9 @@ from report.rendering.verdict_picture import COLOURS
 
 NAME: Final = "spread"
 """Name of the picture among the drawings of the report."""
-WIDTH, INDENT, EDGE, GAP = 470, 26, 12, 10
+WIDTH, INDENT, EDGE, GAP = 400, 24, 11, 10
 FIRST_LINE, NEXT_LINE, BELOW = 16, 15, 8
-LINE, LINES_OF_TITLE = 62, 2
+LINE, LINES_OF_TITLE = 52, 3
 """Characters in a line of a title, and lines of it."""
 
 

@@ -15,7 +15,7 @@ STILL = "#explorable-still"
 
 
 def cycles(page: Page) -> str:
-    return page.locator(".explorable output").inner_text()
+    return page.locator(".explorable output").inner_text().replace("\xa0", " ")
 
 
 def move(page: Page, name: str, value: float) -> None:
