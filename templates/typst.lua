@@ -141,7 +141,7 @@ local converters = {
   ["step-picture"] = figure,
   ["spread-picture"] = function(div)
     local image = div.content[1].content[1]
-    local opening = "#align(center, image(%s, alt: %s, width: 11cm))"
+    local opening = "#align(center, image(%s, alt: %s, width: 9.2cm))"
     return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
   end,
   program = program,

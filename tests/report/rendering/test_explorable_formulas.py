@@ -13,7 +13,7 @@ from report.explorable.formulas import functions
 from report.explorable.script import script
 from report.folders import templates
 from report.numbers.linear_numbers import exact_values
-from tests.report.rendering.page_checks import chromium_browser, opened
+from tests.report.rendering.page_checks import opened
 from trimmer import (
     InputChannels,
     TrimmerParameters,
@@ -36,9 +36,9 @@ def printed():
 
 
 @pytest.fixture(scope="module")
-def page(printed, chromium):
+def page(printed, browser):
     code = script(printed) + (templates() / "explorable.js").read_text(encoding="utf-8")
-    with chromium_browser(chromium) as browser, opened(browser) as visit:
+    with opened(browser) as visit:
         visit.page.add_script_tag(content=code)
         yield visit.page
         assert visit.complaints == []
