@@ -152,6 +152,7 @@ class Opening:
 
     sentences: str
     highlights: tuple[Highlight, ...]
+    figure: Figure
     do: tuple[str, ...]
     do_not: tuple[str, ...]
 
@@ -292,6 +293,49 @@ class Program:
 
 
 @dataclass(frozen=True)
+class Observation:
+    """A sentence on the physical twin, or a few: Markdown, with what it rests on and where that is computed.
+
+    ``title`` may be empty; ``evidence`` holds one check each, all of which hold, and is never empty.
+    """
+
+    id: str
+    title: str
+    text: str
+    evidence: tuple[str, ...]
+    source: str
+
+
+@dataclass(frozen=True)
+class TwinSection:
+    """A section of the chapter on the twin: observations and figures in their order."""
+
+    id: str
+    title: str
+    items: tuple[Observation | Figure, ...]
+
+
+@dataclass(frozen=True)
+class TwinChapter:
+    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them."""
+
+    title: str
+    sections: tuple[TwinSection, ...]
+
+    @property
+    def observations(self) -> tuple[Observation, ...]:
+        """All observations in their order."""
+        return tuple(
+            item for section in self.sections for item in section.items if isinstance(item, Observation)
+        )
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """All figures in their order."""
+        return tuple(item for section in self.sections for item in section.items if isinstance(item, Figure))
+
+
+@dataclass(frozen=True)
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
@@ -321,6 +365,7 @@ class Document:
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
+    twin: TwinChapter | None = None
 
     @property
     def steps(self) -> tuple[DerivationStep, ...]:
@@ -334,7 +379,8 @@ class Document:
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: those of claims, that of how far the results hold, and that of the explorable."""
-        robustness = (self.robustness.figure,) if self.robustness else ()
+        """All figures: of the first screen, claims, the twin's chapter, how far it holds, and the explorable."""
+        first = (self.opening.figure,) if self.opening else ()
+        last = (self.robustness.figure,) if self.robustness else ()
         still = (self.explorable.still,) if self.explorable else ()
-        return (*self.figures, *robustness, *still)
+        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last, *still)
