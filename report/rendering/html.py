@@ -25,7 +25,9 @@ from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("search.js", "claims.js", "contents.js", "zoom.js", "figures.js", "page.js", "sources.js")
+SCRIPTS = tuple(
+    f"{name}.js" for name in ("search", "claims", "contents", "zoom", "figures", "page", "sources", "cards")
+)
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _PLACE_OF_PASSAGE = re.compile(r"<!-- passage (?P<claim>\S+) -->")
 _PLACE_OF_COPY = re.compile("<!-- reader's copy -->")
