@@ -59,11 +59,24 @@ class ParameterRow:
 
 @dataclass(frozen=True)
 class Highlight:
-    """A finding that matters most: the id of its claim, one sentence, and its size."""
+    """A finding that matters most: where it stands (the id of a claim, or of a place), and what to do.
 
-    claim: str
+    ``sentence`` and ``action`` are Markdown.
+    """
+
+    place: str
     sentence: str
-    size: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The first screen: what holds and what does not, what matters most, what a designer does (Markdown)."""
+
+    sentences: str
+    highlights: tuple[Highlight, ...]
+    do: tuple[str, ...]
+    do_not: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -200,7 +213,7 @@ class Document:
     """
 
     title: str
-    highlights: tuple[Highlight, ...]
+    opening: Opening | None
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]

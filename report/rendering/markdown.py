@@ -40,7 +40,7 @@ def to_markdown(document: Document) -> dict[str, str]:
     """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
+        BrokenLinkError: if two places share an identifier, or a link, an answer, a corrected
             result or a step of the derivation names a place or a claim that the report does not have, or
             a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
@@ -163,6 +163,7 @@ def _environment() -> Environment:
         short_reference=summary.short_reference,
         methods=summary.methods,
         slips=summary.slips,
+        copy_faults=summary.copy_faults,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
@@ -182,7 +183,6 @@ def _environment() -> Environment:
         certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
-        reaches=summary.REACHES,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from report.collect import ClaimIdError, by_id, collect
-from report.inventory import FURTHER, PATH, InventoryError, read_inventory
+from report.inventory import FURTHER, PATH, InventoryError, read_inventory, titled
 from report.record import ClaimRecord
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
@@ -23,25 +23,6 @@ def test_it_is_the_one_handed_over():
     if not HANDED_OVER.is_file():
         pytest.skip("the inventory that was handed over is not beside this checkout")
     assert PATH.read_text(encoding="utf-8") == HANDED_OVER.read_text(encoding="utf-8")
-
-
-def test_titles_write_mathematics_as_such(inventory):
-    ascii_mathematics = re.compile(
-        r"[\^_<>=*]|\d[eE]-?\d|\b(?:omega|gamma|beta|pi|phi|sqrt|asin)\b|\w'$|-1\b"
-    )
-    for entry in inventory.values():
-        words, formulas = entry.title.split("$")[::2], entry.title.split("$")[1::2]
-        assert entry.title.count("$") % 2 == 0
-        assert all(formulas), entry.id
-        assert not ascii_mathematics.search(" ".join(words)), (entry.id, words)
-
-
-def test_a_title_needs_its_statement(tmp_path, monkeypatch):
-    titles = tmp_path / "titles.csv"
-    titles.write_text("id,title\neq-99.1,none\n", encoding="utf-8")
-    monkeypatch.setattr("report.inventory.TITLES", titles)
-    with pytest.raises(InventoryError, match=r"titles\.csv: no statement has the id eq-99\.1"):
-        read_inventory()
 
 
 def test_further_statements_follow_those_handed_over():
@@ -70,6 +51,31 @@ def test_faults_are_named_by_line(tmp_path, rows, message):
     path.write_text("id,kind,section,subject\n" + rows, encoding="utf-8")
     with pytest.raises(InventoryError, match=message):
         read_inventory(path)
+
+
+ASCII_MATHEMATICS = re.compile(
+    r"\b(omega|beta|gamma|alpha|lambda|phi)\b|[A-Za-z]_|\d[eE]-?\d|\w=\w|-1/N|\bDFs?\b"
+)
+
+
+def test_titles_have_no_ascii_mathematics():
+    titles = {key: entry.title for key, entry in read_inventory().items()}
+    assert titles["eq-2.40"] == "b₁ of friction-controlled backlash"
+    assert {key: title for key, title in titles.items() if ASCII_MATHEMATICS.search(title)} == {}
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("eq-2.1,a\neq-2.1,b\n", r"titles\.csv, line 3: the id eq-2\.1 stands there twice"),
+        ("eq-9.99,a\n", r"titles\.csv, line 2: the id eq-9\.99 is not in the inventory"),
+    ],
+)
+def test_a_title_belongs_to_one_statement(tmp_path, rows, message):
+    path = tmp_path / "titles.csv"
+    path.write_text("id,title\n" + rows, encoding="utf-8")
+    with pytest.raises(InventoryError, match=message):
+        titled(read_inventory(PATH), path)
 
 
 def record(claim_id):

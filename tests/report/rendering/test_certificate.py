@@ -22,7 +22,7 @@ def test_figures_are_counted_from_the_findings(document: Document) -> None:
     assert certificate.figures_judged(document) == 3
     assert "The 3 figures are judged by what the text says of them" in front(document)
     cards = "".join(to_markdown(document).values())
-    assert cards.count("The drawing in the thesis was not seen") == 3
+    assert cards.count("drawing was not seen; this card judges") == 3
 
 
 @pytest.mark.parametrize(
