@@ -37,7 +37,11 @@
       window.print();
     });
     addEventListener("afterprint", () => { delete root.dataset.print; });
-    sheet.querySelector("h2").after(print);
+    const past = Object.assign(document.createElement("a"), { className: "skip", href: "#after-errata",
+      textContent: "Skip the errata sheet" });
+    const after = Object.assign(document.createElement("div"), { id: "after-errata", tabIndex: -1 });
+    sheet.querySelector("h2").after(past, print);
+    sheet.after(after);
   }
 
   // What scrolls sideways can be reached by keyboard, what does not is no stop on the way. The content is watched
