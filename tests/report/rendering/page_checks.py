@@ -82,7 +82,7 @@ _BROKEN_UNITS = """
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       if (node.parentElement.closest('pre, code, svg, math, script, .passage')) continue;
       const [broken] = node.data.match(
-        /.{0,20}\\d[ \\n](?:Hz|mm|µm|nm|ms|kN|rad\\/s|dB|N\\/m|%)(?!\\p{L})/u
+        /.{0,20}[\\d⁰¹²³⁴⁵⁶⁷⁸⁹][ \\n](?:Hz|mm|µm|nm|ms|kN|rad\\/s|dB|N\\/m|%)(?!\\p{L})/u
       ) ?? [];
       if (broken) found.push(broken);
     }
