@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from itertools import product
+from itertools import chain, product
 from pathlib import Path
 from typing import Literal
 
@@ -267,10 +267,13 @@ def main(arguments: list[str]) -> int:
     if chromium is None:
         print("Chromium is not installed (package chromium)", file=sys.stderr)
         return 2
-    found = [f"the file has {page.stat().st_size} bytes"] if page.stat().st_size > LARGEST else []
+    found = 0
     with chromium_browser(chromium) as browser:
-        found += faults(browser, page.as_uri())
-    print("\n".join(found) or "nothing is wrong")
+        size = [f"the file has {page.stat().st_size} bytes"] if page.stat().st_size > LARGEST else []
+        for fault in chain(size, faults(browser, page.as_uri())):
+            print(fault, flush=True)  # the whole takes minutes
+            found += 1
+    print(f"{found} faults" if found else "nothing is wrong")
     return 1 if found else 0
 
 
