@@ -12,13 +12,17 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report test test-all lint format derive lock benchmark check-install clean
+.PHONY: help report maps test test-all lint format derive lock benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
 report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
 	@trimmer report
+
+# BLAS with several threads is slower here: its matrices are small, and the cells already use all cores.
+maps: .venv/for-use ## compute the maps and branches of the twin again, report/data/twin; goes on where it was interrupted
+	@OPENBLAS_NUM_THREADS=1 python -m report.twin.make_maps
 
 # The tests of a file share what they make once.
 test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to pytest

@@ -75,6 +75,7 @@ class Opening:
 
     sentences: str
     highlights: tuple[Highlight, ...]
+    figure: Figure
     do: tuple[str, ...]
     do_not: tuple[str, ...]
 
@@ -181,7 +182,7 @@ class Chapter:
 class Provenance:
     """What the report was made from; nothing in it depends on the time or the machine of the build.
 
-    ``build_time`` is how long it took when that was last measured.
+    ``build_time`` is the processor time it took when that was last measured.
     """
 
     version: str
@@ -203,6 +204,49 @@ class Program:
     title: str
     faults: tuple[str, ...]
     text: str
+
+
+@dataclass(frozen=True)
+class Observation:
+    """A sentence on the physical twin, or a few: Markdown, with what it rests on and where that is computed.
+
+    ``title`` may be empty; ``evidence`` holds one check each, all of which hold, and is never empty.
+    """
+
+    id: str
+    title: str
+    text: str
+    evidence: tuple[str, ...]
+    source: str
+
+
+@dataclass(frozen=True)
+class TwinSection:
+    """A section of the chapter on the twin: observations and figures in their order."""
+
+    id: str
+    title: str
+    items: tuple[Observation | Figure, ...]
+
+
+@dataclass(frozen=True)
+class TwinChapter:
+    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them."""
+
+    title: str
+    sections: tuple[TwinSection, ...]
+
+    @property
+    def observations(self) -> tuple[Observation, ...]:
+        """All observations in their order."""
+        return tuple(
+            item for section in self.sections for item in section.items if isinstance(item, Observation)
+        )
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """All figures in their order."""
+        return tuple(item for section in self.sections for item in section.items if isinstance(item, Figure))
 
 
 @dataclass(frozen=True)
@@ -230,6 +274,7 @@ class Document:
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
+    twin: TwinChapter | None = None
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -238,5 +283,7 @@ class Document:
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: those of claims, and that of how far the results hold."""
-        return (*self.figures, *((self.robustness.figure,) if self.robustness else ()))
+        """All figures: of the first screen, claims, the chapter on the twin, and how far it holds."""
+        first = (self.opening.figure,) if self.opening else ()
+        last = (self.robustness.figure,) if self.robustness else ()
+        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last)

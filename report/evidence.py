@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from derivations.algebra.laplace import GeneralSystem, TransformedSystem, general_system, transform
@@ -10,6 +11,7 @@ from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, solve_limit_cycles
 from report.numbers.linear_numbers import LinearNumbers, solve_linear
 from report.numbers.motion_numbers import MotionNumbers, solve_motion
+from report.numbers.twin_numbers import TwinNumbers, solve_twin
 from trimmer import TrimmerParameters
 
 
@@ -32,6 +34,7 @@ class Evidence:
     numbers: LinearNumbers
     cycles: LimitCycleNumbers
     motion: MotionNumbers
+    twin: TwinNumbers
 
     @property
     def orbits(self) -> ExactOrbits:
@@ -45,12 +48,20 @@ def derive() -> Derived:
     return Derived(derive_linear_trimmer(), general, transform(general))
 
 
-def solve(derived: Derived) -> Evidence:
-    """Solve the thesis's trimmer with the derived equations."""
+def solve(derived: Derived, twin: Callable[[], TwinNumbers] = solve_twin) -> Evidence:
+    """Solve the thesis's trimmer with the derived equations.
+
+    Args:
+        derived: What SymPy derived.
+        twin: Gives the numbers of the physical twin, which rest on nothing that is derived here; asked last.
+
+    Raises:
+        KeptDataError: if a map or a branch that is kept cannot be used.
+    """
     numbers = solve_linear(derived.trimmer, TrimmerParameters.thesis())
     cycles = solve_limit_cycles(numbers)
     motion = solve_motion(numbers, cycles)
-    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers, cycles, motion)
+    return Evidence(derived.trimmer, derived.general, derived.transformed, numbers, cycles, motion, twin())
 
 
 def gather() -> Evidence:

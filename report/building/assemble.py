@@ -23,6 +23,7 @@ from report.document import (
     ParameterRow,
     Program,
     Robustness,
+    TwinChapter,
 )
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
@@ -66,6 +67,7 @@ class Parts:
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
         robustness: How far these hold when the parameters change.
+        twin: The chapter on the physical twin.
     """
 
     findings: tuple[Finding, ...]
@@ -77,6 +79,7 @@ class Parts:
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
     robustness: Robustness
+    twin: TwinChapter
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -103,6 +106,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         answers=parts.answers,
         corrected=parts.corrected,
         robustness=parts.robustness,
+        twin=parts.twin,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),
     )

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar, final
@@ -58,6 +59,19 @@ def run(jobs: Sequence[Callable[[], Result]]) -> Iterator[Done[Result]]:
         raise BackgroundError("a process of the build ended early, perhaps for want of memory") from end
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
+
+
+@contextmanager
+def begun(job: Callable[[], Result]) -> Iterator[Callable[[], Result]]:
+    """Begin a job in a forked process; yield what waits for its result.
+
+    The job and its result can be pickled. Where processes cannot be forked it is done when it is asked for.
+    """
+    if "fork" not in multiprocessing.get_all_start_methods():
+        yield job
+        return
+    with ProcessPoolExecutor(1, multiprocessing.get_context("fork")) as pool:
+        yield pool.submit(job).result
 
 
 def _cores() -> int:

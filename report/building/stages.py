@@ -11,6 +11,7 @@ from typing import Any
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from report.building.assemble import Parts, assemble
+from report.building.background import begun
 from report.building.progress import Progress
 from report.building.tasks import Task, done
 from report.cache.source_closure import SourceTree
@@ -21,13 +22,18 @@ from report.document import Document
 from report.evidence import Evidence, derive, solve
 from report.folders import templates
 from report.inventory import read_inventory
+from report.numbers.twin.kept_files import digest_of_files
+from report.numbers.twin_numbers import solve_twin
 from report.octave.listings import corrected_programs
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
+from report.overview.opening_figure import opening_figure
 from report.provenance import libraries
 from report.record import ClaimRecord
 from report.robustness.page import robustness
+from report.twin.cell_check import seed_of
+from report.twin.chapter import twin_chapter
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
@@ -54,10 +60,11 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
         programs=results["programs"],
-        opening=opening(evidence, findings),
+        opening=opening(evidence, findings, results["opening-figure"]),
         answers=results["answers"],
         corrected=results["corrected-results"],
         robustness=results["robustness"],
+        twin=results["twin"],
     )
     return assemble(parts, evidence.numbers.parameters, inventory)
 
@@ -67,8 +74,9 @@ def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Eviden
     kept: Evidence | None = store.load("evidence", key)
     if kept is not None:
         return kept
-    (derived,) = progress.run("derive", [derive], lambda work: work())
-    (evidence,) = progress.run("solve", [derived], solve)
+    with begun(solve_twin) as twin:
+        (derived,) = progress.run("derive", [derive], lambda work: work())
+        (evidence,) = progress.run("solve", [derived], partial(solve, twin=twin))
     store.keep("evidence", key, evidence)
     return evidence
 
@@ -84,6 +92,7 @@ def _tasks(
         (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
     ]
     key = partial(_key, tree)
+    of_twin = key(["report.twin.chapter", "report.evidence"])
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
         Task("element-steps", "prove", key(["derivations.elements.narrative"]), element_narrative),
@@ -93,6 +102,7 @@ def _tasks(
             key(["derivations.narrative", "report.evidence"]),
             partial(narrative, evidence.derivation),
         ),
+        Task("twin", "observe", of_twin, partial(twin_chapter, evidence, seed_of(of_twin))),
         Task(
             "programs",
             "print",
@@ -105,6 +115,7 @@ def _tasks(
                 ("answers", answers),
                 ("corrected-results", corrected_results),
                 ("robustness", robustness),
+                ("opening-figure", opening_figure),
             )
         ),
         *(
@@ -134,7 +145,7 @@ def _key(tree: SourceTree, modules: list[str], *others: Any) -> str:
 
 @cache
 def _versions() -> tuple[tuple[str, str], ...]:
-    return (*libraries(), ("trimmer", version("trimmer")))
+    return (*libraries(), ("trimmer", version("trimmer")), ("kept data", digest_of_files()))
 
 
 def _judged(

@@ -14,7 +14,7 @@ from report.cache.source_closure import PACKAGES, ROOT
 from report.folders import templates
 from report.provenance import libraries
 
-SUFFIXES = (".py", ".pyi", ".csv", ".toml")
+SUFFIXES = (".py", ".pyi", ".csv", ".json", ".toml")
 
 
 def content_key() -> str:

@@ -30,7 +30,7 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("programs", "derivation", "tables", "errata")
+BACK = ("twin", "programs", "derivation", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""

@@ -40,8 +40,8 @@ def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[s
 def select(document: Document, names: Sequence[str]) -> Document:
     """Return the document with the named chapters only, and with what rests on their claims.
 
-    Without names it is the whole document. The derivations and the answers to the research questions belong
-    to the whole report and are left out of a part.
+    Without names it is the whole document. The derivations, the chapter on the twin and the answers to the
+    research questions belong to the whole report and are left out of a part.
 
     Raises:
         UnknownChapterError: if a name is none of a chapter with findings.
@@ -63,6 +63,7 @@ def select(document: Document, names: Sequence[str]) -> Document:
         derivation=(),
         describing_functions=(),
         answers=(),
+        twin=None,
     )
 
 

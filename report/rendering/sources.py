@@ -6,25 +6,25 @@ from dataclasses import dataclass
 
 from report.cache.source_closure import ROOT
 from report.claim import Finding
-from report.document import Document
+from report.document import Document, Observation
 from report.rendering.links import BrokenLinkError
 
 
 @dataclass(frozen=True)
 class ShownSource:
-    """A source file of this project, with the findings that name it.
+    """A source file of this project, with the findings and observations that name it.
 
     Attributes:
         path: Where it is, from the folder of the three packages.
         identifier: Its place in the report.
         text: What it holds.
-        findings: Those that name it, in thesis order; never empty.
+        findings: Those that name it, in thesis order, and then observations on the twin; never empty.
     """
 
     path: str
     identifier: str
     text: str
-    findings: tuple[Finding, ...]
+    findings: tuple[Finding | Observation, ...]
 
 
 def identifier(path: str) -> str:
@@ -33,13 +33,15 @@ def identifier(path: str) -> str:
 
 
 def sources(document: Document) -> tuple[ShownSource, ...]:
-    """Return each source file that a finding of the document names, by path.
+    """Return each source file that a finding of the document or an observation names, by path.
 
     Raises:
         BrokenLinkError: naming the claim and the file, if a finding names a file that is not there.
     """
-    findings: dict[str, list[Finding]] = {}
-    for finding in document.findings:
+    findings: dict[str, list[Finding | Observation]] = {}
+    observations: tuple[Observation, ...] = document.twin.observations if document.twin else ()
+    named: tuple[Finding | Observation, ...] = (*document.findings, *observations)
+    for finding in named:
         findings.setdefault(finding.source, []).append(finding)
     return tuple(
         ShownSource(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
@@ -47,7 +49,7 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
     )
 
 
-def _text(path: str, finding: Finding) -> str:
+def _text(path: str, finding: Finding | Observation) -> str:
     file = ROOT / path
     if not file.is_file():
         raise BrokenLinkError(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import sympy
 
 from report.document import (
@@ -11,6 +13,7 @@ from report.document import (
     DerivationStep,
     Document,
     Equation,
+    Figure,
     Highlight,
     NomenclatureRow,
     Opening,
@@ -110,6 +113,11 @@ def programs() -> tuple[Program, ...]:
     )
 
 
+def _another(figure: Figure, name: str) -> Figure:
+    """Return the same drawing with another id, inside of it too."""
+    return dataclasses.replace(figure, id=name, svg=figure.svg.replace(figure.id, name))
+
+
 def sample() -> Document:
     """Return the report."""
     return Document(
@@ -124,6 +132,7 @@ def sample() -> Document:
                 ),
                 Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "Use 40."),
             ),
+            _another(figures()[0], "opening"),
             ("Compute *your* trimmer.",),
             ("Trust $G$ blindly.", "Tune."),
         ),
@@ -149,7 +158,7 @@ def sample() -> Document:
             "0123abc",
             "2026-05-04T10:11:12+02:00",
             (("sympy", "1.14.0"), ("typst", "0.15.0")),
-            BuildTime(61.7, 2, "0.1.0"),
+            BuildTime(61.7, "0.1.0"),
         ),
         text_copy=TextCopy(
             "0" * 64, 1200, "Trimmers & <b>play</b>", "Thesis", "A *company*", ("author", "appendix_C")

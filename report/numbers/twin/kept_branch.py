@@ -1,0 +1,135 @@
+"""Branches of periodic motions as they are kept: over one number, with their special points."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from report.numbers.twin.grids import COURSES, Course
+from report.numbers.twin.kept_files import FOLDER, read_kept, rounded, write_kept
+from report.numbers.twin.mechanism import STROKE
+from trimmer import FollowSettings
+from trimmer.arrays import Reals
+
+if TYPE_CHECKING:
+    from trimmer import FollowedBranch
+
+FILE: Final = "branches.json"
+STATE_DIGITS: Final = 12
+
+
+@dataclass(frozen=True)
+class KeptSpecial:
+    """A special point: its kind as a word, the value, and what else is said of it."""
+
+    kind: str
+    value: float
+    note: str
+
+
+@dataclass(frozen=True, eq=False)
+class KeptBranch:
+    """A branch, or one that parts from it.
+
+    Attributes:
+        course: What it was followed along.
+        parted: Word of the kind of point at which it parts from another; empty if it was begun by itself.
+        periods: Drive periods after which its motions repeat.
+        values: Of the number that is varied, SI units, (n,).
+        strokes: Peak to peak, m, (n,).
+        stable: Whether neighbouring motions approach, (n,).
+        states: At the start of a drive period, (n, size).
+        special: The special points.
+        message: Why it ends.
+    """
+
+    course: Course
+    parted: str
+    periods: int
+    values: Reals
+    strokes: Reals
+    stable: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    states: Reals
+    special: tuple[KeptSpecial, ...]
+    message: str
+
+    def special_of(self, kind: str) -> tuple[float, ...]:
+        """Return the values of the special points of one kind, such as ``torus``, in their order."""
+        return tuple(each.value for each in self.special if each.kind == kind)
+
+    @property
+    def stable_pieces(self) -> tuple[tuple[float, float], ...]:
+        """First and last value of each run of stable motions."""
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], self.stable, [False]]).astype(int)))
+        runs = zip(edges[::2], edges[1::2] - 1, strict=True)
+        return tuple((float(self.values[first]), float(self.values[last])) for first, last in runs)
+
+
+def write_branches(followed: list[tuple[Course, FollowedBranch]], folder: Path = FOLDER) -> None:
+    """Keep branches, and those that part from them."""
+    content = {course.name: [_as_data(each) for each in _family(branch)] for course, branch in followed}
+    write_kept(folder / FILE, inputs_of(COURSES), content)
+
+
+def read_branches(folder: Path = FOLDER) -> tuple[KeptBranch, ...]:
+    """Return the branches that are kept, each followed by those that part from it.
+
+    Raises:
+        KeptDataError: if the file is not there, was made from something else, or has been changed since.
+    """
+    content = read_kept(folder / FILE, inputs_of(COURSES))
+    return tuple(_from_data(course, data) for course in COURSES for data in content[course.name])
+
+
+def inputs_of(courses: tuple[Course, ...]) -> str:
+    """Return the SHA-256 of all that the branches depend on, beside the program."""
+    described = [
+        [each.name, each.mechanism.to_toml(), each.place, each.start, each.stop, asdict(settings_of(each))]
+        for each in courses
+    ]
+    return hashlib.sha256(json.dumps(described, sort_keys=True).encode()).hexdigest()
+
+
+def settings_of(course: Course) -> FollowSettings:
+    """Return how a branch is followed."""
+    return FollowSettings(bounds=course.bounds, switches=1, quiet=True)
+
+
+def _family(branch: FollowedBranch) -> Iterator[FollowedBranch]:
+    yield branch
+    for other in branch.branches:
+        yield from _family(other)
+
+
+def _as_data(branch: FollowedBranch) -> dict[str, Any]:
+    special = [[each.kind.word, rounded(each.value, STATE_DIGITS), each.note] for each in branch.special]
+    return {
+        "parted": "" if branch.parted is None else branch.parted.kind.word,
+        "periods": branch.periods,
+        "message": branch.message,
+        "values": [rounded(point.value, STATE_DIGITS) for point in branch.points],
+        "strokes": [rounded(point.outputs[STROKE].peak_to_peak) for point in branch.points],
+        "stable": "".join("s" if point.stable else "u" for point in branch.points),
+        "states": [[rounded(each, STATE_DIGITS) for each in point.state.tolist()] for point in branch.points],
+        "special": special,
+    }
+
+
+def _from_data(course: Course, data: dict[str, Any]) -> KeptBranch:
+    return KeptBranch(
+        course=course,
+        parted=data["parted"],
+        periods=data["periods"],
+        values=np.array(data["values"]),
+        strokes=np.array(data["strokes"]),
+        stable=np.array([each == "s" for each in data["stable"]], dtype=bool),
+        states=np.array(data["states"]),
+        special=tuple(KeptSpecial(*each) for each in data["special"]),
+        message=data["message"],
+    )

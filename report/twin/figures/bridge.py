@@ -1,0 +1,58 @@
+"""The bridge in its slot, in both models."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from report.drawing.style import FAINT, LINES, panels
+from report.evidence import Evidence
+from report.numbers.twin.cases import PHASES
+from report.record import figure
+from report.thesis import DRIVE_AMPLITUDE, TURN
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+THINNED = 16
+"""Every so many samples are drawn."""
+
+
+@figure(
+    "twin-bridge-in-slot",
+    "The bridge in its slot",
+    caption="""One drive period at 110 Hz with 0.2 mm and 0.5 N: where the bridge is relative to the pin
+    (a), and the force on it (b), in the thesis's model and in the twin, whose motion is chaotic: one period
+    of many. Shaded: the pin of the thesis's model would have to pull. Both models begin where the pin
+    passes its middle upwards.""",
+    alternative_text="""Two panels over one drive period. Left, the thesis's bridge changes sides twice,
+    soon after the pin turns; the twin's wanders between the sides and is free for more than half of the
+    time. Right, the thesis's force swings to nine newtons either way; the twin's is zero for long
+    stretches, with short pushes of up to four newtons.""",
+)
+def bridge_in_slot(known: Evidence) -> Figure:
+    """Draw the place of the bridge and its force over one period."""
+    case = known.twin.experiment
+    part = slice(0, PHASES, THINNED)
+    phase = np.arange(PHASES)[part] / PHASES
+    pin = DRIVE_AMPLITUDE * np.sin(TURN * phase)
+    sides, (place, force) = panels(3.1, 1, 2)
+    both = {
+        "thesis": (case.repeated(case.frozen.bridge), case.repeated(case.frozen.tension)),
+        "twin": (case.twin.stretch.bridge, case.twin.stretch.tension),
+    }
+    for (name, (bridge, tension)), line in zip(both.items(), LINES, strict=False):
+        place.plot(phase, 1e6 * (bridge[part] - pin), label=name, **line)
+        force.plot(phase, tension[part], label=name, **line)
+    pulled = case.repeated(case.frozen.pulled.astype(float))[part] > 0
+    bottom, top = force.get_ylim()
+    force.fill_between(phase, bottom, top, where=pulled, color="#e4e4e4", linewidth=0, zorder=0)
+    for side in (-1, 1):
+        place.axhline(side * 5e5 * case.twin.gap, **FAINT)
+    place.set(xlabel="drive period", ylabel="bridge less pin [µm]", title="(a) place in the slot")
+    force.set(xlabel="drive period", ylabel="force on the cutter [N]", title="(b) force of the bridge")
+    force.set_ylim(bottom, top)
+    place.set_ylim(-140, 140)
+    place.legend(loc="lower left", bbox_to_anchor=(0.0, 0.12))
+    return sides

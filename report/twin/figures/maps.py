@@ -1,0 +1,93 @@
+"""Maps of kinds of motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from report.drawing.style import new_figure
+from report.evidence import Evidence
+from report.numbers.twin.map_numbers import MapNumbers
+from report.record import figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+from trimmer.maps.drawing import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
+
+LONGER = len(PERIOD_COLOURS)
+NAMES = {
+    **{count: (f"period {count}", colour) for count, colour in enumerate(PERIOD_COLOURS, start=1)},
+    LONGER + 1: (f"period {LONGER + 1} or more", LONGER_COLOUR),
+    LONGER + 2: ("torus", OTHER_COLOURS["torus"]),
+    LONGER + 3: ("chaotic", OTHER_COLOURS["chaotic"]),
+    LONGER + 4: ("not settled", OTHER_COLOURS["not settled"]),
+}
+"""What a motion is called and its colour, by a number."""
+KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
+
+
+@figure(
+    "twin-map-friction",
+    "Kinds of motion over gap and friction",
+    caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
+    Rings: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2
+    N.""",
+    alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
+    with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
+)
+def friction_map(known: Evidence) -> Figure:
+    """Draw the map over gap and friction."""
+    drawn, axes = _map(known.twin.friction)
+    axes.plot(40, 0.5, "o", color="white", markeredgecolor="black", markersize=6)
+    axes.plot(200, 2.0, "s", color="white", markeredgecolor="black", markersize=6)
+    axes.set(xlabel="gap [µm]", ylabel="friction [N]")
+    return drawn
+
+
+@figure(
+    "twin-map-speed",
+    "Kinds of motion over gap and speed",
+    caption="""From rest with 0.5 N; as in the map over gap and friction. The calm band from 146 to 164 Hz
+    and the rough one from 96 to 108 Hz reach right across. Circle: 40 µm at 110 Hz.""",
+    alternative_text="""A map. Period one at the left edge at all speeds, and far to the right from 74 to 90
+    Hz and from 142 to 164 Hz; chaos from 92 to 132 Hz and above 166 Hz; tori around 136 Hz; period three
+    near 195 Hz.""",
+)
+def speed_map(known: Evidence) -> Figure:
+    """Draw the map over gap and speed."""
+    drawn, axes = _map(known.twin.speed)
+    axes.plot(40, 110.0, "o", color="white", markeredgecolor="black", markersize=6)
+    axes.set(xlabel="gap [µm]", ylabel="drive [Hz]")
+    return drawn
+
+
+def numbers_of(numbers: MapNumbers) -> np.ndarray:
+    """Return the number in ``NAMES`` of each cell, (n2, n1)."""
+    kind, count = numbers.kept.kind, numbers.kept.period_count
+    periodic = np.where(count > LONGER, LONGER + 1, count)
+    others = np.vectorize(lambda letter: KINDS.get(letter, 0))(kind)
+    return np.where(count > 0, periodic, others)
+
+
+def _map(numbers: MapNumbers) -> tuple[Figure, Axes]:
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    drawn = new_figure(3.9)
+    axes = drawn.subplots()
+    cells = numbers_of(numbers)
+    gaps = 1e6 * numbers.first
+    colours = ListedColormap([colour for _, colour in NAMES.values()])
+    axes.pcolormesh(
+        gaps, numbers.second, cells, cmap=colours, vmin=0.5, vmax=len(NAMES) + 0.5, rasterized=True
+    )
+    rows, columns = np.nonzero(numbers.asymmetric)
+    axes.plot(gaps[columns], numbers.second[rows], ".", color="white", markersize=1.6, linestyle="none")
+    axes.grid(visible=False)
+    there = [NAMES[number] for number in sorted(set(cells.ravel().tolist()))]
+    handles = [Patch(facecolor=colour, edgecolor="0.4", label=name) for name, colour in there]
+    drawn.legend(handles=handles, loc="outside lower center", ncols=5)
+    return drawn, axes

@@ -1,0 +1,110 @@
+"""Motion, contact force and spectrum of three settings in both models."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from report.drawing.style import FAINT, LINES, panels
+from report.evidence import Evidence
+from report.numbers.twin.cases import HIGHEST_ORDER, PHASES, SHOWN
+from report.numbers.twin_numbers import Comparison
+from report.record import figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+THINNED = 32
+TOGETHER = 4
+SMALLEST = 0.03
+"""Amplitude at which the spectra end, µm."""
+NAMES = ("40 µm, 0.5 N", "0.2 mm, 0.5 N", "0.2 mm, 2 N")
+
+
+def _cases(known: Evidence) -> tuple[Comparison, ...]:
+    return known.twin.small, known.twin.experiment, known.twin.main
+
+
+@figure(
+    "twin-motions",
+    "Motion and contact force",
+    caption="""Three drive periods at 110 Hz, settled: displacement of cutter relative to guard less its
+    first harmonic (left), and force of the bridge on the cutter (right), for three settings in the thesis's
+    model and in the twin. The twin repeats with the drive in the first row, never in the second, and after
+    three periods in the third.""",
+    alternative_text="""Six panels. The remainder of the stroke is about 0.1 mm in the first row, up to 0.3
+    mm in the others; in the third row every third wave is alike. The twin's force is zero between pushes,
+    the thesis's is not.""",
+)
+def motions(known: Evidence) -> Figure:
+    """Draw what is left of the stroke, and the force, over three periods."""
+    time = np.arange(SHOWN * PHASES)[::THINNED] / PHASES
+    drawn, rows = panels(4.6, 3, 2, sharex=True)
+    for (stroke, force), case, name in zip(rows, _cases(known), NAMES, strict=True):
+        frozen = case.repeated(case.frozen.stroke), case.repeated(case.frozen.tension)
+        twin = case.twin.stretch.stroke, case.twin.stretch.tension
+        for label, signals, line in zip(("thesis", "twin"), (frozen, twin), LINES, strict=False):
+            stroke.plot(time, 1e3 * _without_first(signals[0])[::THINNED], label=label, **line)
+            force.plot(time, signals[1][::THINNED], label=label, **line)
+        stroke.set(ylabel="remainder [mm]", title=name)
+        force.set(ylabel="force [N]", title=name)
+    for axes in rows[-1]:
+        axes.set_xlabel("drive periods")
+    rows[0][1].legend(loc="upper right", ncols=2)
+    rows[0][1].set_ylim(top=7)
+    return drawn
+
+
+def _without_first(signal: np.ndarray) -> np.ndarray:
+    waves = np.fft.rfft(signal)
+    waves[[0, SHOWN]] = 0
+    return np.asarray(np.fft.irfft(waves, len(signal)))
+
+
+@figure(
+    "twin-spectra",
+    "Spectra by order of the drive",
+    caption="""The stroke of the three settings at 110 Hz: harmonics of the thesis's model (circles), lines
+    of the twin (bars), and where the twin is chaotic its spectrum over 220 drive periods (curve). The
+    thesis's model has odd harmonics alone; the third panel has lines at thirds of the drive, and even
+    harmonics.""",
+    alternative_text="""Three panels with amplitude on a logarithmic scale over orders 0 to 12. First: bars
+    at odd orders. Second: a continuous curve with peaks at odd orders. Third: bars at every third of an
+    order.""",
+)
+def spectra(known: Evidence) -> Figure:
+    """Draw the lines of all settings."""
+    drawn, rows = panels(4.5, 3, 1, sharex=True)
+    for axes, case, name in zip(rows, _cases(known), NAMES, strict=True):
+        _lines(axes, case)
+        axes.set(ylabel="amplitude [µm]", title=name, ylim=(SMALLEST, 5e3), xlim=(0, HIGHEST_ORDER))
+        axes.set_xticks(range(HIGHEST_ORDER + 1))
+    rows[0].legend(loc="upper right", ncols=2)
+    rows[-1].set_xlabel("order of the drive")
+    return drawn
+
+
+def _highest(spectrum: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the highest of every ``TOGETHER`` bins and where it is, so that no line is lost."""
+    bins = spectrum[: len(spectrum) // TOGETHER * TOGETHER].reshape(-1, TOGETHER, 2)
+    highest = bins[np.arange(len(bins)), bins[:, :, 1].argmax(axis=1)]
+    return highest[:, 0], highest[:, 1]
+
+
+def _lines(axes: Axes, case: Comparison) -> None:
+    orders, amplitudes = case.twin.lines.T
+    seen = (1e6 * amplitudes > SMALLEST) & (orders <= HIGHEST_ORDER)
+    axes.set_yscale("log")
+    if len(case.twin.spectrum):
+        places, heights = _highest(case.twin.spectrum[1:])
+        axes.plot(places, 1e6 * heights, linewidth=0.7, color=LINES[1]["color"], label="twin")
+    else:
+        axes.vlines(orders[seen], SMALLEST, 1e6 * amplitudes[seen], color=LINES[1]["color"], label="twin")
+    harmonics = 1e6 * case.frozen.harmonics[: HIGHEST_ORDER + 1]
+    places = np.flatnonzero(harmonics > SMALLEST)
+    places = places[places > 0]
+    axes.plot(places, harmonics[places], "o", color=LINES[0]["color"], markersize=4, label="thesis")
+    for order in (1 / 3, 2 / 3):
+        axes.axvline(order, **FAINT)

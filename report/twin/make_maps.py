@@ -1,0 +1,90 @@
+"""``make maps``: compute the maps and branches of the twin that are kept with the code.
+
+Each map is written cell by cell into ``build/maps``, and a run that was interrupted goes on from there. The
+files of ``report/data/twin`` are written at the end, from whole maps only.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from report.numbers.twin.grids import COURSES, GRIDS, Grid
+from report.numbers.twin.kept_branch import settings_of, write_branches
+from report.numbers.twin.kept_files import FOLDER
+from report.numbers.twin.kept_map import write_map
+from trimmer import MapFileError, follow
+from trimmer.maps.cells import CellResult
+from trimmer.maps.inputs import MapInputs
+from trimmer.maps.motion_map import MapInterruptedError, motion_map
+
+WORK = Path("build") / "maps"
+INTERRUPTED = 130
+
+
+def make(work: Path = WORK, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> None:
+    """Compute what is not there yet, and write the kept files.
+
+    Args:
+        work: Folder of the maps that are under way.
+        folder: Folder of the kept files.
+        grids: Which maps to make.
+
+    Raises:
+        MapInterruptedError: after an interrupt; the next call goes on.
+        FileWriteError: if a file cannot be written.
+    """
+    work.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    for grid in grids:
+        print(f"map {grid.name}: {grid.inputs.count} cells", file=sys.stderr)
+        cells = _cells(grid.inputs, work / f"{grid.name}.map")
+        beside = _cells(grid.beside, work / f"{grid.name}-beside.map")
+        write_map(grid, cells, beside, folder)
+
+
+def make_branches(folder: Path = FOLDER) -> None:
+    """Follow the branches and write their file; they take seconds, so nothing of them is resumed."""
+    followed = []
+    for course in COURSES:
+        print(f"branch {course.name}", file=sys.stderr)
+        branch = follow(
+            course.mechanism, course.place, course.start, course.stop, settings=settings_of(course)
+        )
+        followed.append((course, branch))
+    write_branches(followed, folder)
+
+
+def _cells(inputs: MapInputs, file: Path) -> list[CellResult]:
+    values = dict(zip(inputs.places, inputs.values, strict=True))
+    settings = inputs.settings
+    made = partial(
+        motion_map,
+        inputs.mechanism,
+        values,
+        most_periods=settings.most_periods,
+        starts=settings.starts,
+        seed=settings.seed,
+        file=file,
+    )
+    try:
+        return list(made(resume=file.is_file()).cells)
+    except MapFileError:  # it was begun with other inputs
+        return list(made(overwrite=True).cells)
+
+
+def main() -> int:
+    """Make all; return the exit code."""
+    try:
+        make()
+        make_branches()
+    except MapInterruptedError as interrupt:
+        print(f"{str(interrupt).partition(';')[0]}; `make maps` goes on", file=sys.stderr)
+        return INTERRUPTED
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,98 @@
+"""A sentence of the chapter on the twin as one record: its text with numbers, and what it rests on.
+
+    @observation("twin-chaos", source="report/numbers/twin/cases.py")
+    def chaos(known: Evidence) -> Observed:
+        yield text("The exponent is [[ exponent | f2 ]].").given(exponent=...)
+        yield so("it exceeds three standard errors", exponent > 3 * error)
+
+Each confirmation is a check of ``report.parts`` that must hold, or the build stops.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import final
+
+from report.claim import Confirmation
+from report.document import Observation
+from report.evidence import Evidence
+from report.record import FigureRecord, Text
+from report.text import RecordError, filled
+
+Observed = Iterator[Text | Confirmation]
+"""What the function of an observation yields: one text, and at least one check."""
+
+
+class UnsupportedObservationError(RecordError):
+    """A check that an observation rests on does not hold; the message names both."""
+
+
+@final
+@dataclass(frozen=True)
+class ObservationRecord:
+    """An observation before its numbers are known.
+
+    Attributes:
+        id: Its place in the report.
+        source: Path of the file of this project that computes its numbers.
+        items: Yields its text and its checks.
+        title: What it is about, or the question that it answers; empty if it needs none.
+    """
+
+    id: str
+    source: str
+    items: Callable[[Evidence], Observed]
+    title: str = ""
+
+    def observation(self, known: Evidence) -> Observation:
+        """Return the observation with its numbers.
+
+        Raises:
+            UnsupportedObservationError: if a check does not hold.
+            RecordError: naming the observation, if it has not one text, or no check.
+        """
+        try:
+            items = tuple(self.items(known))
+            texts = [item.paragraphs for item in items if isinstance(item, Text)]
+        except RecordError as error:
+            raise RecordError(f"observation {self.id}: {error}") from error
+        checks = [item for item in items if isinstance(item, Confirmation)]
+        if len(texts) != 1 or not checks:
+            raise RecordError(
+                f"observation {self.id} has {len(texts)} texts and {len(checks)} checks; it needs one text "
+                "and at least one check"
+            )
+        return Observation(
+            id=self.id,
+            title=filled(self.title),
+            text="\n\n".join(texts[0]),
+            evidence=tuple(self._held(check) for check in checks),
+            source=self.source,
+        )
+
+    def _held(self, check: Confirmation) -> str:
+        outcome = check.comparison.compare()
+        if not outcome.agrees:
+            raise UnsupportedObservationError(
+                f"observation {self.id}: what it rests on does not hold: {check.means} ({outcome.method}); "
+                "correct the sentence, or what computes its numbers"
+            )
+        return check.means
+
+
+def observation(
+    observation_id: str, *, source: str, title: str = ""
+) -> Callable[[Callable[[Evidence], Observed]], ObservationRecord]:
+    """Make an observation of a function that yields its text and its checks."""
+    return lambda items: ObservationRecord(observation_id, source, items, title)
+
+
+@final
+@dataclass(frozen=True)
+class SectionRecord:
+    """A section of the chapter: its place in the report, its title, and what stands in it, in order."""
+
+    id: str
+    title: str
+    items: tuple[ObservationRecord | FigureRecord, ...]

@@ -1,0 +1,99 @@
+"""A branch over the gap with its bifurcations."""
+
+from __future__ import annotations
+
+from report.evidence import Evidence
+from report.numbers.twin.grids import BRANCH_FORCE, COURSES
+from report.numbers.twin.kept_branch import KeptBranch
+from report.parts import close, small, so
+from report.record import text
+from report.twin.figures.branch import branches_over_gap
+from report.twin.observation import Observed, SectionRecord, observation
+
+BRANCH = "report/numbers/twin/kept_branch.py"
+AGAIN = 1e-6
+MICRO = 1e6
+
+
+def trunk(known: Evidence) -> KeptBranch:
+    """Return the branch of the drive's period."""
+    return next(
+        each for each in known.twin.branches if each.course.name == COURSES[0].name and not each.parted
+    )
+
+
+def island(known: Evidence) -> KeptBranch:
+    """Return the branch of three drive periods."""
+    return next(
+        each for each in known.twin.branches if each.course.name == COURSES[1].name and not each.parted
+    )
+
+
+@observation("twin-trunk", source=BRANCH, title="The drive's period.")
+def drive_period(known: Evidence) -> Observed:
+    branch = trunk(known)
+    (_, first_end), second, *_ = branch.stable_pieces
+    torus, back, lost = branch.special_of("torus")[:3]
+    breaking = branch.special_of("symmetry-breaking")
+    row = known.twin.friction.row(BRANCH_FORCE)
+    values, single = known.twin.friction.first, known.twin.friction.single[row]
+    yield text("""
+        With 2 N at 110 Hz the motion of the drive's period loses its stability at a gap of [[ torus | f2 ]]
+        µm, where a torus is born. It is stable again between [[ back | f2 ]] and [[ lost | f2 ]] µm. Its
+        symmetry breaks at [[ first | f2 ]], [[ second | f2 ]] and [[ third | f2 ]] µm, where pairs of
+        mirrored motions part from it. Beyond [[ lost | f0 ]] µm it goes on, unstable but for short pieces,
+        where waiting does not find it.
+    """).given(
+        torus=MICRO * torus,
+        back=MICRO * back,
+        lost=MICRO * lost,
+        first=MICRO * breaking[0],
+        second=MICRO * breaking[1],
+        third=MICRO * breaking[2],
+    )
+    yield so("multipliers of the exact orbits on both sides", first_end < torus < back <= second[0] < lost)
+    yield so(
+        "the map from rest keeps the drive's period up to the last gap of its grid below the torus, and "
+        "leaves it at the next but one at most",
+        bool(single[values < torus - 5e-6].all()) and not single[(values > torus) & (values < 1.3e-4)].all(),
+    )
+    yield small(
+        "orbits solved again from their kept states keep their stroke", known.twin.branches_again, AGAIN
+    )
+
+
+@observation("twin-island", source=BRANCH, title="Three drive periods.")
+def three_periods(known: Evidence) -> Observed:
+    branch = island(known)
+    folds, doublings = branch.special_of("fold"), branch.special_of("period-doubling")
+    longest = max(branch.stable_pieces, key=lambda piece: abs(piece[1] - piece[0]))
+    yield text("""
+        The motions of three drive periods form a closed branch of their own, from a fold at [[ low | f2 ]]
+        µm to a fold at [[ high | f2 ]] µm: no small change leads to them from the drive's period. Its
+        longest stable piece reaches from [[ begin | f1 ]] to [[ end | f1 ]] µm. At 0.2 mm the motion from
+        rest is on it; at [[ first | f2 ]] µm its period doubles to six drive periods and at
+        [[ second | f2 ]] µm it halves again.
+    """).given(
+        low=MICRO * min(folds),
+        high=MICRO * max(folds),
+        begin=MICRO * min(longest),
+        end=MICRO * max(longest),
+        first=MICRO * doublings[0],
+        second=MICRO * doublings[1],
+    )
+    yield so("the branch closes on itself", branch.message.startswith("it closes on itself"))
+    yield so(
+        "its orbits lie between the two folds",
+        min(folds) - 1e-9 <= float(branch.values.min()) and float(branch.values.max()) <= max(folds) + 1e-9,
+    )
+    yield close(
+        "its stroke at 0.2 mm is that of the motion from rest",
+        float(branch.strokes[0]),
+        known.twin.main.twin.peak_to_peak,
+        AGAIN,
+    )
+
+
+SECTION = SectionRecord(
+    "twin-branch", "A branch and its bifurcations", (drive_period, branches_over_gap, three_periods)
+)

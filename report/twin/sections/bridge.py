@@ -1,0 +1,114 @@
+"""Where the bridge that stays where it was left fails, and by how much."""
+
+from __future__ import annotations
+
+from report.evidence import Evidence
+from report.numbers.twin.mechanism import FREQUENCY
+from report.parts import close, small, so
+from report.record import text
+from report.twin.figures.bridge import bridge_in_slot
+from report.twin.observation import Observed, SectionRecord, observation
+
+FROZEN = "report/numbers/twin/frozen_bridge.py"
+SETTLED = 1e-6
+"""Largest change from one period to the next that counts as none."""
+
+
+@observation("twin-models", source="report/numbers/twin/mechanism.py", title="The two models.")
+def models(known: Evidence) -> Observed:
+    twin = known.twin
+    yield text("""
+        The thesis puts the play before a linear trimmer. Its bridge follows the pin or stays where it was
+        left, whatever force that takes. In the twin the bridge is a spring and a damper behind a slot: it
+        can push on either side and never pull, and what it pushes with acts on the motor as well. Both
+        models have the parameters of Listing A.1 (not those of the measured trimmer), 1.5 mm at the pin,
+        and dry friction between cutter and guard. Without play and friction they are one linear trimmer:
+        the stroke is [[ stroke | f4 ]] mm peak to peak at [[ drive | f0 ]] Hz in both.
+    """).given(stroke=1e3 * twin.no_gap[0].peak_to_peak, drive=FREQUENCY)
+    yield close(
+        "the stroke of the twin without play and friction is that of the linear trimmer's frequency response",
+        twin.no_gap[0].peak_to_peak,
+        twin.linear_stroke,
+    )
+
+
+@observation("twin-pull", source=FROZEN, title="What the frozen bridge would need.")
+def pull(known: Evidence) -> Observed:
+    small_gap, large = known.twin.small.frozen, known.twin.experiment.frozen
+    yield text("""
+        At 40 µm and 0.5 N, driven at 110 Hz, the pin of the thesis's model would have to pull the bridge in
+        [[ pulled | percent0 ]] of the period, with up to [[ pull | f1 ]] N. While the bridge stands still
+        in its slot, [[ standing | percent0 ]] of the period, something would have to hold it against up to
+        [[ holding | f1 ]] N. At 0.2 mm and 0.5 N these forces are [[ larger_pull | f1 ]] N and
+        [[ larger_hold | f1 ]] N. The only dry friction of the trimmer has 0.5 N and rubs elsewhere, between
+        blade and guard.
+    """).given(
+        pulled=small_gap.share_pulled,
+        pull=small_gap.largest_pull,
+        standing=small_gap.share_standing,
+        holding=small_gap.holding,
+        larger_pull=large.largest_pull,
+        larger_hold=large.holding,
+    )
+    yield so(
+        "the force of the bridge's spring and damper, split by whether the bridge moves: it exceeds the "
+        "friction in both cases",
+        min(small_gap.holding, large.holding) > small_gap.force,
+    )
+    yield small("the motion has settled", max(small_gap.repeat, large.repeat), SETTLED)
+    yield close(
+        "the share of standing is that of the pin's way back through the gap",
+        small_gap.share_standing,
+        small_gap.share_on_the_way,
+        1e-2,
+    )
+
+
+@observation("twin-side", source="report/numbers/twin_numbers.py", title="Where the bridge is.")
+def side(known: Evidence) -> Observed:
+    numbers = known.twin
+    shares = [each.other_side for each in (numbers.small, numbers.experiment, numbers.main)]
+    yield text("""
+        The two bridges lie on different sides of the pin for [[ first | percent0 ]] of the time at 40 µm
+        and 0.5 N, [[ second | percent0 ]] at 0.2 mm and 0.5 N, and [[ third | percent0 ]] at 0.2 mm and 2
+        N: they are then apart by up to the whole gap. The thesis changes sides when the pin turns round;
+        the twin does when the force changes its sign.
+    """).given(**dict(zip(("first", "second", "third"), shares, strict=True)))
+    yield so(
+        "bridge relative to motor in both models, at one phase of the pin, over three drive periods: further "
+        "apart than half of the gap",
+        all(0 < share < 1 for share in shares),
+    )
+
+
+@observation("twin-reaction", source="report/numbers/twin/cases.py", title="What the motor feels.")
+def reaction(known: Evidence) -> Observed:
+    numbers = known.twin
+    small_gap, large, rubbing = (
+        (each.frozen.motor_acceleration, each.twin.motor)
+        for each in (numbers.small, numbers.experiment, numbers.main)
+    )
+    yield text("""
+        The motor's acceleration (root mean square) is [[ small_frozen | f0 ]] m/s² in the thesis's model
+        and [[ small_twin | f0 ]] m/s² in the twin at 40 µm and 0.5 N; [[ large_frozen | f0 ]] and
+        [[ large_twin | f0 ]] m/s² at 0.2 mm and 0.5 N; [[ rubbing_frozen | f0 ]] and
+        [[ rubbing_twin | f0 ]] m/s² at 0.2 mm and 2 N. The bridge that can pull and is held shakes the
+        motor of the second case [[ times | f1 ]] times as much as one that can only push.
+    """).given(
+        small_frozen=small_gap[0],
+        small_twin=small_gap[1],
+        large_frozen=large[0],
+        large_twin=large[1],
+        rubbing_frozen=rubbing[0],
+        rubbing_twin=rubbing[1],
+        times=large[0] / large[1],
+    )
+    yield so(
+        "accelerations from the forces on the motor in one model and over the exact motion in the other",
+        large[0] > 2 * large[1] and small_gap[0] > small_gap[1],
+    )
+
+
+SECTION = SectionRecord(
+    "twin-bridge", "Where the frozen bridge fails", (models, pull, side, bridge_in_slot, reaction)
+)

@@ -1,0 +1,123 @@
+"""What a designer should do, with numbers."""
+
+from __future__ import annotations
+
+from report.evidence import Evidence
+from report.numbers.twin.mechanism import SMALL_FORCE
+from report.parts import so
+from report.record import text
+from report.thesis import EXPERIMENT_GAP
+from report.twin.figures.design import design_limits
+from report.twin.observation import Observed, SectionRecord, observation
+
+MAPS = "report/numbers/twin/map_numbers.py"
+SOFT, STIFF = 10e3, 37.5e3
+"""Stiffnesses of the bridge, N/m: the largest that bears every gap of the map, and where the limit falls."""
+NOMINAL = 30e3
+
+
+@observation("twin-do-gap", source=MAPS, title="Gap: hold it below 0.1 mm.")
+def gap(known: Evidence) -> Observed:
+    friction = known.twin.friction
+    row = friction.row(SMALL_FORCE)
+    motor, speed = friction.kept.measure("motor")[row], friction.kept.measure("impact_speed")[row]
+    end = friction.column(100e-6)
+    yield text("""
+        With 0.5 N at 110 Hz every gap up to [[ reach | f0 ]] µm repeats with the drive. From no play to 0.1
+        mm the motor's acceleration goes from [[ without | f0 ]] to [[ tenth | f0 ]] m/s², and impacts reach
+        [[ speed | f2 ]] m/s. A tolerance that lets the gap grow to 0.2 mm with wear leads into chaos.
+    """).given(
+        reach=1e6 * friction.reach(SMALL_FORCE),
+        without=motor[0],
+        tenth=motor[end],
+        speed=float(speed[: end + 1].max()),
+    )
+    yield so("row of the map at 0.5 N", friction.reach(SMALL_FORCE) >= 100e-6)
+    yield so("the cell at 0.2 mm is chaotic", bool(friction.chaotic[row, friction.column(EXPERIMENT_GAP)]))
+
+
+@observation("twin-do-friction", source=MAPS, title="Friction: some, not much.")
+def friction_(known: Evidence) -> Observed:
+    numbers = known.twin
+    friction = numbers.friction
+    at = friction.column(40e-6)
+    low, high = friction.row(SMALL_FORCE), friction.row(4.0)
+    motor, wear = friction.kept.measure("motor"), friction.kept.measure("wear")
+    yield text("""
+        About half a newton is enough for a gap of some 40 µm: [[ needed | f1 ]] N suffice. More buys little
+        gap and costs much. At 40 µm, 4 N instead of 0.5 N raise the motor's acceleration from
+        [[ low | f0 ]] to [[ high | f0 ]] m/s² and the wear from [[ little | f2 ]] to [[ much | f1 ]] W,
+        while the gap that is borne goes from [[ before | f0 ]] to [[ after | f0 ]] µm. Do not use friction
+        against play of 0.2 mm: it takes [[ large | f1 ]] N.
+    """).given(
+        needed=numbers.friction_for_small_gap,
+        low=motor[low, at],
+        high=motor[high, at],
+        little=wear[low, at],
+        much=wear[high, at],
+        before=1e6 * friction.reach(SMALL_FORCE),
+        after=1e6 * friction.reach(4.0),
+        large=numbers.friction_for_experiment,
+    )
+    yield so("acceleration doubles at least", motor[high, at] > 2 * motor[low, at])
+    yield so(
+        "the gap that is borne does not grow in proportion",
+        friction.reach(4.0) < 3 * friction.reach(SMALL_FORCE),
+    )
+
+
+@observation("twin-do-stiffness", source=MAPS, title="Stiffness of the bridge: softer.")
+def stiffness(known: Evidence) -> Observed:
+    numbers = known.twin.stiffness
+    soft, nominal = numbers.row(SOFT), numbers.row(NOMINAL)
+    at = numbers.column(EXPERIMENT_GAP)
+    motor, stroke = numbers.kept.measure("motor")[:, at], numbers.kept.measure("stroke")[:, at]
+    stiffer = numbers.second >= STIFF
+    yield text("""
+        With a bridge of [[ soft | f0 ]] kN/m or less, instead of 30 kN/m, every gap of the map up to 0.5 mm
+        repeats with the drive at 110 Hz and 0.5 N. At 0.2 mm the motor then has [[ calm | f0 ]] instead of
+        [[ rough | f0 ]] m/s², and the stroke is [[ stroke | f2 ]] mm, [[ gained | f2 ]] mm more than the
+        pin's own. From [[ stiff | f1 ]] kN/m on, only gaps up to [[ least | f0 ]] µm are borne throughout.
+        How a soft bridge cuts hair was not asked.
+    """).given(
+        soft=1e-3 * SOFT,
+        calm=motor[soft],
+        rough=motor[nominal],
+        stroke=1e3 * stroke[soft],
+        gained=1e3 * (stroke[soft] - 3e-3),
+        stiff=1e-3 * STIFF,
+        least=1e6 * float(numbers.reaches[stiffer].max()),
+    )
+    yield so(
+        "all cells up to 10 kN/m repeat with the drive",
+        bool(numbers.single[numbers.second <= SOFT * (1 + 1e-9)].all()),
+    )
+    yield so("at the next stiffness of the map not all do", not numbers.single[soft + 1].all())
+    yield so("at 30 kN/m and 0.2 mm the motion is chaotic", bool(numbers.chaotic[nominal, at]))
+
+
+@observation(
+    "twin-do-speed", source=MAPS, title="Speed: choose it with the gap, and do not trust a single value."
+)
+def speed(known: Evidence) -> Observed:
+    numbers = known.twin.speed
+    inside = (numbers.second >= 146.0) & (numbers.second <= 164.0)
+    around = (numbers.second >= 96.0) & (numbers.second <= 108.0)
+    yield text("""
+        With 0.5 N, drives of 146 to 164 Hz bear gaps up to [[ calm | f0 ]] µm at the least, those of 96 to
+        108 Hz no more than [[ rough | f0 ]] µm at the best. 110 Hz lies beside that rough band: a motor
+        that runs 2 Hz slower bears [[ slower | f0 ]] µm instead of [[ nominal | f0 ]] µm.
+    """).given(
+        calm=1e6 * float(numbers.reaches[inside].min()),
+        rough=1e6 * float(numbers.reaches[around].max()),
+        slower=1e6 * numbers.reach(108.0),
+        nominal=1e6 * numbers.reach(110.0),
+    )
+    yield so(
+        "the worst of the one band bears more than the best of the other",
+        float(numbers.reaches[inside].min()) > float(numbers.reaches[around].max()),
+    )
+    yield so("108 Hz bears less than 110 Hz", numbers.reach(108.0) < numbers.reach(110.0))
+
+
+SECTION = SectionRecord("twin-design", "For the designer", (design_limits, gap, friction_, stiffness, speed))

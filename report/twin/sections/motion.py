@@ -1,0 +1,116 @@
+"""Motion, contact force and spectrum at 110 Hz, beside the thesis's model."""
+
+from __future__ import annotations
+
+from report.evidence import Evidence
+from report.numbers.twin_numbers import Comparison
+from report.parts import close, equal, small, so
+from report.record import text
+from report.thesis import EXPERIMENT_GAP
+from report.twin.figures.motion import motions, spectra
+from report.twin.observation import Observed, SectionRecord, observation
+from trimmer import MotionKind
+
+CASES = "report/numbers/twin/cases.py"
+RUNGE_KUTTA = "the same motion integrated by DOP853 from event to event, with equations written anew"
+RELATIVE = 1e-6
+ERRORS = 3
+"""Standard errors by which an exponent has to exceed 0."""
+MODERATE = (0.2, 0.8)
+"""Frictions between which the thesis's three lie, N; the grid of the map has both."""
+
+
+def _micrometres(case: Comparison, order: int) -> tuple[float, float]:
+    """Return the amplitude of a harmonic in the thesis's model and in the twin, µm."""
+    return 1e6 * float(case.frozen.harmonics[order]), 1e6 * case.twin.line(order)
+
+
+@observation("twin-small-gap", source=CASES, title="40 µm and 0.5 N.")
+def small_gap(known: Evidence) -> Observed:
+    case, again = known.twin.small, known.twin.small_again
+    twin = case.twin
+    third, fifth = _micrometres(case, 3), _micrometres(case, 5)
+    yield text("""
+        The twin settles within [[ waited ]] drive periods to a motion that repeats with the drive. The pin
+        hits the bridge [[ impacts | f0 ]] times in each period, at up to [[ speed | f2 ]] m/s, and is in
+        contact for [[ contact | percent0 ]] of the time. The stroke is [[ stroke | f3 ]] mm peak to peak
+        against [[ frozen | f3 ]] mm in the thesis's model; the third harmonic has [[ third | f0 ]] µm
+        against [[ frozen_third | f0 ]], the fifth [[ fifth | f0 ]] µm against [[ frozen_fifth | f0 ]]. The
+        force of the bridge reaches [[ force | f1 ]] N.
+    """).given(
+        waited=twin.waited,
+        impacts=twin.impacts,
+        speed=twin.impact_speed,
+        contact=twin.contact_share,
+        stroke=1e3 * twin.peak_to_peak,
+        frozen=1e3 * case.frozen.peak_to_peak,
+        third=third[1],
+        frozen_third=third[0],
+        fifth=fifth[1],
+        frozen_fifth=fifth[0],
+        force=twin.largest_force,
+    )
+    yield equal("exact periodic motion of one drive period", twin.period_count, 1)
+    yield so("all Floquet multipliers inside the unit circle", twin.largest_multiplier < 1)
+    yield small(f"{RUNGE_KUTTA}: it closes", again.miss)
+    yield close("and has the same third harmonic", float(again.lines[2]), twin.line(3), RELATIVE)
+
+
+@observation("twin-main", source=CASES, title="0.2 mm and 2 N.")
+def main_case(known: Evidence) -> Observed:
+    case, again = known.twin.main, known.twin.main_again
+    twin = case.twin
+    yield text("""
+        With the gap of the experiment and 2 N the twin repeats after [[ count ]] drive periods, not after
+        one. Its stroke has lines between the harmonics: [[ third | f0 ]] µm at a third of the drive,
+        [[ five | f0 ]] µm at five thirds and [[ seven | f0 ]] µm at seven thirds, beside [[ first | f0 ]]
+        µm at the drive itself. The second harmonic has [[ second | f0 ]] µm. The thesis's model repeats
+        with the drive for every gap and friction, and has odd harmonics alone. "No limit cycle in a driven
+        trimmer" therefore holds for play that only passes a displacement on, as in the thesis; two-way
+        contact can bring a vibration of its own.
+    """).given(
+        count=twin.period_count,
+        third=1e6 * twin.line(1 / 3),
+        five=1e6 * twin.line(5 / 3),
+        seven=1e6 * twin.line(7 / 3),
+        first=1e6 * twin.line(1),
+        second=1e6 * twin.line(2),
+    )
+    yield equal("exact periodic motion of three drive periods and of no fewer", twin.period_count, 3)
+    yield so("all Floquet multipliers inside the unit circle", twin.largest_multiplier < 1)
+    yield small(f"{RUNGE_KUTTA}: it closes after three drive periods", again.miss)
+    yield close("and has the same line at a third", float(again.lines[0]), twin.line(1 / 3), RELATIVE)
+
+
+@observation("twin-chaos", source=CASES, title="0.2 mm and the thesis's frictions.")
+def chaos(known: Evidence) -> Observed:
+    case, friction = known.twin.experiment, known.twin.friction
+    exponent = case.twin.lyapunov
+    cells = friction.within((EXPERIMENT_GAP, EXPERIMENT_GAP), MODERATE)
+    floor = case.twin.highest_between
+    yield text("""
+        At 0.2 mm and 0.5 N the twin is chaotic: neighbouring motions part by a factor of e in
+        [[ periods | f1 ]] drive periods (Lyapunov exponent [[ exponent | f2 ]] ± [[ error | f2 ]] per
+        period). All [[ cells ]] cells of the map at that gap from 0.2 to 0.8 N are chaotic, and the
+        frictions of section 3.3 lie between them. The thesis's model settles to the drive's period there.
+        The chaos is carried by a large regular motion: its first harmonic has [[ first | f2 ]] mm, the
+        spectrum between the harmonics stays at least [[ below | f0 ]] times below it.
+    """).given(
+        periods=1 / exponent.value,
+        exponent=exponent.value,
+        error=exponent.uncertainty,
+        cells=int(cells.sum()),
+        first=1e3 * case.twin.line(1),
+        below=case.twin.line(1) / floor,
+    )
+    yield equal("kind of motion by exponent and neighbour", case.twin.kind, MotionKind.CHAOTIC)
+    yield so("the exponent exceeds three standard errors", exponent.value > ERRORS * exponent.uncertainty)
+    yield so("every one of these cells is chaotic", bool(friction.chaotic[cells].all()))
+    yield small("the thesis's model has settled", case.frozen.repeat, RELATIVE)
+
+
+SECTION = SectionRecord(
+    "twin-motion",
+    "Motion, contact force and spectrum at 110 Hz",
+    (small_gap, motions, main_case, spectra, chaos),
+)

@@ -1,0 +1,190 @@
+"""Kept maps and branches: what was made from something else, or was changed, is noticed."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from dataclasses import replace
+
+import pytest
+
+from report.numbers.twin.grids import COURSES, FRICTION_MAP, GRIDS, SPEED_MAP, Grid
+from report.numbers.twin.kept_branch import read_branches
+from report.numbers.twin.kept_files import FOLDER, KeptDataError, digest_of, digest_of_files
+from report.numbers.twin.kept_map import MEASURES, path_of, read_map
+from report.numbers.twin.map_numbers import MapNumbers
+from report.numbers.twin.mechanism import FORCE, GAP, twin
+from report.twin import make_maps
+from report.twin.cell_check import CellDifferenceError, check_cell, check_cells, name_of, seed_of
+from trimmer import Mechanism
+
+MOST_BYTES = 1_500_000
+
+
+@pytest.fixture(scope="module")
+def friction():
+    return read_map(FRICTION_MAP)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for path in FOLDER.glob("*.json"):
+        shutil.copy(path, tmp_path)
+    return tmp_path
+
+
+def altered(kept, number, **changes):
+    cells = list(kept.cells)
+    cells[number] = replace(cells[number], **changes)
+    return replace(kept, cells=tuple(cells))
+
+
+def number_of(kept, gap, force):
+    row, column = kept.place_of(gap, force)
+    return row * kept.shape[1] + column
+
+
+def test_the_twin_is_the_mechanism_of_the_example(project_folder):
+    assert twin() == Mechanism.from_toml(project_folder / "examples" / "thesis-play.toml")
+
+
+def test_all_files_are_there_and_moderate_in_size():
+    assert {path.name for path in FOLDER.glob("*.json")} == {
+        *(f"{grid.name}.json" for grid in GRIDS),
+        "branches.json",
+    }
+    assert sum(path.stat().st_size for path in FOLDER.glob("*.json")) < MOST_BYTES
+
+
+def test_a_cell_that_is_as_kept_passes(friction):
+    assert check_cell(friction, number_of(friction, 200e-6, 2.0))
+
+
+def test_an_altered_cell_is_noticed_and_named(friction):
+    number = number_of(friction, 200e-6, 2.0)
+    with pytest.raises(
+        CellDifferenceError, match=r"gap-friction, a gap of 200 µm and a friction of 2 N.*make maps"
+    ):
+        check_cell(altered(friction, number, period_count=1), number)
+
+
+def test_an_altered_measure_is_noticed(friction):
+    number = number_of(friction, 40e-6, 0.5)
+    measures = list(friction.cells[number].measures)
+    measures[MEASURES.index("second")] = 1e-6
+    with pytest.raises(CellDifferenceError, match="40 µm"):
+        check_cell(altered(friction, number, measures=tuple(measures)), number)
+
+
+def test_a_chaotic_cell_that_is_said_to_repeat_is_noticed(friction):
+    number = number_of(friction, 400e-6, 3.0)
+    assert friction.cells[number].kind == "c"
+    with pytest.raises(CellDifferenceError, match="but computed now is a chaotic motion"):
+        check_cell(altered(friction, number, kind="p", period_count=3), number)
+
+
+def test_the_draw_notices_an_altered_map(friction):
+    small = Grid("gap-friction", twin(), {GAP: (0.0, 20e-6, 3), FORCE: (1.0, 2.0, 2)})
+    numbers = [number_of(friction, gap, force) for force in (1.0, 2.0) for gap in (0.0, 10e-6, 20e-6)]
+    part = replace(friction, grid=small, cells=tuple(friction.cells[n] for n in numbers), beside={})
+    assert check_cells([part], 7, 6).drawn == 6
+    with pytest.raises(CellDifferenceError):
+        check_cells([altered(part, 4, period_count=2)], 7, 6)
+
+
+def test_the_draw_depends_on_the_seed_alone(friction):
+    few = [check_cells([friction], seed, 2).cells for seed in (3, 3, 4)]
+    assert few[0] == few[1] != few[2]
+    assert seed_of("ff" * 32) == 0xFFFFFFFF
+
+
+def test_the_name_of_a_cell_says_its_values():
+    kept = read_map(SPEED_MAP)
+    assert name_of(kept, 1) == "map gap-speed, a gap of 10 µm and a drive of 60 Hz"
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        replace(FRICTION_MAP, mechanism=twin(frequency=111.0)),
+        replace(FRICTION_MAP, values={**FRICTION_MAP.values, FORCE: (0.0, 4.1, 41)}),
+        replace(FRICTION_MAP, starts=2),
+    ],
+    ids=["mechanism", "values", "settings"],
+)
+def test_other_inputs_are_refused_with_what_to_do(changed):
+    with pytest.raises(
+        KeptDataError, match=r"gap-friction\.json .* was made from another .*: run `make maps`"
+    ):
+        read_map(changed)
+
+
+def test_a_changed_file_is_refused(folder):
+    path = path_of(FRICTION_MAP, folder)
+    data = json.loads(path.read_text())
+    data["content"]["period_count"][0][0] = 2
+    path.write_text(json.dumps(data))
+    with pytest.raises(KeptDataError, match="was changed after it was made: run `make maps`"):
+        read_map(FRICTION_MAP, folder)
+    data["digest"] = digest_of(data["content"])
+    path.write_text(json.dumps(data))
+    assert read_map(FRICTION_MAP, folder).period_count[0, 0] == 2
+
+
+@pytest.mark.parametrize("content", ["", "{}", "[1]"])
+def test_what_is_no_kept_file_is_refused(folder, content):
+    path_of(FRICTION_MAP, folder).write_text(content)
+    with pytest.raises(KeptDataError, match=r"cannot be read .*make maps"):
+        read_map(FRICTION_MAP, folder)
+
+
+def test_a_missing_file_is_refused(folder):
+    path_of(FRICTION_MAP, folder).unlink()
+    with pytest.raises(KeptDataError, match=r"gap-friction\.json"):
+        read_map(FRICTION_MAP, folder)
+
+
+def test_the_digest_of_the_files_changes_with_any_of_them(folder):
+    before = digest_of_files(folder)
+    assert before == digest_of_files()
+    (folder / "branches.json").write_text("{}")
+    assert digest_of_files(folder) != before
+
+
+def test_maps_are_made_resumed_and_read(tmp_path, capsys):
+    grid = Grid("tiny", twin(), {GAP: (0.0, 40e-6, 2), FORCE: (1.0, 2.0, 2)})
+    work, kept = tmp_path / "work", tmp_path / "kept"
+    make_maps.make(work, kept, [grid])
+    first = path_of(grid, kept).read_bytes()
+    whole = (work / "tiny.map").read_text().splitlines(keepends=True)
+    (work / "tiny.map").write_text("".join(whole[:2]) + whole[2][:10])
+    path_of(grid, kept).unlink()
+    make_maps.make(work, kept, [grid])
+    assert path_of(grid, kept).read_bytes() == first
+    assert read_map(grid, kept).period_count.tolist() == [[1, 1], [1, 1]]
+    wider = replace(grid, values={**grid.values, FORCE: (1.0, 3.0, 2)})
+    make_maps.make(work, kept, [wider])
+    assert read_map(wider, kept).values[1].tolist() == [1.0, 3.0]
+    capsys.readouterr()
+
+
+def test_branches_begin_where_they_are_said_to():
+    branches = read_branches()
+    for course in COURSES:
+        first = next(each for each in branches if each.course.name == course.name)
+        assert first.parted == ""
+        assert first.values[0] == pytest.approx(course.start)
+        assert len(first.states) == len(first.strokes) == len(first.stable) == len(first.values)
+
+
+def test_reach_and_shares_of_a_map_by_hand(friction):
+    numbers = MapNumbers(friction)
+    assert sum(numbers.shares.values()) == pytest.approx(1.0)
+    row = friction.period_count[numbers.row(0.5)]
+    until = next(at for at, count in enumerate(row) if count != 1)
+    assert numbers.reach(0.5) == pytest.approx(numbers.first[until - 1])
+    column = friction.period_count[:, numbers.column(40e-6)]
+    begin = max(at for at, count in enumerate(column) if count != 1) + 1
+    assert numbers.from_where_on(40e-6) == pytest.approx(numbers.second[begin])
+    assert numbers.from_where_on(300e-6) == float("inf")
+    assert numbers.within((0.0, 10e-6), (0.0, 0.1)).sum() == 4
