@@ -379,7 +379,7 @@ class Document:
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: of first screen, claims, the chapter on the twin, how far it holds, and sliders."""
+        """All figures: first screen, claims, the twin, how far it holds, and the explorable."""
         first = (self.opening.figure,) if self.opening else ()
         last = (self.robustness.figure,) if self.robustness else ()
         still = (self.explorable.still,) if self.explorable else ()

@@ -163,7 +163,10 @@ end
 local function opening_figure(div)
   return wrapped(
     '<figure class="opening-figure">',
-    wrapped('<div class="paper">', { pandoc.Plain(div.content[1].content) }, "</div>")
+    wrapped(
+      '<div class="paper" role="group" tabindex="0" aria-label="' .. escaped(div.attributes.label) .. '">',
+      { pandoc.Plain(div.content[1].content) }, "</div>"
+    )
       .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption>"),
     "</figure>"
   )

@@ -40,7 +40,8 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
     """
     findings: dict[str, list[Finding | Observation]] = {}
     observations: tuple[Observation, ...] = document.twin.observations if document.twin else ()
-    for finding in (*document.findings, *observations):
+    named: tuple[Finding | Observation, ...] = (*document.findings, *observations)
+    for finding in named:
         findings.setdefault(finding.source, []).append(finding)
     return tuple(
         ShownSource(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))

@@ -13,6 +13,7 @@ from report.document import (
     DerivationStep,
     Document,
     Equation,
+    Figure,
     Highlight,
     NomenclatureRow,
     Opening,
@@ -122,6 +123,11 @@ def programs() -> tuple[Program, ...]:
     )
 
 
+def _another(figure: Figure, name: str) -> Figure:
+    """Return the same drawing with another id, inside of it too."""
+    return dataclasses.replace(figure, id=name, svg=figure.svg.replace(figure.id, name))
+
+
 def sample() -> Document:
     """Return the report."""
     return Document(
@@ -136,7 +142,7 @@ def sample() -> Document:
                 ),
                 Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "Use 40."),
             ),
-            dataclasses.replace(figures()[0], id="opening"),
+            _another(figures()[0], "opening"),
             ("Compute *your* trimmer.",),
             ("Trust $G$ blindly.", "Tune."),
         ),
