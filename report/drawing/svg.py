@@ -23,6 +23,9 @@ _STYLE = re.compile(r"\s*<defs>\s*<style.*?</style>\s*</defs>", re.DOTALL)
 _MATHEMATICS = re.compile(r"^\$\\mathdefault\{(.*)\}\$$")
 _REFERENCE = re.compile(r'(?P<before>\bid="|href="#|url\(#)')
 
+_PATH = re.compile(r'(?<=\sd=")[^"]*')
+_LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")
+
 
 def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -> str:
     """Return a figure as SVG; the same figure gives the same text in every process.
@@ -49,9 +52,16 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     # The file's style would reach out of the figure; the page reads values off the axes given as data.
     svg = _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
     svg = _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
+    svg = _PATH.sub(_shortened, svg)
     if axes:
         svg = svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1)
     return _described(svg, identifier, title, alternative_text)
+
+
+def _shortened(path: re.Match[str]) -> str:
+    """Return a path with two decimals: a hundredth of a point is not seen, and takes a tenth of the page."""
+    numbers = _LONG_NUMBER.sub(lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), path[0])
+    return " ".join(numbers.split())
 
 
 class _PlainTicks(ScalarFormatter):

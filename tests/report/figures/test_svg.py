@@ -87,3 +87,18 @@ def test_block_diagrams_stay_inside_their_figure(record: FigureRecord) -> None:
 def test_the_feedback_system_has_both_blocks_and_both_signs() -> None:
     texts = [text.get_text() for axes in feedback_system.draw(None).axes for text in axes.texts]
     assert {"$G(s)$", "$N(s)$", "$U(s)$", "$Y(s)$", "$+$", "$-$"} <= set(texts)
+
+
+def test_paths_have_two_decimals_and_lose_no_more() -> None:
+    svg = plot("fig-5.1")
+    paths = re.findall(r'\sd="([^"]*)"', svg)
+    assert paths
+    assert not [path for path in paths if re.search(r"\.\d{3}|\n", path)]
+    with style():
+        figure = new_figure(2.0)
+        figure.subplots().plot([0, 1], [1, 2])
+        line = to_svg(figure, "fig-5.2", "A line", "From the lower left to the upper right")
+    *_, drawn = re.findall(r'id="fig-5.2-line2d_\d+">\s*<path d="(M [^"]* L [^"]*)" clip-path', line)
+    start, end = ([float(each) for each in pair.split()[1:]] for pair in re.findall(r"[ML] \S+ \S+", drawn))
+    assert start[0] < end[0]
+    assert start[1] > end[1]
