@@ -55,8 +55,8 @@ def test_sections_come_in_their_order(document: Document) -> None:
 
 
 def test_the_pieces_are_the_front_the_sections_and_what_follows(document: Document) -> None:
-    front, *sections, programs, derivation, tables, errata = to_markdown(document)
-    assert (front, programs, derivation, tables, errata) == ("front", *BACK)
+    front, *sections, twin, programs, derivation, tables, errata = to_markdown(document)
+    assert (front, twin, programs, derivation, tables, errata) == ("front", *BACK)
     assert sections[:2] == ["chapter-2-2.2.1", "chapter-2-2.2.2"]
     assert sections[-1] == "chapter-A-A"
 
