@@ -12,14 +12,15 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
-from trimmer.files import HTML, JSON, PDF, check_replaceable
+from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_replaceable
 
 if TYPE_CHECKING:
     from report.building.build import Built
+    from report.changes import ClaimsFile
     from report.copy.reading import ReaderCopy
 
 DIRECTORY = Path("build") / "report"
-KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON}
+KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON, Format.CSV: ERRATA}
 
 
 class NothingToOpenError(TrimmerError, ValueError):
@@ -32,7 +33,8 @@ def _configure(parser: ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder for report.html, report.pdf, claims.json and build.log (default: %(default)s)",
+        help="folder for report.html, report.pdf, claims.json, errata.csv and build.log "
+        "(default: %(default)s)",
     )
     parser.add_argument(
         "--only",
@@ -69,6 +71,13 @@ def _configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="take another text with --thesis as well; its lines may not fit",
     )
+    parser.add_argument(
+        "--compare",
+        type=file_to_read,
+        metavar="OLD.json",
+        help="claims.json of an earlier build, also that of the same folder: prints which claims are new or "
+        "gone, and whose verdict, severity, printed or derived side has changed",
+    )
     parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
     add_overwrite_option(parser)
 
@@ -80,10 +89,13 @@ def _run(arguments: Namespace) -> int:
     if not request.overwrite:
         for form in request.formats:
             check_replaceable(arguments.directory / NAMES[form], KINDS[form])
+    earlier = _earlier(arguments)
     from report.building.build import build
 
     built = build(arguments.directory, request)
     print(_summary(built))
+    if earlier is not None:
+        print(_differences(earlier, built))
     if arguments.open:
         webbrowser.open(built.files[Format.HTML].resolve().as_uri())
     return 0
@@ -94,7 +106,8 @@ def _request(arguments: Namespace) -> Request:
 
     Raises:
         NothingToOpenError: if the HTML is to be opened and not to be written.
-        OptionError: if an option would have no effect: a paper without a PDF, a text copy without the HTML.
+        OptionError: if an option would have no effect (a paper without a PDF, a copy without the HTML), or
+            if two files are to be read from standard input.
         CopyFileError: if the text copy cannot be read.
         OtherCopyError: if it is another text than the one that was judged.
         UnknownChapterError: if the thesis has no such chapter.
@@ -110,6 +123,8 @@ def _request(arguments: Namespace) -> Request:
         refuse_unused(arguments, ["paper"], "pdf among --format")
     if Format.HTML not in formats:
         refuse_unused(arguments, ["thesis"], "html among --format")
+    if arguments.thesis == arguments.compare == STANDARD_INPUT:
+        raise OptionError("--thesis and --compare both read standard input: name a file for one of them")
     copy = _reader_copy(arguments)
     return Request(tuple(arguments.only), formats, Paper(arguments.paper), arguments.overwrite, copy)
 
@@ -123,6 +138,23 @@ def _reader_copy(arguments: Namespace) -> ReaderCopy | None:
     from report.text_copy import read_text_copy
 
     return read_reader_copy(arguments.thesis, read_text_copy().sha256, accept_other=arguments.other_copy)
+
+
+def _earlier(arguments: Namespace) -> ClaimsFile | None:
+    """Read the earlier claims, before the build may write others in their place."""
+    if arguments.compare is None:
+        return None
+    from report.changes import read_claims
+
+    return read_claims(arguments.compare)
+
+
+def _differences(earlier: ClaimsFile, built: Built) -> str:
+    from report.changes import differences, parsed_claims
+    from report.rendering.json import to_json
+
+    now = parsed_claims(to_json(built.document), "this build")
+    return differences(earlier, now, {chapter.number for chapter in built.document.omitted})
 
 
 def _summary(built: Built) -> str:

@@ -59,11 +59,24 @@ class ParameterRow:
 
 @dataclass(frozen=True)
 class Highlight:
-    """A finding that matters most: the id of its claim, one sentence, and its size."""
+    """A finding that matters most: where it stands (the id of a claim, or of a place), and what to do.
 
-    claim: str
+    ``sentence`` and ``action`` are Markdown.
+    """
+
+    place: str
     sentence: str
-    size: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The first screen: what holds and what does not, what matters most, what a designer does (Markdown)."""
+
+    sentences: str
+    highlights: tuple[Highlight, ...]
+    do: tuple[str, ...]
+    do_not: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -168,7 +181,7 @@ class Chapter:
 class Provenance:
     """What the report was made from; nothing in it depends on the time or the machine of the build.
 
-    ``build_time`` is how long it took when that was last measured.
+    ``build_time`` is the processor time it took when that was last measured.
     """
 
     version: str
@@ -243,7 +256,7 @@ class Document:
     """
 
     title: str
-    highlights: tuple[Highlight, ...]
+    opening: Opening | None
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from report.claim import Kind, Statement
@@ -13,20 +14,22 @@ PATH = Path(__file__).parent / "data" / "inventory.csv"
 """The statements that were handed over with the thesis."""
 FURTHER = PATH.with_name("further_statements.csv")
 """Statements that the inventory lacks, found by reading the thesis again; same columns."""
+TITLES = PATH.with_name("titles.csv")
+"""What the report calls statements whose subject there has abbreviations or ASCII mathematics."""
 
 
 class InventoryError(TrimmerError, ValueError):
-    """The inventory holds an id twice, or a kind that is not known."""
+    """The inventory holds an id twice, or a kind that is not known, or a title has no statement."""
 
 
 def read_inventory(*paths: Path) -> Mapping[str, Statement]:
     """Read the statements, by id, in their own order: those handed over, then the further ones.
 
     Args:
-        paths: Files to read instead of these two.
+        paths: Files to read instead of these two, with the subjects as titles.
 
     Raises:
-        InventoryError: naming file, line and value, if an id stands twice or a kind is unknown.
+        InventoryError: naming file, line and value, if an id stands twice or is not known, or a kind is not.
     """
     entries: dict[str, Statement] = {}
     for path in paths or (PATH, FURTHER):
@@ -34,7 +37,27 @@ def read_inventory(*paths: Path) -> Mapping[str, Statement]:
             if entry.id in entries:
                 raise InventoryError(f"{path.name}, line {line}: the id {entry.id} stands there twice")
             entries[entry.id] = entry
-    return entries
+    return entries if paths else titled(entries)
+
+
+def titled(entries: Mapping[str, Statement], path: Path = TITLES) -> Mapping[str, Statement]:
+    """Return the statements with the titles that the report gives them.
+
+    Args:
+        entries: The statements by id.
+        path: File with the columns ``id`` and ``title``.
+
+    Raises:
+        InventoryError: naming file, line and id, if a title stands twice or belongs to no statement.
+    """
+    titles: dict[str, str] = {}
+    with path.open(encoding="utf-8", newline="") as file:
+        for line, row in enumerate(csv.DictReader(file), start=2):
+            if row["id"] not in entries or row["id"] in titles:
+                fault = "stands there twice" if row["id"] in titles else "is not in the inventory"
+                raise InventoryError(f"{path.name}, line {line}: the id {row['id']} {fault}")
+            titles[row["id"]] = row["title"]
+    return {key: replace(each, title=titles.get(key, each.title)) for key, each in entries.items()}
 
 
 def _entries(path: Path) -> Iterator[tuple[int, Statement]]:

@@ -35,10 +35,9 @@ class TextCopy:
 @final
 @dataclass(frozen=True)
 class BuildTime:
-    """How long the report took from nothing, s, on so many cores, when that version was measured."""
+    """Processor time that the report took from nothing, s, when that version was measured."""
 
     seconds: float
-    cores: int
     version: str
 
 
@@ -50,7 +49,7 @@ def read_text_copy() -> TextCopy:
 
 
 def read_build_time() -> BuildTime:
-    """Read how long the report took from nothing."""
+    """Read what processor time the report took from nothing."""
     return BuildTime(**_content()["build"])
 
 

@@ -62,9 +62,33 @@ local function report_table(div)
   return result
 end
 
+-- A drawing begins and ends with these; what is between them are its words.
+local drawing_begins, drawing_ends = "^#drawing%(", "^%] <drawing%-"
+
+local function is_raw(block, pattern)
+  return block.t == "RawBlock" and block.text:find(pattern) ~= nil
+end
+
+-- A claim as blocks: a drawing stands between them, where Typst can move it to where there is room on a page.
 local function claim(div)
   div.content[1].identifier = div.identifier
-  return wrapped("#claim(" .. quoted(div.attributes.grade) .. ")[", div.content, "]")
+  local grade = quoted(div.attributes.grade)
+  local _, first = div.content:find_if(function(block)
+    return is_raw(block, drawing_begins)
+  end)
+  local _, last = div.content:find_if(function(block)
+    return is_raw(block, drawing_ends)
+  end)
+  if first == nil then
+    return wrapped("#claim(" .. grade .. ")[", div.content, "]")
+  end
+  local label = div.content[last].text:match("<(.-)>")
+  local head = pandoc.List({ table.unpack(div.content, 1, first - 1) })
+  head:insert(raw("#drawn-at(<" .. label .. ">)"))
+  local result = wrapped("#claim-head(" .. grade .. ")[", head, "]")
+  result:extend({ table.unpack(div.content, first, last) })
+  result:extend(wrapped("#claim-rest(" .. grade .. ")[", pandoc.List({ table.unpack(div.content, last + 1) }), "]"))
+  return result
 end
 
 local function figure(div)
@@ -116,7 +140,11 @@ local converters = {
   ["chapter-begin"] = nothing,
   ["chapter-end"] = nothing,
   group = content,
+  opening = content,
   highlights = call("highlights"),
+  designer = call("designer"),
+  ["do"] = content,
+  ["do-not"] = content,
   answer = call("answer"),
   partial = call("partial-report"),
   ["verdict-picture"] = function(div)
@@ -172,7 +200,7 @@ local without_break = { summary = true, parameters = true, provenance = true, er
 
 function Header(header)
   if header.level == 2 and not without_break[header.identifier] then
-    return { raw("#pagebreak(weak: true)"), header }
+    return { raw("#place.flush()"), raw("#pagebreak(weak: true)"), header }
   end
 end
 
@@ -207,4 +235,12 @@ function Math(math)
   end
   math.text = math.text:gsub("(& \\quad [%+%-]) ", "%1 \\: "):gsub("& *\\text{", "& \\quad \\text{")
   return math
+end
+
+-- Typst would break a line behind the stroke of a unit.
+function Str(str)
+  local unit = str.text:match("^[%a·µ²0-9]+/[%a²]+")
+  if unit and #str.text <= 12 and not str.text:find("/", #unit + 1, true) then
+    return pandoc.RawInline("typst", "#box[" .. str.text:gsub("([%[%]#@$*_\\`<>~])", "\\%1") .. "]")
+  end
 end

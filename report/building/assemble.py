@@ -18,8 +18,8 @@ from report.document import (
     Document,
     Equation,
     Figure,
-    Highlight,
     NomenclatureRow,
+    Opening,
     ParameterRow,
     Program,
     Robustness,
@@ -63,7 +63,7 @@ class Parts:
         trimmer_steps: The derivation of the linear trimmer.
         element_steps: The derivation of the describing functions.
         programs: The corrected listings.
-        highlights: The findings that matter most.
+        opening: The first screen.
         answers: Answers to the thesis's questions.
         corrected: Printed and corrected predictions.
         robustness: How far these hold when the parameters change.
@@ -75,7 +75,7 @@ class Parts:
     trimmer_steps: tuple[Step, ...]
     element_steps: tuple[Step, ...]
     programs: tuple[Program, ...]
-    highlights: tuple[Highlight, ...]
+    opening: Opening
     answers: tuple[Answer, ...]
     corrected: tuple[CorrectedResult, ...]
     robustness: Robustness
@@ -86,7 +86,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     """Return the finished document."""
     return Document(
         title=TITLE,
-        highlights=parts.highlights,
+        opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=_derivation(parts.trimmer_steps, parts.findings),

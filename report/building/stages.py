@@ -27,7 +27,7 @@ from report.numbers.twin_numbers import solve_twin
 from report.octave.listings import corrected_programs
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
-from report.overview.highlights import highlights
+from report.overview.opening import opening
 from report.provenance import libraries
 from report.record import ClaimRecord
 from report.robustness.page import robustness
@@ -52,13 +52,14 @@ def make_document(progress: Progress, store: StageStore) -> Document:
     evidence = _evidence(progress, store, tree)
     records = collect(inventory)
     results = done(_tasks(evidence, inventory, records, tree), store, progress)
+    findings = _in_order([results[f"claims-{module}"] for module in records.claims], inventory)
     parts = Parts(
-        findings=_in_order([results[f"claims-{module}"] for module in records.claims], inventory),
+        findings=findings,
         figures=tuple(results[f"figure-{figure.id}"] for figure in records.figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
         programs=results["programs"],
-        highlights=results["highlights"],
+        opening=opening(evidence, findings),
         answers=results["answers"],
         corrected=results["corrected-results"],
         robustness=results["robustness"],
@@ -110,7 +111,6 @@ def _tasks(
         *(
             Task(name, "sum up", key([work.__module__]), partial(work, evidence))
             for name, work in (
-                ("highlights", highlights),
                 ("answers", answers),
                 ("corrected-results", corrected_results),
                 ("robustness", robustness),

@@ -33,7 +33,7 @@ class PrintedDigits:
         """Compare to half a unit in the last printed place."""
         half_unit = Fraction(self._last_place()) / 2
         difference = abs(Fraction(self.derived) - Fraction(Decimal(self.printed)))
-        return Agreement(difference <= half_unit, "compared to half a unit of the last printed place")
+        return Agreement(difference <= half_unit, "held against every printed digit")
 
     def with_derived(self, derived: float | Fraction) -> Self:
         """Hold the same printed digits against another number."""

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Self, final
+from typing import Any, Final, Self, final
 
 import sympy
 
 from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
 from report.claim import Agreement, Certainty, Mathematics
+
+PROVEN: Final = "both sides are the same, proven by algebra"
 
 
 @dataclass(frozen=True)
@@ -64,4 +66,6 @@ class SameMatrix(_TwoSides):
 
 
 def _outcome(proof: Proof) -> Agreement:
-    return Agreement(proof.holds, proof.method, Certainty.COMPUTED if proof.sampled else Certainty.PROVEN)
+    if proof.sampled:
+        return Agreement(proof.holds, f"not proven: {proof.method}", Certainty.COMPUTED)
+    return Agreement(proof.holds, PROVEN if proof.holds else proof.method, Certainty.PROVEN)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final
+
+from matplotlib.ticker import FixedFormatter
 
 from report.drawing.style import BLACK
 
@@ -11,6 +14,18 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
 
     Place = tuple[float, float] | complex
+
+
+STABLE: Final = "_stable limit cycle"
+UNSTABLE: Final = "_unstable limit cycle"
+"""Labels of the marks of limit cycles; no legend shows them, the caption says what full and open mean."""
+
+
+def limit_cycle(axes: Axes, place: Place, *, stable: bool) -> None:
+    """Mark a limit cycle as in all figures: full where it is stable, open where it is not."""
+    x, y = _pair(place)
+    fill, label = (BLACK, STABLE) if stable else ("white", UNSTABLE)
+    axes.plot([x], [y], "o", color=BLACK, markersize=5.0, markerfacecolor=fill, label=label, zorder=4)
 
 
 def beside(axes: Axes, text: str, place: Place, offset: tuple[float, float], **keywords: Any) -> None:
@@ -28,6 +43,17 @@ def span(axes: Axes, start: tuple[float, float], end: tuple[float, float], text:
     """Draw a length between two points, with its name above the middle."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": "<->", "shrinkA": 0, "shrinkB": 0})
     axes.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2 + 0.05, text, ha="center", va="bottom")
+
+
+class Names(FixedFormatter):
+    """Words at the places 0, 1, 2, … of an axis, off which no number can be read."""
+
+
+def name_places(axis: Axis, names: Sequence[str]) -> None:
+    """Give an axis names in place of numbers."""
+    axis.set_ticks(range(len(names)))
+    axis.set_major_formatter(Names(names))
+    axis.grid(visible=False)
 
 
 def few_ticks(*axis: Axis, intervals: int = 4) -> None:

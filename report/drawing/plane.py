@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import beside
+from report.drawing.marks import beside, limit_cycle
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, Look
 from trimmer import response_at
@@ -24,11 +24,10 @@ if TYPE_CHECKING:
 OMEGA: Final = 2 * math.pi * np.concatenate([np.linspace(60, 1200, 2500), np.geomspace(1200, 6000, 200)])
 SHARES: Final = np.concatenate([np.geomspace(1e-7, 0.5, 160), 1 - np.geomspace(0.5, 1e-5, 280)[1:]])
 """Shares of the largest gap/amplitude, close together at both ends of the domain."""
-READABLE: Final[dict[str, Any]] = {
-    "fontsize": 8,
-    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.8},
-}
-"""Keyword arguments of a text that stands on curves."""
+LEADER: Final[dict[str, Any]] = {"arrowstyle": "-", "linewidth": 0.6, "shrinkA": 1, "shrinkB": 4}
+"""Thin line from a text to what it names: a text stands beside the curves, never on one."""
+_NEAR: Final = 12.0
+"""Offset of a text, in points, up to which it needs no such line."""
 
 
 def critical_point(axes: Axes) -> None:
@@ -78,6 +77,9 @@ def mark(
 ) -> None:
     """Mark limit cycles on G, full where stable and open where not, each with its text beside it."""
     for cycle, text, offset in zip(cycles, texts, offsets, strict=True):
-        point, fill = complex(response_at(system, cycle.omega)), BLACK if cycle.stable else "white"
-        axes.plot([point.real], [point.imag], "o", color=BLACK, markersize=5.5, markerfacecolor=fill)
-        beside(axes, text, point, offset, ha="left" if offset[0] > 0 else "right", **READABLE)
+        point = complex(response_at(system, cycle.omega))
+        limit_cycle(axes, point, stable=cycle.stable)
+        if text:
+            side = "left" if offset[0] > 0 else "right"
+            leader = LEADER if math.hypot(*offset) > _NEAR else None
+            beside(axes, text, point, offset, ha=side, fontsize=8, arrowprops=leader)

@@ -12,10 +12,15 @@ from typing import TYPE_CHECKING, Any, Final, final
 import numpy as np
 from matplotlib.lines import Line2D
 
+from report.drawing.marks import Names
+from report.drawing.peaks import peaks
+from report.drawing.placed import axes_name, placed
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from report.drawing.placed import Place
     from trimmer.arrays import Complexes, Reals
 
 SCALES: Final = ("linear", "log")
@@ -56,17 +61,25 @@ def plot_along(axes: Axes, points: Complexes, along: Along, **keywords: Any) -> 
 def read_out(figure: Figure) -> str:
     """Describe the axes of a figure that has been drawn, as JSON; empty if it has none with scales.
 
-    Each has its ``box`` (left, top, width, height in points, from the upper left corner), ``x`` and ``y``
-    with ``limits``, ``scale`` and ``label``, and ``curves`` whose ``points`` are x, y and value in turn.
+    Each has its ``name``, its ``box`` (left, top, width, height in points, from the upper left corner), ``x``
+    and ``y`` with ``limits``, ``scale``, ``label`` and the number of the axes whose range they share,
+    ``curves`` whose ``points`` are x, y and value in turn, ``peaks`` of spectra, and what is ``placed`` at
+    places of the data. The label is empty where an axis has words in place of numbers.
     """
     described = [
         {
+            "name": axes_name(index),
             "box": _box(axes, figure),
-            "x": {"limits": _limits(axes.get_xlim()), "scale": axes.get_xscale(), "label": _label(axes, "x")},
-            "y": {"limits": _limits(axes.get_ylim()), "scale": axes.get_yscale(), "label": _label(axes, "y")},
+            "x": _axis(axes, "x"),
+            "y": _axis(axes, "y"),
             "curves": [curve for line in axes.lines for curve in _curves(line, axes, figure)],
+            "peaks": [peak for line in axes.lines for peak in _peaks(line, axes, figure)],
+            "placed": [
+                [name, *(_in_points(place, axes, figure) for place in places)]
+                for name, places in placed(axes, index)
+            ],
         }
-        for axes in figure.axes
+        for index, axes in enumerate(figure.axes)
         if axes.axison and axes.get_xscale() in SCALES and axes.get_yscale() in SCALES
     ]
     return json.dumps(described, ensure_ascii=False, separators=(",", ":")) if described else ""
@@ -87,6 +100,45 @@ def _box(axes: Axes, figure: Figure) -> list[float]:
     place = axes.get_position()
     corners = (place.x0 * width, (1 - place.y1) * height, place.width * width, place.height * height)
     return [round(float(corner), 2) for corner in corners]
+
+
+def _axis(axes: Axes, direction: str) -> dict[str, object]:
+    axis, group = getattr(axes, f"{direction}axis"), getattr(axes, f"get_shared_{direction}_axes")()
+    siblings = group.get_siblings(axes)
+    return {
+        "limits": _limits(getattr(axes, f"get_{direction}lim")()),
+        "scale": axis.get_scale(),
+        "label": "" if isinstance(axis.get_major_formatter(), Names) else _label(axes, direction),
+        "shared": min(axes.figure.axes.index(each) for each in siblings),
+    }
+
+
+def _in_points(place: Place, axes: Axes, figure: Figure) -> list[float | None]:
+    """Return a place of the data in points from the upper left corner."""
+    data = np.array(
+        [[low if each is None else each] for each, (low, _) in zip(place, _ends(axes), strict=True)]
+    )
+    ((across, up),) = _points(data.T, axes, figure)
+    return [None if place[0] is None else across, None if place[1] is None else up]
+
+
+def _ends(axes: Axes) -> tuple[tuple[float, float], tuple[float, float]]:
+    return axes.get_xlim(), axes.get_ylim()
+
+
+def _points(data: Reals, axes: Axes, figure: Figure) -> list[tuple[float, float]]:
+    if not len(data):
+        return []
+    shares = (axes.transData + figure.transFigure.inverted()).transform(data)
+    width, height = _POINTS_PER_INCH * figure.get_size_inches()
+    return [(round(float(x * width), 2), round(float((1 - y) * height), 2)) for x, y in shares]
+
+
+def _peaks(line: Line2D, axes: Axes, figure: Figure) -> list[tuple[float, float]]:
+    """Return the peaks of a line over a frequency, the highest first."""
+    if isinstance(line, CurveAlong) or "frequency" not in _label(axes, "x"):
+        return []
+    return _points(peaks(line, axes), axes, figure)
 
 
 def _limits(ends: tuple[float, float]) -> list[float]:

@@ -9,6 +9,8 @@ from xml.sax.saxutils import escape, quoteattr
 
 from matplotlib.ticker import ScalarFormatter
 
+from report.drawing.letters import letter_panels
+from report.drawing.placed import name_parts
 from report.drawing.read_out import read_out
 from report.drawing.style import style
 
@@ -38,6 +40,8 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
 
     buffer = io.StringIO()
     with style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
+        letter_panels(figure)
+        name_parts(figure)
         _write_ticks_plainly(figure)
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
         axes = read_out(figure)

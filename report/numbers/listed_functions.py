@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from report.thesis import TURN
-from trimmer import response_at
+from trimmer import InertiaBacklash, response_at
 from trimmer.arrays import Complexes, Reals
 
 STEPS = 60
@@ -22,6 +22,8 @@ START = complex(math.pi, -0.3)
 """Most steps of Newton's method to a contact angle of Listing A.5, and where the first begin, rad."""
 RATIOS = np.linspace(0.005, 2.0, 200)
 """b/A over the range that section 5.2.3 states."""
+IN_GAPS = np.geomspace(0.52, 60.0, 400)
+"""Amplitudes over gap at which contours are held against each other."""
 RESPONSE_OMEGA = TURN * np.linspace(200.0, 1000.0, 1601)
 """Angular frequencies of G between which contours are intersected with it, rad/s."""
 
@@ -49,6 +51,22 @@ def inertia_formula(angle: float, ratio: float) -> complex:
     nested = np.sin(angle) + ratio
     real = (np.pi + 2 * np.sin(nested) - angle - np.sin(nested) * np.cos(nested)) / np.pi
     return complex(real, -((1 - np.cos(nested)) ** 2) / np.pi)
+
+
+def equivalent_contour(force: float, gap: float, omega: float) -> Complexes:
+    """Return -1/N of Listing A.6 over ``IN_GAPS`` for a force (N), a gap (m) and ω (rad/s)."""
+    return np.array([-1 / equivalent_listing(gap * each, force, gap, omega) for each in IN_GAPS])
+
+
+def inertia_contour(gap: float) -> Complexes:
+    """Return -1/N of inertia-controlled backlash over ``IN_GAPS`` for a gap (m)."""
+    element = InertiaBacklash(gap)
+    return np.array([-1 / complex(element.describing_function(gap * each)) for each in IN_GAPS])
+
+
+def mean_distance(contour: Complexes, other: Complexes) -> float:
+    """Return the distance of the points of a contour from the nearest of another one, on average."""
+    return float(abs(contour[:, np.newaxis] - other).min(axis=1).mean())
 
 
 class NoRootError(ArithmeticError):

@@ -1,4 +1,4 @@
-"""The corrected listings as files, and as one archive of them."""
+"""The corrected listings as files with a README, and as one archive of them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from report.document import Program
+from report.octave.readme import NAME, readme
 from trimmer import write_atomically
 
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
@@ -16,8 +17,10 @@ _UNIX = 3
 
 
 def files(programs: Iterable[Program]) -> dict[str, str]:
-    """Return the text of each program by its file name."""
-    return {program.name: program.text for program in programs}
+    """Return the text of each program by its file name, and what the folder says of them; nothing of none."""
+    listed = tuple(programs)
+    texts = {program.name: program.text for program in listed}
+    return {NAME: readme(listed), **texts} if listed else {}
 
 
 def write_files(programs: Iterable[Program], folder: Path) -> None:

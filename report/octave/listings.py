@@ -40,12 +40,20 @@ NAMES: dict[sympy.Expr, str] = {
 """Variables of the programs."""
 
 
+RUNNERS = (
+    ("main_numbers.m", "Numbers of all listings, as a struct or as JSON."),
+    ("run_all.m", "Runs all listings and prints what they give."),
+)
+"""Programs that call the listings: file name and title."""
+
+
 @dataclass(frozen=True)
 class Example:
     """Where ``main_numbers`` evaluates the listings, in SI units.
 
     ``gap`` is that of Listing A.9, ``time_constant`` the M/D of section 4.2.3, ``force`` that of figure 5.18;
-    the drive is that of Listing A.8.
+    the drive is that of Listing A.8. ``amplitudes`` are in units of the gap; ``gamma`` is omega M/D of
+    Listing A.5.
     """
 
     gap: float = LARGE_GAP
@@ -54,6 +62,8 @@ class Example:
     drive_gap: float = TIMED_GAP
     drive_amplitude: float = DRIVE_AMPLITUDE
     drive_frequency: float = DRIVE_FREQUENCY
+    amplitudes: tuple[float, ...] = (0.6, 1, 3, 10)
+    gamma: float = 1.25
 
 
 @dataclass(frozen=True)
@@ -75,7 +85,9 @@ class ParameterLine:
 
 
 def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters) -> tuple[Program, ...]:
-    """Write the corrected listings A.1 to A.10, and ``main_numbers.m``, which runs them all.
+    """Write the corrected listings A.1 to A.10, and what runs them all.
+
+    ``main_numbers.m`` returns their numbers, ``run_all.m`` prints them for a reader.
 
     Args:
         derivation: What was derived from the mechanism.
@@ -102,8 +114,13 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
         )
         for content in CONTENTS
     )
-    text = environment.get_template("main_numbers.m.j2").render(example=Example(), **shared)
-    return (*listings, Program("main_numbers.m", "", "Numbers of all listings, as JSON.", (), text))
+    runners = tuple(
+        Program(
+            name, "", title, (), environment.get_template(f"{name}.j2").render(example=Example(), **shared)
+        )
+        for name, title in RUNNERS
+    )
+    return (*listings, *runners)
 
 
 def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[str, dict[str, Any]]:

@@ -1,1 +1,1 @@
-"""What the first pages say: highlights, answers to the research questions, corrected predictions."""
+"""What the first pages say: the first screen, answers to the research questions, corrected predictions."""

@@ -21,11 +21,11 @@ def command(document: Document) -> str:
 
 
 def build_time(document: Document) -> str:
-    """Say how long the report took from nothing; empty where that is not known.
+    """Say what processor time the report took from nothing; empty where that is not known.
 
     It is a measured figure of the data: the time of each build would make each report another file.
     """
     taken = document.provenance.build_time
     if taken is None:
         return ""
-    return f"{taken.seconds:.0f} s from nothing on {taken.cores} cores, measured with version {taken.version}"
+    return f"{taken.seconds:.0f} s of processor time from nothing, measured with version {taken.version}"

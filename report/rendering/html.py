@@ -15,6 +15,7 @@ from report.copy.reading import ReaderCopy
 from report.document import Document
 from report.grade import grade
 from report.octave.archive import archive
+from report.rendering.figure_colours import variables, with_variables
 from report.rendering.markdown import ARCHIVE
 from report.rendering.passages import passages
 from report.rendering.pieces import TEMPLATES
@@ -24,7 +25,7 @@ from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("claims.js", "contents.js", "figures.js", "page.js", "sources.js")
+SCRIPTS = ("search.js", "claims.js", "contents.js", "zoom.js", "figures.js", "page.js", "sources.js")
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _PLACE_OF_PASSAGE = re.compile(r"<!-- passage (?P<claim>\S+) -->")
 _PLACE_OF_COPY = re.compile("<!-- reader's copy -->")
@@ -52,7 +53,8 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.
     """
-    drawings = {NAME: verdict_picture(document), **{figure.id: figure.svg for figure in document.drawings}}
+    figures = {figure.id: figure.svg for figure in document.drawings}
+    drawings = {NAME: verdict_picture(document), **{id: with_variables(svg) for id, svg in figures.items()}}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
@@ -62,7 +64,7 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
         grade_words=GRADES,
         contents=contents(body + code),
         body=_with_copy(_with_programs(_with_drawings(body, drawings), document), document, copy) + code,
-        styles=_templates(STYLES),
+        styles=[*_templates(STYLES), variables(figures.values())],
         scripts=_templates(SCRIPTS),
         font=_base64(FONT.read_bytes()),
     )

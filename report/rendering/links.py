@@ -23,7 +23,6 @@ def check_claims(document: Document) -> None:
     """
     steps = document.derivation + document.describing_functions
     named = {
-        **{highlight.claim: "a highlight" for highlight in document.highlights},
         **{claim: f"step {step.id} of the derivation" for step in steps for claim in step.claims},
         **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},

@@ -40,7 +40,7 @@ def to_markdown(document: Document) -> dict[str, str]:
     """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
 
     Raises:
-        BrokenLinkError: if two places share an identifier, or a link, a highlight, an answer, a corrected
+        BrokenLinkError: if two places share an identifier, or a link, an answer, a corrected
             result or a step of the derivation names a place or a claim that the report does not have, or
             a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
@@ -52,7 +52,7 @@ def to_markdown(document: Document) -> dict[str, str]:
         "figures": {figure.id: figure for figure in document.figures},
         "program_of": {program.claim: program.name for program in document.programs},
         "counts": summary.count_table(document),
-        "errata": errata.errata(document),
+        "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
     pieces = {
@@ -163,6 +163,7 @@ def _environment() -> Environment:
         short_reference=summary.short_reference,
         methods=summary.methods,
         slips=summary.slips,
+        copy_faults=summary.copy_faults,
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
@@ -182,10 +183,10 @@ def _environment() -> Environment:
         certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
         meanings=summary.MEANINGS,
-        reaches=summary.REACHES,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,
+        ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
     )

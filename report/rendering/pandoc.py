@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 from collections.abc import Sequence
+from pathlib import Path
 
 READER = (
     "markdown-raw_html-raw_tex-raw_attribute-native_divs-native_spans"
@@ -16,13 +17,14 @@ class PandocError(RuntimeError):
     """Pandoc refused the report, or warned about it."""
 
 
-def read(markdown: str) -> bytes:
-    """Read Markdown, once for all outputs; return it in pandoc's own form.
+def read(markdown: str, lua_filter: Path | None = None) -> bytes:
+    """Read Markdown, once for all outputs; return it in pandoc's own form, changed by a filter.
 
     Raises:
         PandocError: if pandoc fails or warns.
     """
-    return _run(markdown.encode(), ["--from", READER, "--to", "json"])
+    changed = [] if lua_filter is None else [f"--lua-filter={lua_filter}"]
+    return _run(markdown.encode(), ["--from", READER, "--to", "json", *changed])
 
 
 def write(content: bytes, target: str, arguments: Sequence[str]) -> str:

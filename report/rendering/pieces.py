@@ -27,6 +27,7 @@ Form = TypeVar("Form", str, bytes)
 TEMPLATES = templates()
 HTML_FILTER = TEMPLATES / "html.lua"
 TYPST_FILTER = TEMPLATES / "typst.lua"
+UNITS_FILTER = TEMPLATES / "units.lua"
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ class Converter:
         Raises:
             FileWriteError: if what the converter itself depends on cannot be kept.
         """
-        filters = [path.read_bytes() for path in (HTML_FILTER, TYPST_FILTER)]
+        filters = [path.read_bytes() for path in (HTML_FILTER, TYPST_FILTER, UNITS_FILTER)]
         return cls(store, SourceTree.kept(store).digest([__name__], version("pypandoc-binary"), filters))
 
     def parsed(self, pieces: Mapping[str, str]) -> dict[str, bytes]:
@@ -58,7 +59,7 @@ class Converter:
             PandocError: if pandoc fails or warns.
             FileWriteError: if a piece cannot be kept.
         """
-        return self._each(pieces, "text", read)
+        return self._each(pieces, "text", _text)
 
     def html(self, text: Mapping[str, bytes]) -> str:
         """Return what ``parsed`` has returned as the inside of an HTML page; for the errors see there."""
@@ -82,6 +83,10 @@ class Converter:
             return make()
         depends = repr((self.digest, piece))
         return self.store.made(stage, hashlib.sha256(depends.encode()).hexdigest(), make)
+
+
+def _text(piece: str) -> bytes:
+    return read(piece, UNITS_FILTER)
 
 
 def _html(content: bytes) -> str:

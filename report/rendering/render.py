@@ -8,6 +8,7 @@ from pathlib import Path
 
 from report.cache.stage_store import StageStore
 from report.document import Document
+from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
@@ -16,7 +17,12 @@ from report.rendering.pieces import Converter
 from report.rendering.request import WHOLE_REPORT, Format, Request
 from trimmer import write_atomically
 
-NAMES = {Format.HTML: "report.html", Format.PDF: "report.pdf", Format.JSON: "claims.json"}
+NAMES = {
+    Format.HTML: "report.html",
+    Format.PDF: "report.pdf",
+    Format.JSON: "claims.json",
+    Format.CSV: "errata.csv",
+}
 """Name of the file of each form."""
 
 
@@ -40,13 +46,14 @@ def render(
         FileWriteError: if a file cannot be written, or a piece cannot be kept.
     """
     converter = Converter.keeping(store) if store else Converter()
-    text = converter.parsed(to_markdown(document)) if request.formats - {Format.JSON} else {}
+    text = converter.parsed(to_markdown(document)) if request.formats & {Format.HTML, Format.PDF} else {}
     # The PDF takes longest: its source comes first, so that Typst works while pandoc writes the HTML.
     source = converter.typst(text) if Format.PDF in request.formats else ""
     makers: dict[Format, Callable[[], str | bytes]] = {
         Format.PDF: lambda: to_pdf(document, source, request.paper, store),
         Format.HTML: lambda: to_html(document, converter.html(text), request.copy),
         Format.JSON: lambda: to_json(document),
+        Format.CSV: lambda: to_csv(document),
     }
     with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock
         made = {form: pool.submit(make) for form, make in makers.items() if form in request.formats}

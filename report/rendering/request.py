@@ -14,6 +14,7 @@ class Format(Choice):
     HTML = "html"
     PDF = "pdf"
     JSON = "json"
+    CSV = "csv"
 
 
 class Paper(Choice):

@@ -55,7 +55,7 @@ def select(document: Document, names: Sequence[str]) -> Document:
         document,
         chapters=chosen,
         omitted=tuple(chapter for chapter in document.chapters if chapter.number not in numbers),
-        highlights=tuple(highlight for highlight in document.highlights if highlight.claim in kept),
+        opening=None,
         figures=tuple(figure for figure in document.figures if figure.id in kept),
         corrected=tuple(result for result in document.corrected if result.claim in kept),
         programs=tuple(program for program in document.programs if program.claim in kept),

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Certainty, Finding, Impact, JudgedPart, Kind
+from report.claim import Certainty, Finding, JudgedPart, Kind
 from report.document import Chapter, Document
 from report.grade import Grade, grade
 from report.items import Item, items
@@ -40,12 +40,6 @@ CERTAINTIES = {
     Certainty.PROVEN: "proven",
     Certainty.COMPUTED: "computed twice",
     Certainty.READING: "depends on a reading",
-}
-REACHES = {
-    Impact.NONE: "",
-    Impact.NOTATION: "notation only",
-    Impact.LOCAL: "stays in this place",
-    Impact.DOWNSTREAM: "reaches later results",
 }
 _KIND_NAMES = {
     Kind.EQUATION: "Equation",
@@ -140,7 +134,14 @@ def methods(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
 
 def slips(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
     """Return (parts, slip) for each distinct slip, in order; parts is empty if all parts share it."""
-    return _said_once([(part.label, part.slip) for part in parts])
+    return _said_once([(part.label, "" if part.decided_by else part.slip) for part in parts])
+
+
+def copy_faults(parts: tuple[JudgedPart, ...]) -> tuple[tuple[str, str], ...]:
+    """Return (parts, what the copy may have lost, and what decides it), in order; as ``slips``."""
+    return _said_once(
+        [(part.label, f"{part.slip}; {part.decided_by}" if part.decided_by else "") for part in parts]
+    )
 
 
 def _said_once(said: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:

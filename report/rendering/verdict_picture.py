@@ -23,7 +23,8 @@ COLOURS: Final = {
 }
 _HEADS: Final = {**GRADES, Grade.CONCLUSION: "conclusion", Grade.RESULT: "result", Grade.COPY: "copy"}
 """One word each, where there is little room."""
-_WIDTH, _LABEL_WIDTH, _PANEL_WIDTH = 606, 48, 93
+_LABEL_WIDTH, _PANEL_WIDTH = 54, 93
+_WIDTH = _LABEL_WIDTH + _PANEL_WIDTH * len(Grade)
 _LONGEST_BAR = 58
 _HEAD_HEIGHT, _ROW_HEIGHT, _BAR_HEIGHT = 42, 17, 10
 _TEXT_BASELINE = 12.5
@@ -79,10 +80,11 @@ def _heads(total: CountRow) -> Iterator[str]:
     for column, count in enumerate(total.counts):
         start = _start(column)
         yield (
-            f'<text x="{start}" y="13" class="{count.grade.value}" fill="{COLOURS[count.grade]}">'
-            f'<tspan font-family="DejaVu Sans Mono" font-size="10">{SYMBOLS[count.grade]}</tspan> '
-            f"{_HEADS[count.grade]}</text>"
-            f'<text x="{start}" y="31" font-size="16" font-weight="bold" class="black">{count.number}</text>'
+            f'<text x="{start}" y="14" class="{count.grade.value}" fill="{COLOURS[count.grade]}">'
+            f'<tspan font-family="DejaVu Sans Mono" font-size="11">{SYMBOLS[count.grade]}</tspan> '
+            f'<tspan font-size="16" font-weight="bold">{count.number}</tspan></text>'
+            f'<text x="{start}" y="30" font-size="10.5" class="{count.grade.value} name" '
+            f'fill="{COLOURS[count.grade]}">{_HEADS[count.grade]}</text>'
         )
 
 

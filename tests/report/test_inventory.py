@@ -1,12 +1,13 @@
 """The inventory of statements, and that claims keep to it."""
 
+import re
 from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from report.collect import ClaimIdError, by_id, collect
-from report.inventory import FURTHER, PATH, InventoryError, read_inventory
+from report.inventory import FURTHER, PATH, InventoryError, read_inventory, titled
 from report.record import ClaimRecord
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
@@ -50,6 +51,31 @@ def test_faults_are_named_by_line(tmp_path, rows, message):
     path.write_text("id,kind,section,subject\n" + rows, encoding="utf-8")
     with pytest.raises(InventoryError, match=message):
         read_inventory(path)
+
+
+ASCII_MATHEMATICS = re.compile(
+    r"\b(omega|beta|gamma|alpha|lambda|phi)\b|[A-Za-z]_|\d[eE]-?\d|\w=\w|-1/N|\bDFs?\b"
+)
+
+
+def test_titles_have_no_ascii_mathematics():
+    titles = {key: entry.title for key, entry in read_inventory().items()}
+    assert titles["eq-2.40"] == "b₁ of friction-controlled backlash"
+    assert {key: title for key, title in titles.items() if ASCII_MATHEMATICS.search(title)} == {}
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("eq-2.1,a\neq-2.1,b\n", r"titles\.csv, line 3: the id eq-2\.1 stands there twice"),
+        ("eq-9.99,a\n", r"titles\.csv, line 2: the id eq-9\.99 is not in the inventory"),
+    ],
+)
+def test_a_title_belongs_to_one_statement(tmp_path, rows, message):
+    path = tmp_path / "titles.csv"
+    path.write_text("id,title\n" + rows, encoding="utf-8")
+    with pytest.raises(InventoryError, match=message):
+        titled(read_inventory(PATH), path)
 
 
 def record(claim_id):

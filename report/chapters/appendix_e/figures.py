@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.style import FAINT, LINES, panels
+from report.drawing.style import LINES, panels
 from report.evidence import Evidence
 from report.record import figure
 from report.thesis import LARGE_GAP, TURN
@@ -14,7 +14,7 @@ from report.thesis import LARGE_GAP, TURN
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-LAST: Final = 0.012
+LAST: Final = 0.006
 """Time that is shown of the settled motions, s."""
 
 
@@ -22,23 +22,25 @@ LAST: Final = 0.012
     "fig-E.1",
     "Closed loop for four gaps",
     caption="""Settled output of the closed loop without drive, pin displacement only (thesis, figure E.1).
-    The four motions are one and the same, scaled by the gap. Dotted: the amplitude.""",
-    alternative_text="""Four nearly sinusoidal curves over 12 ms with the same period; their amplitude rises
-    from 2.5 to 5.0 mm.""",
+    (a) The four motions, with amplitude and frequency of each. (b) The same over the gap: they are one
+    motion, scaled by the gap.""",
+    alternative_text="""Left, four nearly sinusoidal curves over 6 ms with the same period, whose amplitude
+    rises from 2.5 to 5.0 mm. Right, the same curves divided by their gaps: one curve of amplitude 8.29.""",
 )
 def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     runs = known.motion.released.appendix
-    figure, column = panels(5.2, len(runs), sharex=True, sharey=True)
-    for axes, run in zip(column, runs, strict=True):
+    figure, (lengths, gaps) = panels(3.6, 1, 2)
+    for run, line in zip(runs, LINES, strict=False):
         shown = run.times > run.times[-1] - LAST
         times = 1e3 * (run.times[shown] - run.times[shown][0])
-        axes.plot(times, 1e3 * run.output[shown], **LINES[0])
-        for side in (-1, 1):
-            axes.axhline(1e3 * side * run.amplitude, **FAINT)
-        motion = f"amplitude {1e3 * run.amplitude:.3f} mm, {run.frequency:.2f} Hz"
-        axes.set_title(f"$b$ = {1e3 * run.gap:g} mm: {motion}", loc="left")
-        axes.set_ylabel("$q_2 - q_4$ [mm]")
-    axes.set(xlabel="time [ms]", xlim=(0, 1e3 * LAST), ylim=(-5.8, 5.8))
+        motion = f"{1e3 * run.amplitude:.3f} mm, {run.frequency:.2f} Hz"
+        lengths.plot(times, 1e3 * run.output[shown], label=f"$b$ = {1e3 * run.gap:g} mm: {motion}", **line)
+        gaps.plot(times, run.output[shown] / run.gap, **line)
+    for axes in (lengths, gaps):
+        axes.set(xlabel="time [ms]", xlim=(0, 1e3 * LAST))
+    lengths.set(title="in millimetres", ylabel="$q_2 - q_4$ [mm]", ylim=(-5.8, 5.8))
+    gaps.set(title="in gaps", ylabel="$(q_2 - q_4)/b$")
+    figure.legend(loc="outside lower center", ncols=2)
     return figure
 
 
@@ -46,7 +48,7 @@ def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     "fig-E.2",
     "Open loop for five amplitudes of the drive",
     caption="""Settled input and output at 100 Hz, $b$ = 40 µm, over the amplitude of the input (thesis,
-    figure E.2). At 1.5 µm the pin stays within its play. Bottom right: outputs without their first harmonic,
+    figure E.2). (a) At 1.5 µm the pin stays within its play. (f) Outputs without their first harmonic,
     which far above the gap no longer depend on the amplitude.""",
     alternative_text="""Five panels with a sine and an output: zero in the first, rippled in the second,
     nearly the same sine in the others. The sixth panel shows ripples of 26 to 36 micrometres that nearly

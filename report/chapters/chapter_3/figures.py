@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import beside
+from report.drawing.marks import beside, name_places
 from report.drawing.style import BLACK, FAINT, LINES, panels
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_spectrum
@@ -39,8 +39,8 @@ SHOWN_TIME, FROM_REST = 0.05, 0.03
 """Time that is shown of the settled motions, and of those from rest, s."""
 WHOLE_PERIODS: Final = 6003
 """Samples in 33 periods of the drive, to 1e-6: nothing leaks from one harmonic to another."""
-SET_APART: Final = 16.0
-"""Distance between the symbols of two frictions at one harmonic, Hz."""
+SET_APART: Final = 0.2
+"""Distance between the bars of two frictions, in distances between two harmonics."""
 IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.7, "columnspacing": 1.0}
 
 
@@ -48,7 +48,7 @@ IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.
     "fig-3.1",
     "Motions without play",
     caption=f"""{DRIVEN}, settled, in place of the measured motions (thesis, figure 3.1): cutter, guard, and
-    difference. Friction of 0.5 N between cutter and guard, no play. The guard's motion, two percent of the
+    difference. Friction of 0.5 N between cutter and guard, no play. The guard's motion, two per cent of the
     cutter's, shows higher harmonics most clearly.""",
     alternative_text="""Three curves over 50 ms: cutter and difference are sines of 1.5 mm with flattened
     peaks, the guard moves by 20 micrometres to either side and less smoothly.""",
@@ -129,27 +129,30 @@ def _spectra(spectra: dict[str, Spectrum]) -> Figure:
 @figure(
     "fig-3.5",
     "Spectrum with play, 200 to 1000 Hz",
-    caption="""The spectrum of figure 3.4 above the drive, with the measured peaks of table 3.2 as symbols;
-    their height means nothing (thesis, figure 3.5). Dotted: multiples of 109.945 Hz. The measurement has even
-    harmonics, which the model cannot have.""",
-    alternative_text="""Peaks of the model at the third and fifth harmonic. Symbols of three measurements
-    stand near the second, third, fourth and fifth harmonic.""",
+    caption="""(a) The spectrum of figure 3.4 above the drive. (b) Frequencies of the measured peaks of table
+    3.2, whose heights the text does not give (thesis, figure 3.5). Dotted: multiples of 109.945 Hz. The
+    measurement has even harmonics, which the model cannot have.""",
+    alternative_text="""Peaks of the model at the third and fifth harmonic. Below, a strip of ticks for three
+    measurements, near the second, third, fourth and fifth harmonic.""",
 )
 def enlarged_spectrum(known: Evidence) -> Figure:
     spectrum = _settled(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
     frequency, amplitude = spectrum.frequency, 1e6 * spectrum.amplitude
     height = float(amplitude[frequency > 200].max())
-    figure, axes = panels(3.2)
-    axes.plot(frequency, amplitude, label="model", marker=".", **LINES[0])
-    for row, ((name, cells), marker) in enumerate(zip(TABLE_2.items(), "v^s", strict=True)):
+    figure, (model, rug) = panels(3.8, 2, sharex=True, height_ratios=(3, 1))
+    model.plot(frequency, amplitude, marker=".", **LINES[0])
+    for row, (cells, line) in enumerate(zip(TABLE_2.values(), LINES[1:], strict=False)):
         places = [float(cell) for cell in cells[1:]]
-        look = {"color": LINES[row + 1]["color"], "markersize": 5, "label": f"measured, {name}"}
-        axes.plot(places, [height * (1.1 + 0.1 * row)] * len(places), marker, **look)
+        rug.plot(places, [row] * len(places), "|", color=line["color"], markersize=13, markeredgewidth=2)
+    name_places(rug.yaxis, list(TABLE_2))
+    rug.grid(visible=False)
     for order in range(2, 10):
-        axes.axvline(order * MEASURED_DRIVE_FREQUENCY, **FAINT)
-        _name_harmonic(axes, order, 1.42 * height, (3, 0))
-    axes.set(xlabel="frequency [Hz]", ylabel="amplitude [µm]", xlim=(200, 1000), ylim=(0, 1.55 * height))
-    axes.legend(loc="center right", frameon=True, framealpha=1.0, edgecolor="none")
+        for axes in (model, rug):
+            axes.axvline(order * MEASURED_DRIVE_FREQUENCY, **FAINT)
+        _name_harmonic(model, order, 1.08 * height, (3, 0))
+    model.set(title="model", ylabel="amplitude [µm]", ylim=(0, 1.25 * height))
+    rug.set(title="measured peaks", ylim=(len(TABLE_2) - 0.4, -0.6))
+    rug.set(xlabel="frequency [Hz]", xlim=(200, 1000))
     return figure
 
 
@@ -157,7 +160,8 @@ def enlarged_spectrum(known: Evidence) -> Figure:
     "fig-3.6",
     "Open loop, gap 0.2 mm",
     caption=f"""{DRIVEN}, with friction of 0.25, 0.50 and 0.75 N between cutter and guard (thesis, figure
-    3.6). Third and fifth harmonic are the largest; friction makes the fifth smaller.""",
+    3.6). (a) From rest. (b) Settled, by harmonic; third and fifth are the largest, and friction makes the
+    fifth smaller.""",
     alternative_text="""Left: displacement from rest over 30 ms for three frictions, a sine with a faster
     oscillation on top. Right: amplitudes of the third to ninth harmonic, the fifth falling from 259 to 154
     micrometres.""",
@@ -168,17 +172,17 @@ def open_loop_with_small_gap(known: Evidence) -> Figure:
     figure, (over_time, harmonics) = panels(3.2, 1, 2)
     for index, (run, line, marker) in enumerate(zip(runs, LINES, "os^", strict=False)):
         _from_rest(over_time, run, line)
-        places = orders * MEASURED_DRIVE_FREQUENCY + SET_APART * (index - 1)
+        places = np.arange(orders.size) + SET_APART * (index - 1)
         heights = 1e6 * run.harmonics[orders]
         harmonics.vlines(places, 0, heights, colors=line["color"], linestyles=[line["linestyle"]])
         look = {"color": line["color"], "markersize": 5, "label": f"{run.force:.2f} N"}
         harmonics.plot(places, heights, marker, **look)
-    for order in orders.tolist():
-        _name_harmonic(harmonics, order, 1e6 * max(float(run.harmonics[order]) for run in runs))
-    over_time.set(title="(a) from rest", ylim=(-1.8, 2.5))
+    names = [f"$f_{order}$\n{order * MEASURED_DRIVE_FREQUENCY:.0f} Hz" for order in orders]
+    name_places(harmonics.xaxis, names)
+    over_time.set(title="from rest", ylim=(-1.8, 2.5))
     over_time.legend(loc="upper right", **IN_A_ROW)
-    harmonics.set(xlabel="frequency [Hz], forces set apart", ylabel="amplitude [µm]")
-    harmonics.set(xlim=(200, 1050), ylim=(0, 330), title="(b) settled, above the drive")
+    harmonics.set(xlabel="harmonic of the drive", ylabel="amplitude [µm]")
+    harmonics.set(xlim=(-0.5, orders.size - 0.5), ylim=(0, 330), title="settled, above the drive")
     harmonics.legend(loc="upper right")
     return figure
 
@@ -186,8 +190,8 @@ def open_loop_with_small_gap(known: Evidence) -> Figure:
 @figure(
     "fig-3.7",
     "Open loop, larger gaps",
-    caption=f"""{DRIVEN}. Left: with the printed gap of 20 mm the pin swings inside of its play and nothing
-    else moves (thesis, figure 3.7). Right: the middle one of the three gaps, 2 mm, with three frictions.""",
+    caption=f"""{DRIVEN}. (a) With the printed gap of 20 mm the pin swings inside of its play and nothing
+    else moves (thesis, figure 3.7). (b) The middle one of the three gaps, 2 mm, with three frictions.""",
     alternative_text="""Left: a small sine in a wide grey band, and a line at zero. Right: three curves with a
     strong oscillation on top of the drive's, smaller with more friction.""",
 )
@@ -199,12 +203,12 @@ def open_loop_with_large_gap(known: Evidence) -> Figure:
     printed.fill_between(times, -500 * LARGEST_GAP, 500 * LARGEST_GAP, color="#e4e4e4", label="play")
     printed.plot(times, 1e3 * still.pin[part], label="pin", **LINES[1])
     printed.plot(times, 1e3 * still.output[part], label="$q_2 - q_4$", **LINES[0])
-    printed.set(xlabel="time [ms]", ylabel="displacement [mm]", title="(a) $b$ = 20 mm, as printed")
+    printed.set(xlabel="time [ms]", ylabel="displacement [mm]", title="$b$ = 20 mm, as printed")
     printed.set(xlim=(0, 1e3 * FROM_REST), ylim=(-12, 17))
     printed.legend(loc="upper right", ncols=3)
     for force, line in zip(FORCES, LINES, strict=False):
         _from_rest(smaller, known.motion.driven.run(LARGER_GAP, force), line)
-    smaller.set(title="(b) $b$ = 2 mm", ylim=(-1.7, 2.4))
+    smaller.set(title="$b$ = 2 mm", ylim=(-1.7, 2.4))
     smaller.legend(loc="upper right", **IN_A_ROW)
     return figure
 
@@ -222,8 +226,8 @@ def _name_harmonic(axes: Axes, order: int, height: float, offset: tuple[float, f
 @figure(
     "fig-3.8",
     "What the start adds to a spectrum",
-    caption=f"""{DRIVEN}, gap 2 mm, friction 0.25 N (thesis, figure 3.8). Left: a record from rest and one of
-    the settled motion, whole periods. Right: spectrum of their difference over time; dotted lines are natural
+    caption=f"""{DRIVEN}, gap 2 mm, friction 0.25 N (thesis, figure 3.8). (a) A record from rest and one of
+    the settled motion, whole periods. (b) Spectrum of their difference over time; dotted lines are natural
     modes. The peak that the thesis takes for a limit cycle stands beside the second.""",
     alternative_text="""Left: the settled record has three narrow peaks and nothing between them; the record
     from rest has a floor with a hump near 355 Hz. Right: peaks at the dotted lines near 355 and 550 Hz.""",
@@ -237,7 +241,7 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
         amplitude = 1e6 * np.maximum(spectrum.amplitude, 1e-12)
         both.semilogy(spectrum.frequency, amplitude, label=name, **line)
     both.set(xlabel="frequency [Hz]", ylabel="amplitude [µm]", xlim=(80, 700), ylim=(1e-2, 2e4))
-    both.set_title("(a) record with and without the start")
+    both.set_title("record with and without the start")
     both.legend(loc="upper right", ncols=2)
     for order in (1, 3, 5):
         _name_harmonic(both, order, 1e6 * float(run.harmonics[order]))
@@ -252,7 +256,7 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     dying.plot([peak], [1.06 * height], "v", color=BLACK, markersize=6)
     place = (peak + 12, 1.06 * height)
     dying.annotate(f"{OPEN_LOOP_PEAK} Hz\nin the thesis", place, va="top", fontsize=9)
-    dying.set(xlabel="frequency [Hz]", ylabel="modulus [µm s]", title="(b) what dies out")
+    dying.set(xlabel="frequency [Hz]", ylabel="modulus [µm s]", title="what dies out")
     dying.set(xlim=(80, 700), ylim=(0, 1.35 * height))
     return figure
 
@@ -261,8 +265,9 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     "fig-3.9",
     "Closed loop released without drive",
     caption="""Spectra of the first 0.3 s with the parameters of Listing A.1, over the gap (thesis, figure
-    3.9). Left: released inside of the play, natural modes die out, near 355 Hz for every gap. Right: released
-    outside, the limit cycle. Friction acts by its ratio to the gap. Dotted: the second natural mode.""",
+    3.9). (a), (c) Released inside of the play, natural modes die out, near 355 Hz for every gap. (b), (d)
+    Released outside, the limit cycle. Friction acts by its ratio to the gap. Dotted: the second natural
+    mode.""",
     alternative_text="""Four panels for two gaps and two starts. Left peaks at 355 and 550 Hz, which friction
     of 0.25 N removes for the small gap only. Right one peak at 728 Hz, hardly changed by friction.""",
 )
@@ -282,14 +287,14 @@ def closed_loop_spectra(known: Evidence) -> Figure:
         row[0].set_ylabel(f"$b$ = {1e3 * gap:g} mm\namplitude$/b$")
     inside, outside = grid[0]
     inside.set(title="released inside of the play, 0.4 gaps", ylim=(0, 0.017))
-    outside.set(title="released outside, 4 gaps", ylim=(0, 5.5))
+    outside.set(title="released outside, 4 gaps", ylim=(0, 6))
     for axes in grid[1]:
         axes.set_xlabel("frequency [Hz]")
     for axes in (inside, outside):
         beside(axes, f"{second:.1f} Hz", (second, 0.9 * axes.get_ylim()[1]), (-4, 0), ha="right")
     inside.annotate(f"{third:.0f} Hz", (third, 0.0145), ha="center")
     cycle = known.motion.released.released(EXPERIMENT_GAP, FORCES_OF_FIGURE[0], OUTSIDE)
-    outside.annotate(f"limit cycle,\n{cycle.frequency:.0f} Hz", (cycle.frequency, 4.5), ha="center")
+    outside.annotate(f"limit cycle,\n{cycle.frequency:.0f} Hz", (cycle.frequency, 4.65), ha="center")
     figure.legend(*grid[1, 1].get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure
 

@@ -27,7 +27,7 @@ INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
     "fig-4.1",
     "Two blocks of friction-controlled backlash",
     caption="""Listing A.7 and python-control's backlash from rest, $b$ = 0.4 mm, pin 1.5 mm at 100 Hz
-    (thesis, figure 4.1, whose built-in block is Simulink's). Below: their difference, zero.""",
+    (thesis, figure 4.1, whose built-in block is Simulink's). (b) Their difference, zero.""",
     alternative_text="""A sine and a clipped, delayed copy of it over two periods; circles of the second block
     lie on the first one's line. The difference is a line at zero.""",
 )
@@ -48,7 +48,7 @@ def two_friction_blocks(_: Evidence) -> Figure:
 @figure(
     "fig-4.2",
     "Block of inertia-controlled backlash",
-    caption="""Input and output of Listing A.8, $b$ = 0.4 mm, and how far the output is from the exact
+    caption="""(a) Input and output of Listing A.8, $b$ = 0.4 mm. (b) How far the output is from the exact
     waveform (thesis, figure 4.2). The offset of -12.4 µm comes from a rounded constant.""",
     alternative_text="""A sine and an output that leads into straight flights twice a period. Below, the
     deviation is zero but for one flight in each period, where it is minus 12.4 micrometres.""",

@@ -8,6 +8,7 @@ from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
 from report.claim import ContradictionError, Verdict, judge
 from report.thesis import EXPERIMENT_GAP
+from trimmer import resonance_peaks
 
 
 def verdicts(claim, inventory):
@@ -39,7 +40,7 @@ def test_a_limit_cycle_that_both_starts_reach_would_be_noticed(evidence, invento
     stable = evidence.motion.closed.orbits.friction.stable.amplitude
     changed = with_orbits(evidence, left_by=(stable, stable))
     claim = records.by_id["txt-7-play-stability"].claim(changed)
-    assert verdicts(claim, inventory) == [Verdict.ERRATUM, Verdict.REPRODUCED]
+    assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.ERRATUM, Verdict.REPRODUCED]
 
 
 def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory, records):
@@ -50,12 +51,14 @@ def test_two_stable_limit_cycles_would_be_noticed(evidence, inventory, records):
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED]
 
 
-def test_limit_cycles_away_from_the_peaks_would_be_noticed(evidence, inventory, records):
-    cycles = evidence.cycles
-    away = replace(cycles.friction, unstable=cycles.friction.stable)
-    changed = replace(evidence, cycles=replace(cycles, friction=away))
+def test_a_limit_cycle_precisely_at_a_peak_would_be_noticed(evidence, inventory, records):
+    cycles, peaks = evidence.cycles, resonance_peaks(evidence.numbers.displacement_only)
+    highest = max(peaks, key=lambda peak: peak.magnitude).omega
+    # Beside the peak by a millionth, where the gain is less.
+    there = replace(cycles.friction, unstable=replace(cycles.friction.unstable, omega=highest * (1 + 1e-6)))
+    changed = replace(evidence, cycles=replace(cycles, friction=there))
     claim = records.by_id["txt-7-resonance"].claim(changed)
-    assert verdicts(claim, inventory)[0] is Verdict.REPRODUCED
+    assert verdicts(claim, inventory)[0] is Verdict.ERRATUM
 
 
 def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, records):

@@ -7,6 +7,7 @@ import pytest
 
 from report.chapters.chapter_5.figures import contours, friction
 from report.drawing import plane
+from report.drawing.letters import title_of
 from tests.report.figures.lines import curve
 from trimmer import response_at
 from trimmer.elements.friction_backlash import FrictionBacklash
@@ -26,7 +27,7 @@ def points(axes, marker="o"):
 
 @pytest.mark.parametrize("figure_id", IDS)
 def test_every_panel_has_a_title(figure_id, drawn_axes):
-    assert all(axes.get_title() and axes.get_xlabel() for axes in drawn_axes(figure_id))
+    assert all(title_of(axes) and axes.get_xlabel() for axes in drawn_axes(figure_id))
 
 
 def test_curves_begin_at_minus_one_and_reach_the_edge_of_their_domain():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from report.chapters.chapter_3 import figures
-from report.thesis import DRIVE_AMPLITUDE, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
+from report.thesis import DRIVE_AMPLITUDE, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY, TABLE_2
 from tests.report.figures.lines import line
 
 
@@ -16,6 +16,24 @@ def test_spectra_have_odd_harmonics_only(drawn_axes):
         odd = np.isclose(orders, np.round(orders), atol=0.01) & (np.round(orders) % 2 == 1)
         assert amplitude[odd & (frequency < 1000)].min() > 0.5
         assert amplitude[~odd & (frequency > 0)].max() < 0.01
+
+
+def test_frequencies_without_heights_stand_in_a_strip_of_their_own(drawn_axes):
+    model, rug = drawn_axes("fig-3.5")
+    assert {each.get_marker() for each in model.lines} <= {".", "None"}
+    measured = [each for each in rug.lines if each.get_marker() == "|"]
+    assert len(measured) == len(TABLE_2)
+    for row, (each, cells) in enumerate(zip(measured, TABLE_2.values(), strict=True)):
+        assert [f"{place:g}" for place in each.get_xdata()] == [f"{float(cell):g}" for cell in cells[1:]]
+        assert set(each.get_ydata()) == {row}
+
+
+def test_one_motion_scaled_by_the_gap(drawn_axes):
+    lengths, gaps = drawn_axes("fig-E.1")
+    largest = [np.abs(np.asarray(each.get_ydata())).max() for each in lengths.lines]
+    assert (np.diff(largest) > 0.5).all()
+    over_gap = [np.abs(np.asarray(each.get_ydata())).max() for each in gaps.lines]
+    assert over_gap == pytest.approx([over_gap[0]] * len(over_gap), rel=1e-3)
 
 
 def test_heights_of_the_fifth_harmonic_are_those_in_the_words(drawn_axes):

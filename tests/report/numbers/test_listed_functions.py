@@ -46,3 +46,17 @@ def test_a_polygon_meets_a_known_locus_where_it_should(monkeypatch):
     polygon = np.array([0.5 - 2j, 0.5 + 0.2j, 0.2 + 0.2j, 0.2 - 2j])
     assert intersections(polygon, plant) == pytest.approx([1.0, 2.0], rel=1e-4)
     assert intersections(np.array([2 + 0j, 2 - 1j]), plant) == ()
+
+
+def test_distances_of_contours_are_those_to_the_nearest_point():
+    assert listed_functions.mean_distance(
+        np.array([0j, 3.0]), np.array([4j, 3.0 + 1j, 9.0])
+    ) == pytest.approx((np.sqrt(10) + 1) / 2)
+
+
+def test_contours_begin_and_end_where_the_elements_do():
+    fast = listed_functions.equivalent_contour(0.15, 2e-3, 1e9)
+    assert fast[-1] == pytest.approx(-1 / listed_functions.friction_listing(60.0, 1.0), rel=1e-6)
+    heavy = listed_functions.inertia_contour(2e-3)
+    by_listing = [-1 / listed_functions.inertia_listing(1 / each, 1.0) for each in listed_functions.IN_GAPS]
+    np.testing.assert_allclose(heavy, by_listing, rtol=1e-9)

@@ -37,13 +37,16 @@ def code_of(text):
 
 def test_one_program_for_each_listing_of_the_thesis(programs):
     listings = [entry.id for entry in read_inventory().values() if entry.id.startswith("lst-A.")]
-    assert [program.claim for program in programs] == [*listings, ""]
+    assert [program.claim for program in programs] == [*listings, "", ""]
     sections = {entry.id: entry.section for entry in read_inventory().values()}
     assert [content.section for content in CONTENTS] == [sections[content.claim] for content in CONTENTS]
 
 
 def test_a_file_is_called_as_its_function(programs):
-    for program in programs:
+    *functions, script = programs
+    assert script.name == "run_all.m"
+    assert not re.search(r"^\s*function\b", script.text, re.MULTILINE)
+    for program in functions:
         first = program.text.partition("\n")[0]
         assert re.fullmatch(rf"function .*\b{program.name.removesuffix('.m')}\(.*\)", first), first
 
@@ -99,12 +102,25 @@ def test_same_input_gives_the_same_bytes(programs):
 def test_archive_holds_the_files(programs):
     with zipfile.ZipFile(io.BytesIO(archive(programs))) as packed:
         assert packed.testzip() is None
-        held = {name: packed.read(name).decode("ascii") for name in packed.namelist()}
+        held = {name: packed.read(name).decode() for name in packed.namelist()}
         assert {entry.date_time for entry in packed.infolist()} == {(1980, 1, 1, 0, 0, 0)}
     assert held == files(programs)
 
 
 def test_files_are_written(programs, tmp_path):
     write_files(programs, tmp_path / "octave")
-    written = {path.name: path.read_text(encoding="ascii") for path in (tmp_path / "octave").iterdir()}
+    written = {path.name: path.read_text(encoding="utf-8") for path in (tmp_path / "octave").iterdir()}
     assert written == files(programs)
+
+
+def test_the_readme_names_each_file_and_how_to_run_them(programs):
+    names = set(re.findall(r"^\| `([^`]+)` \|", files(programs)["README.md"], re.MULTILINE))
+    assert names == {program.name for program in programs}
+    assert "octave-cli run_all.m" in files(programs)["README.md"]
+
+
+def test_the_readme_of_a_part_names_nothing_that_is_not_there(programs):
+    text = files(programs[:1])["README.md"]
+    assert "`listing_a_1.m`" in text
+    assert "run_all" not in text
+    assert files(()) == {}

@@ -13,6 +13,7 @@ from report.document import (
     Equation,
     Highlight,
     NomenclatureRow,
+    Opening,
     ParameterRow,
     Program,
     Provenance,
@@ -113,13 +114,18 @@ def sample() -> Document:
     """Return the report."""
     return Document(
         title="The linear trimmer & its claims: 100 % of A_1 <checked>",
-        highlights=(
-            Highlight(
-                "eq-2.9",
-                r"The first equation of motion has a wrong sign at $k_1 (q_1 - q_2)$.",
-                r"$3\,\%$ of the pole",
+        opening=Opening(
+            "The derivations hold. The predictions do not: see $k_1$.",
+            (
+                Highlight(
+                    "eq-2.9",
+                    r"The first equation of motion has a wrong sign at $k_1 (q_1 - q_2)$.",
+                    r"Turn it: the pole moves by $3\,\%$.",
+                ),
+                Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "Use 40."),
             ),
-            Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "20 dB per decade"),
+            ("Compute *your* trimmer.",),
+            ("Trust $G$ blindly.", "Tune."),
         ),
         chapters=(
             Chapter("chapter-2", "2", "Modelling & method", chapter_two()),
@@ -143,7 +149,7 @@ def sample() -> Document:
             "0123abc",
             "2026-05-04T10:11:12+02:00",
             (("sympy", "1.14.0"), ("typst", "0.15.0")),
-            BuildTime(61.7, 2, "0.1.0"),
+            BuildTime(61.7, "0.1.0"),
         ),
         text_copy=TextCopy(
             "0" * 64, 1200, "Trimmers & <b>play</b>", "Thesis", "A *company*", ("author", "appendix_C")

@@ -12,7 +12,7 @@ def of(*findings: Finding) -> tuple[Erratum, ...]:
     """Return the errata of a report of one chapter."""
     chapter = Chapter("chapter-5", "5", "Results", findings)
     nothing = Provenance("", "", "2026-05-04", ())
-    return errata(Document("", (), (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0)))
+    return errata(Document("", None, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0)))
 
 
 def finding(id: str, *parts: tuple[str, Verdict, Shown], kind: Kind = Kind.EQUATION) -> Finding:

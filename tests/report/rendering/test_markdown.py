@@ -36,8 +36,8 @@ def text_of(document: Document) -> str:
 SECTIONS = (
     *(
         "summary",
-        "highlights",
         "answers",
+        "method",
         "corrected",
         "chapter-2",
         "section-2.2.1",
@@ -66,7 +66,7 @@ def test_the_summary_says_how_many_statements_are_judged(document: Document) -> 
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:
-    without = {"derivation": (), "highlights": (), "answers": (), "corrected": (), "programs": ()}
+    without = {"derivation": (), "answers": (), "corrected": (), "programs": ()}
     text = text_of(dataclasses.replace(document, **without))
     assert not any(f"{{#{section}}}" in text for section in without)
 
@@ -80,8 +80,8 @@ def test_a_figure_stands_with_its_claim_in_the_section_that_the_thesis_has_it_in
 def test_a_part_of_the_report_has_its_chapter_and_what_rests_on_it(document: Document) -> None:
     text = text_of(select(document, ["ch5"]))
     assert "**This is a part of the report.**" in text
-    assert all(f"{{#{section}}}" in text for section in ("summary", "highlights", "chapter-5", "errata"))
-    assert not any(f"{{#{section}}}" in text for section in ("answers", "chapter-2", "derivation"))
+    assert all(f"{{#{section}}}" in text for section in ("method", "chapter-5", "errata"))
+    assert not any(f"{{#{section}}}" in text for section in ("summary", "answers", "chapter-2", "derivation"))
     assert not any(f"#{finding.id}" in text for finding in document.chapters[0].findings)
 
 
@@ -107,10 +107,11 @@ def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> 
         to_markdown(with_step(document, text="See [it](#eq-9.9)."))
 
 
-def test_a_highlight_of_a_claim_that_is_not_there_is_an_error(document: Document) -> None:
-    highlight = dataclasses.replace(document.highlights[0], claim="eq-9.9")
+def test_a_highlight_of_a_place_that_is_not_there_is_an_error(document: Document) -> None:
+    highlight = dataclasses.replace(document.opening.highlights[0], place="eq-9.9")
+    changed = dataclasses.replace(document.opening, highlights=(highlight,))
     with pytest.raises(BrokenLinkError, match=r"eq-9\.9"):
-        to_markdown(dataclasses.replace(document, highlights=(highlight,)))
+        to_markdown(dataclasses.replace(document, opening=changed))
 
 
 def test_two_claims_with_one_id_are_an_error(document: Document) -> None:

@@ -12,6 +12,7 @@ import pytest
 from playwright.sync_api import Browser
 
 from report.document import Document
+from report.rendering.figure_colours import in_the_dark
 from report.rendering.request import Format
 from tests.report.rendering import page_checks
 from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit
@@ -101,10 +102,39 @@ def test_the_colours_are_those_of_the_system_until_others_are_chosen(
     assert page.evaluate(GROUND) == ground
 
 
-def test_figures_lie_on_light_ground_in_the_dark(visit: Callable[..., Visit]) -> None:
+def test_figures_follow_the_colours_of_the_page(visit: Callable[..., Visit]) -> None:
     page = visit(scheme="dark").page
     grounds = "[...document.querySelectorAll('.paper')].map(p => getComputedStyle(p).backgroundColor)"
-    assert set(page.evaluate(grounds)) == {WHITE}
+    lines = "getComputedStyle(document.querySelector('[id=\"drawing-fig-5.1\"] path[style*=c0072b2]')).stroke"
+    for scheme, ground, line in (
+        ("dark", in_the_dark("ffffff"), in_the_dark("0072b2")),
+        ("light", "#ffffff", "#0072b2"),
+    ):
+        page.emulate_media(color_scheme=scheme)
+        assert set(page.evaluate(grounds)) == {rgb(ground)}
+        assert page.evaluate(lines) == rgb(line)
+    page.emulate_media(media="print", color_scheme="dark")
+    assert page.evaluate(lines) == rgb("#0072b2")
+
+
+def test_heads_and_labels_of_the_summary_s_picture_keep_apart(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.add_style_tag(content=".picture svg { font-family: 'DejaVu Serif', serif }")  # one of the widest
+    boxes = page.evaluate("""[...document.querySelectorAll('.verdict-picture text, .verdict-picture rect')]
+      .map((e) => e.getBBox()).map(({ x, y, width, height }) => [x, y, x + width, y + height])""")
+    touching = [
+        (one, other)
+        for position, one in enumerate(boxes)
+        for other in boxes[:position]
+        if one[0] < other[2] and other[0] < one[2] and one[1] + 4 < other[3] and other[1] + 4 < one[3]
+    ]
+    assert len(boxes) > 8
+    assert touching == []
+
+
+def rgb(colour: str) -> str:
+    """Write #rrggbb as a browser does."""
+    return "rgb({}, {}, {})".format(*(int(colour[place : place + 2], 16) for place in (1, 3, 5)))
 
 
 def test_formulas_have_their_root_signs_and_dots(visit: Callable[..., Visit]) -> None:

@@ -32,9 +32,9 @@ def checkbox(page: Page, one: Grade) -> Locator:
 
 
 def search(page: Page, text: str) -> list[str]:
-    """Search in the claims; return the headings of what is found, in their order."""
-    page.get_by_label("Search in claims").fill(text)
-    return page.locator(".results a").all_inner_texts()
+    """Search in the report; return the headings of what is found, in their order."""
+    page.get_by_label("Search", exact=True).fill(text)
+    return [text.replace("\u00a0", " ") for text in page.locator(".results a").all_inner_texts()]
 
 
 def test_the_grade_filter_hides_the_other_claims_and_is_in_the_address(
@@ -117,19 +117,19 @@ def test_the_filter_works_by_keyboard_and_can_be_reset(
 
 def test_a_search_lists_what_fits_best_first_and_hides_the_rest(visit: Callable[..., Visit]) -> None:
     page = visit().page
-    found = search(page, "spectrum")
+    found = search(page, "spectrum of")
     assert found == ["Figure 5.2: spectrum of the output"]
     assert shown(page) == {"fig-5.2"}
-    assert page.evaluate("location.search") == "?query=spectrum"
+    assert page.evaluate("location.search") == "?query=spectrum+of"
     found = search(page, "Equation 2.36")
     assert found[0] == "Equation 2.36: waveform"
 
 
 def test_a_search_needs_all_words_in_any_case_and_order(visit: Callable[..., Visit]) -> None:
     page = visit().page
-    assert search(page, "DECADE roll-off per") == [
-        "Statement in section 5.1.2: roll-off of −60 dB per decade"
-    ]
+    found = search(page, "DECADE roll-off per")
+    assert found[0] == "Statement in section 5.1.2: roll-off of −60 dB per decade"
+    assert shown(page) == {"txt-5.1.2-roll-off"}
     assert search(page, "roll-off -60") != []  # the minus of the keyboard finds the printed one
     assert search(page, "roll-off giraffe") == []
 
@@ -137,7 +137,7 @@ def test_a_search_needs_all_words_in_any_case_and_order(visit: Callable[..., Vis
 def test_the_first_result_is_opened_by_enter(visit: Callable[..., Visit]) -> None:
     page = visit().page
     page.keyboard.press("/")
-    expect(page.get_by_label("Search in claims")).to_be_focused()
+    expect(page.get_by_label("Search", exact=True)).to_be_focused()
     page.keyboard.type("impulse")
     page.keyboard.press("Enter")
     page.wait_for_function("location.hash === '#txt-5.2.1-impulse-1e-8'")
@@ -147,4 +147,66 @@ def test_the_first_result_is_opened_by_enter(visit: Callable[..., Visit]) -> Non
 def test_an_address_with_a_search_opens_with_it(visit: Callable[..., Visit]) -> None:
     page = visit("?query=A-matrix").page
     assert "eq-2.12" in shown(page)
-    assert page.get_by_label("Search in claims").input_value() == "A-matrix"
+    assert page.get_by_label("Search", exact=True).input_value() == "A-matrix"
+
+
+def test_an_equation_is_found_by_its_number(visit: Callable[..., Visit], document: Document) -> None:
+    page = visit().page
+    assert search(page, "(2.36)")[0] == "Equation 2.36: waveform"
+    (step,) = (each for each in document.derivation if any(e.thesis == "2.36" for e in each.equations))
+    assert step.title in search(page, "(2.36)")  # which derives it
+    assert search(page, "2.36")[0] == "Equation 2.36: waveform"
+    assert all("2.3" not in heading for heading in search(page, "(2.3)"))
+
+
+def test_a_number_is_found_however_it_is_written(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    written = ("2e-8", "2·10^-8", "2 × 10^-8", "2*10^-8", "0.00000002", "2.0e-08", "2 · 10⁻⁸")
+    found = [search(page, text) for text in written]
+    assert all("Sec. 5.2.1: smallest gap" in headings for headings in found), found
+    assert "Sec. 5.2.1: smallest gap" not in search(page, "3e-8")
+
+
+def test_the_derivation_and_the_nomenclature_are_searched(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    assert "Relay" in search(page, "relay switches")
+    (symbol,) = search(page, "stiffness between masses")
+    assert symbol.startswith("k1")
+    page.locator(".results a").click()
+    expect(page.get_by_role("row", name="stiffness between masses 1 and 2")).to_be_in_viewport()
+
+
+def test_other_words_for_the_same_thing_find_it(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.evaluate("document.querySelector('#provenance').append(' of the dead band')")
+    for words in ("dead zone", "Deadband", "dead-zone"):
+        assert search(page, words) == ["Provenance of the dead band"]
+
+
+def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    assert search(page, "roll-off giraffe") == []
+    hint = page.locator("search .hint")
+    expect(hint).to_contain_text("No place has “giraffe”")
+    expect(hint).to_contain_text("(5.13)")
+    search(page, "roll-off")
+    expect(hint).to_be_hidden()
+    visit("?grade=reproduced&chapter=2")
+    search(page, "roll-off")
+    expect(hint).to_contain_text("The filter hides")
+
+
+MARKED = "[...(CSS.highlights.get('search-hit') ?? [])].map((range) => range.toString())"
+
+
+def test_what_is_found_is_marked(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    search(page, "Roll-OFF")
+    marked = page.evaluate(MARKED)
+    assert marked
+    assert {text.lower().replace("\u2011", "-") for text in marked} == {"roll-off"}
+    search(page, "2e-8")
+    assert any("10" in text for text in page.evaluate(MARKED))  # as it stands there: a formula
+    page.get_by_role("button", name="Show all").click()
+    page.wait_for_function("location.search === ''")
+    assert page.evaluate(MARKED) == []

@@ -85,33 +85,94 @@ def test_outside_of_the_axes_nothing_is_read(page: Page) -> None:
     assert read(figure) == "outside of the axes"
 
 
-def view(figure: Locator) -> list[float]:
-    return [float(number) for number in figure.locator("svg").get_attribute("viewBox").split()]
+def test_a_peak_is_met_from_beside_it_and_from_below(page: Page) -> None:
+    figure = drawing(page, SPECTRUM)
+    for across, up in ((PEAK / 1000 + 0.02, 0.74), (PEAK / 1000 + 0.005, 0.4)):
+        point_at(page, figure, across, up)
+        assert read(figure).startswith("peak: ")
+        assert number(read(figure), "frequency") == pytest.approx(PEAK, abs=0.05)
+    point_at(page, figure, 0.2, 0.4)
+    assert not read(figure).startswith("peak: ")
 
 
-def test_zooming_keeps_what_is_read_in_place_and_ends_with_the_whole(page: Page) -> None:
+def numbers_at(figure: Locator) -> list[str]:
+    """The numbers that are shown in the place of the drawing's own, which then are hidden."""
+    return figure.locator(".zoom-number").all_text_contents()
+
+
+def sizes(figure: Locator) -> list[object]:
+    """What zooming has to keep: the part of the drawing, its frame, its labels and the width of its curve."""
+    return list(
+        figure.locator("svg").evaluate("""(svg) => {
+          const box = (end) => {
+            const { x, y, width, height } = svg.querySelector(`[id$="${end}"]`).getBoundingClientRect();
+            return [x, y, width, height].map(Math.round);
+          };
+          const line = svg.querySelector('path[style*=c0072b2]');
+          return [svg.getAttribute('viewBox'), ...['-patch_2', '-label_x_0', '-label_y_0'].map(box),
+            getComputedStyle(line).strokeWidth, line.getCTM().a];
+        }""")
+    )
+
+
+def width_of_curve(figure: Locator) -> float:
+    return float(
+        figure.locator("path[style*=c0072b2]").first.evaluate("line => line.getBoundingClientRect().width")
+    )
+
+
+def test_zooming_keeps_frame_and_labels_and_what_is_read_in_place(page: Page) -> None:
     figure = drawing(page, LOCUS)
-    whole = view(figure)
+    before, width = sizes(figure), width_of_curve(figure)
     point_at(page, figure, 0.25, 0.3)
-    before = read(figure)
+    place = read(figure).partition(";")[0]
     figure.get_by_role("button", name="Zoom in").click()
-    assert view(figure)[2] == pytest.approx(whole[2] / 1.5)
+    assert sizes(figure) == before
+    assert width_of_curve(figure) == pytest.approx(1.5 * width, rel=0.01)
     point_at(page, figure, 0.25, 0.3)
-    assert read(figure).partition(",")[0] == before.partition(",")[0]
+    for name in ("real part", "imaginary part"):
+        assert number(read(figure), name) == pytest.approx(number(place, name), abs=0.01)
     figure.get_by_role("button", name="Whole figure").click()
-    assert view(figure) == whole
+    assert (sizes(figure), width_of_curve(figure)) == (before, pytest.approx(width, rel=1e-3))
+    assert numbers_at(figure) == []
+
+
+def test_the_numbers_at_the_axes_are_those_of_the_part(page: Page) -> None:
+    figure = drawing(page, LOCUS)
+    own = figure.locator("[id$='-xtick_1']")
+    assert own.evaluate("tick => getComputedStyle(tick).visibility") == "visible"
+    point_at(page, figure, 1.0, 1.0)
+    for _ in range(4):
+        figure.get_by_role("button", name="Zoom in").click()
+    assert own.evaluate("tick => getComputedStyle(tick).visibility") == "hidden"
+    shown = [float(text.replace("−", "-")) for text in numbers_at(figure)]
+    across = [value for value in shown if 1.2 - 1.7 / 1.5**4 - 1e-6 <= value <= 1.2 + 1e-6]
+    up = [value for value in shown if 0.4 - 1.4 / 1.5**4 - 1e-6 <= value <= 0.4 + 1e-6]
+    assert len(across) >= 3
+    assert len(up) >= 3
+    assert len(across) + len(up) >= len(shown)
+
+
+def test_axes_with_a_logarithmic_scale_keep_powers_of_ten(page: Page) -> None:
+    figure = drawing(page, SPECTRUM)
+    point_at(page, figure, 0.5, 0.5)
+    figure.get_by_role("button", name="Zoom in").click()
+    powers = [text for text in numbers_at(figure) if re.fullmatch("10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", text)]
+    assert powers == ["10⁻²", "10⁻¹", "10⁰"]
 
 
 def test_a_figure_is_zoomed_and_read_by_keyboard(page: Page) -> None:
     figure = drawing(page, LOCUS)
     paper = figure.locator(".paper")
+    point_at(page, figure, 0.5, 0.5)
+    page.mouse.move(0, 0)
     paper.focus()
     page.keyboard.press("+")
-    assert view(figure)[2] < 400
+    assert numbers_at(figure) != []
     page.keyboard.press("ArrowRight")
     first = number(read(figure), "real part")
     for _ in range(3):
-        page.keyboard.press("ArrowRight")
+        page.keyboard.press("Shift+ArrowRight")
     assert number(read(figure), "real part") > first
     expect(figure.locator("output")).to_have_attribute("aria-live", "polite")
     page.keyboard.press("0")
@@ -121,22 +182,17 @@ def test_a_figure_is_zoomed_and_read_by_keyboard(page: Page) -> None:
 def test_a_zoomed_figure_is_moved_by_dragging(page: Page) -> None:
     figure = drawing(page, LOCUS)
     point_at(page, figure, 0.5, 0.5)
-    page.mouse.dblclick(
-        *page.evaluate("""() => {
-      const { x, y, width, height } = document.getElementById('drawing-fig-5.1').querySelector('svg')
-        .getBoundingClientRect();
-      return [x + width / 2, y + height / 2];
-    }""")
-    )
-    left = view(figure)[0]
+    before = number(read(figure), "real part")
     box = figure.locator("svg").bounding_box()
     assert box is not None
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.dblclick(*middle)
     page.mouse.move(*middle)
     page.mouse.down()
-    page.mouse.move(middle[0] - 40, middle[1])
+    page.mouse.move(middle[0] - 80, middle[1])
     page.mouse.up()
-    assert view(figure)[0] > left
+    point_at(page, figure, 0.5, 0.9)
+    assert number(read(figure), "real part") > before + 0.05
 
 
 def test_a_drawing_without_scales_has_no_tools(page: Page) -> None:

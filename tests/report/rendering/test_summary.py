@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 from report.claim import Certainty, Finding, Impact, JudgedPart, Kind, Number, Verdict
 from report.document import Document
 from report.grade import Grade, grade
@@ -25,11 +27,10 @@ def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) 
         assert sum(numbers) == total.counts[index].number == sum(grade(item) is each for item in judged)
 
 
-def test_every_grade_certainty_and_impact_has_its_words() -> None:
+def test_every_grade_and_certainty_has_its_words() -> None:
     assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(summary.GRADES) == set(Grade)
     assert len(set(summary.SYMBOLS.values())) == len(Grade)
     assert set(summary.CERTAINTIES) == set(Certainty)
-    assert set(summary.REACHES) == set(Impact)
 
 
 def test_a_claim_is_named_as_a_reader_would() -> None:
@@ -68,3 +69,9 @@ def test_a_sentence_ends_with_one_full_stop() -> None:
         == summary.sentence("b is half the gap.")
         == "b is half the gap."
     )
+
+
+def test_what_the_copy_may_have_lost_is_no_slip_and_says_what_decides() -> None:
+    lost = replace(part("a", "", "a minus is lost"), decided_by="the page decides")
+    assert summary.slips((lost,)) == ()
+    assert summary.copy_faults((lost, part("b", ""))) == (("a", "a minus is lost; the page decides"),)

@@ -57,6 +57,8 @@ def error(capsys: pytest.CaptureFixture[str], *words: object) -> str:
         (["spectrum", "{file}", "--channels", "both"], "--channels", "--gap"),
         (["spectrum", "{file}", "--bits", "16"], "--bits", "--wav"),
         (["report", "--format", "html", "--paper", "a4"], "--paper", "pdf among --format"),
+        (["report", "--format", "json", "--thesis", "{file}"], "--thesis", "html among --format"),
+        (["report", "--other-copy"], "--other-copy", "--thesis"),
     ],
 )
 def test_an_option_without_effect_is_an_error(
@@ -102,6 +104,27 @@ def test_a_report_keeps_files_of_another_kind(tmp_path: Path, capsys) -> None:
     told = error(capsys, "report", "--directory", tmp_path, "--format", "json")
     assert told.startswith(f"{tmp_path / 'claims.json'} is there already and is no JSON file of claims")
     assert [path.name for path in tmp_path.iterdir()] == ["claims.json"]
+
+
+def test_another_text_than_the_one_judged_is_refused_before_anything_is_computed(
+    capsys, file: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "report"
+    told = error(capsys, "report", "--directory", folder, "--thesis", file)
+    assert told.startswith(f"--thesis {file}: is another text than the one that was judged")
+    assert report_request("--thesis", str(file), "--other-copy").copy.lines[0].startswith("time")
+    assert not folder.exists()
+
+
+def test_what_is_no_file_of_claims_is_refused_before_anything_is_computed(
+    capsys, file: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "report"
+    told = error(capsys, "report", "--directory", folder, "--compare", file)
+    assert told.startswith(f"--compare {file}: it is no JSON in UTF-8")
+    told = error(capsys, "report", "--compare", "-", "--thesis", "-")
+    assert told.startswith("--thesis and --compare both read standard input")
+    assert not folder.exists()
 
 
 def test_a_motion_without_files_may_have_any_length(capsys, monkeypatch) -> None:

@@ -12,7 +12,8 @@ from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.chapters.second_ways import REPEATED
-from report.claim import Impact
+from report.claim import Impact, Severity
+from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
 from report.numbers.listed_blocks import (
     PERIOD,
@@ -20,7 +21,7 @@ from report.numbers.listed_blocks import (
     friction_by_python_control,
     inertia_block_on_a_sine,
 )
-from report.parts import assertion, close, so
+from report.parts import assertion, close, lost_in_the_copy, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer import InertiaBacklash
@@ -48,27 +49,36 @@ def undefined_names(lines: tuple[str, ...]) -> set[str]:
     return used - assigned
 
 
-@claim("txt-A.3-names", source=SOURCE, impact=Impact.NOTATION)
+def assigned_in(lines: tuple[str, ...]) -> Assertion:
+    """Return whether the last of some lines adds up only what the others assign."""
+    missing = undefined_names(lines)
+    return Assertion(ASSIGNED, not missing, f"without {len(missing)} of its names", BOTH_SIDES)
+
+
+@claim("txt-A.3-names", source=SOURCE, lines=(1512, 1523))
 def fields(_: Evidence) -> Record:
     missing = undefined_names(LISTING_A_2)
+    with_underscores = tuple(re.sub(r"^N\.", "N_", line) for line in LISTING_A_2)
     yield assertion(
         "last line of Listing A.2",
         ASSIGNED,
         not missing,
-        f"{' and '.join(sorted(missing))} are not; lines 9 and 10 assign N.re and N.im",
+        f"{' and '.join(sorted(missing))} are not; lines 9 to 11 assign N.re and N.im",
         method=BOTH_SIDES,
         second=so("Listing A.3, with the same last line", not undefined_names(LISTING_A_3)),
+        copy_fault=lost_in_the_copy(
+            "two underscores are read as points, N.re and N.im for N_re and N_im",
+            assigned_in(with_underscores),
+        ),
     )
     yield text("""
-        A point stands for an underscore: N.re asks for a field of what line 5 has made a matrix, and N_re is
-        not defined. The listing is judged as it stands in the copy at hand; reading the page by machine may
-        have done it. Listing A.3 has the underscores and runs.
-
-        Listing A.2 stops with an error; Listing A.3 is the one to use.
+        As read, `N.re` asks for a field of what line 5 has made a matrix, `N_re` is not defined, and the
+        listing stops with an error. With underscores it is Listing A.3 and runs. The page shows which of them
+        it has.
     """)
 
 
-@claim("txt-A.6-imaginary-unit", source=SOURCE, impact=Impact.NOTATION)
+@claim("txt-A.6-imaginary-unit", source=SOURCE, lines=(1597, 1597))
 def imaginary_unit(_: Evidence) -> Record:
     missing = undefined_names(LISTING_A_5)
     corrected = (*LISTING_A_5[:-1], LISTING_A_5[-1].replace("li", "1i"))
@@ -78,17 +88,23 @@ def imaginary_unit(_: Evidence) -> Record:
         not missing,
         f"{', '.join(sorted(missing))} is not",
         method=BOTH_SIDES,
-        second=so("the same line with 1i, the imaginary unit", not undefined_names(corrected)),
+        second=so("the same line of Listing A.3, with 1i", not undefined_names(LISTING_A_3)),
+        copy_fault=lost_in_the_copy("the digit 1 of 1i is read as the letter l", assigned_in(corrected)),
     )
     yield text("""
-        The letter l stands for the digit 1 of the imaginary unit 1i, which Listing A.3 has right. The listing
-        is judged as it stands in the copy at hand; reading the page by machine may have done it.
-
-        As it stands the listing stops with an error at its last line.
+        As read, the letter l stands where the imaginary unit `1i` has the digit 1, and the listing stops with
+        an error at its last line. Listings A.3 and A.6 have the digit. The two look alike in many typefaces;
+        the page shows which it has.
     """)
 
 
-@claim("txt-A.7-captions", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "txt-A.7-captions",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1602, 1604),
+    severity=Severity.SLIP,
+)
 def captions(_: Evidence) -> Record:
     names = ", ".join(sorted(str(symbol) for symbol in LISTING.free_symbols))
     yield assertion(
@@ -140,9 +156,9 @@ def captions(_: Evidence) -> Record:
     )
     yield text("""
         Three captions, a heading and a text name another function than the one that stands there. Listing A.6
-        is the equivalent nonlinearity; A.7 and A.8 are blocks over time and no describing functions; the text
-        of A.4 describes A.7; under the heading of A.10 stands friction-controlled backlash, which section
-        5.2.1 tells the reader to put there.
+        is the equivalent nonlinearity, as its heading says. Listings A.7 and A.8 are blocks over time and no
+        describing functions. The text of A.4 describes Listing A.7, and under the heading of A.10 stands
+        friction-controlled backlash, which section 5.2.1 tells the reader to put there.
 
         Whoever takes a listing by its caption solves with friction instead of a heavy load, or puts a
         displacement where a gain belongs.

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import control
 import numpy as np
 import sympy
 
 from derivations.elements.waveform import THETA, Segment
-from derivations.latex import latex
 from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.chapters.second_ways import by_quadrature
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.comparisons.printed import product
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import integral as quadrature_integral
@@ -32,7 +31,7 @@ VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
 """Where the integrals are found numerically too."""
 
 
-@claim("eq-A.1", source=LAPLACE)
+@claim("eq-A.1", source=LAPLACE, lines=(1412, 1412))
 def states(known: Evidence) -> Record:
     system, state = known.general, known.transformed.state
     right_side = system.b * system.input_transform
@@ -49,7 +48,7 @@ def states(known: Evidence) -> Record:
     yield text("All three lines hold for a general system of two states that starts at rest.")
 
 
-@claim("eq-A.2", source=LAPLACE)
+@claim("eq-A.2", source=LAPLACE, lines=(1414, 1416), paragraph=1)
 def output(known: Evidence) -> Record:
     system = known.general
     resolvent = (s * sympy.eye(system.a.rows) - system.a).inv()
@@ -65,39 +64,72 @@ def output(known: Evidence) -> Record:
     yield text("Both lines equal the output that solving the equations one by one gives.")
 
 
-def integral(
-    claim_id: str, integrand: sympy.Expr, lower: sympy.Expr, upper: sympy.Expr, printed: sympy.Expr
-) -> ClaimRecord:
+@dataclass(frozen=True)
+class Integral:
+    """One of the four integrals: limits and integrand, and both as the thesis prints them, in TeX."""
+
+    integrand: sympy.Expr
+    lower: sympy.Expr
+    upper: sympy.Expr
+    form: str
+    value: sympy.Expr
+    value_form: str
+
+
+def integral(number: int, line: int, printed: Integral) -> ClaimRecord:
     """Return the claim on one of the four integrals."""
 
-    @claim(claim_id, source="report/chapters/appendix_a/claims/listing_a_1_linear_model.py")
+    @claim(
+        f"eq-A.1.{number}",
+        source="report/chapters/appendix_a/claims/listing_a_1_linear_model.py",
+        lines=(line, line),
+        paragraph=1,
+    )
     def record(_: Evidence) -> Record:
-        limits = (tau, lower, upper)
-        derived = sympy.simplify(sympy.integrate(integrand, limits))
+        lower, upper, integrand = printed.lower, printed.upper, printed.integrand
+        derived = sympy.simplify(sympy.integrate(integrand, (tau, lower, upper)))
         segment = Segment(lower, upper, integrand.subs(tau, THETA))
         numeric = quadrature_integral(segment, sympy.Integer(1), VALUES)
-        second = by_quadrature(derived, numeric, VALUES)
-        left = latex(sympy.Integral(integrand, limits))
-        yield expression("", printed, derived, left=left, assume=sympy.Gt(A, b), second=second)
+        yield expression(
+            "",
+            printed.value,
+            derived,
+            left=printed.form,
+            assume=sympy.Gt(A, b),
+            printed_form=f"{printed.form} = {printed.value_form}",
+            second=by_quadrature(derived, numeric, VALUES),
+        )
         yield text("""
-            The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It
-            belongs to equation B.1, where the describing function of backlash is derived, not below the
-            transfer function.
-        """)
+        The integral has the printed value for every $A > b$; $b$ is half of the total gap here. It belongs to
+        equation B.1, where the describing function of backlash is derived, not below the transfer function.
+    """)
 
     return record
 
 
-PI, CONTACT, HOLD = sympy.pi, sympy.asin(1 - 2 * b / A), 2 * b * (b - A) / A
+PI, CONTACT = sympy.pi, sympy.asin(1 - 2 * b / A)
+HOLD, HOLD_FORM, ZERO = 2 * b * (b - A) / A, r"\frac{2b(b - A)}{A}", sympy.Integer(0)
+ARCSINE = r"\sin^{-1}\left(1 - \frac{2b}{A}\right)"
 UPPER, LOWER = (A * sympy.sin(tau) + b) * sympy.cos(tau), (A * sympy.sin(tau) - b) * sympy.cos(tau)
-BACK = product(-1, A - b, sympy.cos(tau))
-first_integral = integral("eq-A.1.1", (A - b) * sympy.cos(tau), PI / 2, PI - CONTACT, HOLD)
-second_integral = integral("eq-A.1.2", UPPER, PI - CONTACT, 3 * PI / 2, sympy.Integer(0))
-third_integral = integral("eq-A.1.3", BACK, 3 * PI / 2, 2 * PI - CONTACT, HOLD)
-fourth_integral = integral("eq-A.1.4", LOWER, 2 * PI - CONTACT, 5 * PI / 2, sympy.Integer(0))
+FRONT, BACK = (A - b) * sympy.cos(tau), product(-1, A - b, sympy.cos(tau))
+FRONT_FORM = rf"\int_{{\frac{{\pi}}{{2}}}}^{{\pi - {ARCSINE}}} (A - b)\cos(t)\,dt"
+UPPER_FORM = rf"\int_{{\pi - {ARCSINE}}}^{{\frac{{3\pi}}{{2}}}} (A\sin(t) + b)\cos(t)\,dt"
+BACK_FORM = rf"\int_{{\frac{{3\pi}}{{2}}}}^{{2\pi - {ARCSINE}}} -(A - b)\cos(t)\,dt"
+LOWER_FORM = rf"\int_{{2\pi - {ARCSINE}}}^{{\frac{{5\pi}}{{2}}}} (A\sin(t) - b)\cos(t)\,dt"
+first_integral = integral(1, 1418, Integral(FRONT, PI / 2, PI - CONTACT, FRONT_FORM, HOLD, HOLD_FORM))
+second_integral = integral(2, 1420, Integral(UPPER, PI - CONTACT, 3 * PI / 2, UPPER_FORM, ZERO, "0"))
+third_integral = integral(3, 1422, Integral(BACK, 3 * PI / 2, 2 * PI - CONTACT, BACK_FORM, HOLD, HOLD_FORM))
+fourth_integral = integral(4, 1424, Integral(LOWER, 2 * PI - CONTACT, 5 * PI / 2, LOWER_FORM, ZERO, "0"))
 
 
-@claim("lst-A.1", source="trimmer/linear/model.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "lst-A.1",
+    source="trimmer/linear/model.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1428, 1500),
+    paragraph=1,
+    severity=Severity.RESULT,
+)
 def linear_listing(known: Evidence) -> Record:
     space, numbers = known.derivation.space, known.numbers
     states, rates = (*coordinates, *velocities), (*velocities, *known.derivation.newton)
@@ -136,18 +168,26 @@ def linear_listing(known: Evidence) -> Record:
     )
     without, with_it = (control.margin(system)[1] for system in systems)
     yield text(r"""
-        The matrices are typed correctly, and the parameters give the eigenvalues of equation 5.2. Line 58
-        keeps the first input alone. The text gives the choice of output as the reason, but an output cannot
-        decide which inputs act: they are displacement and velocity of the pin, not a relative motion of the
-        trimmer. Section 5.1.1 calls the model single-input for the same reason.
+        The matrices are typed correctly, and the parameters give the eigenvalues of [equation 5.2](#eq-5.2).
+        Line 58 keeps the first input alone, and the text gives the choice of output as the reason. An output
+        cannot decide which inputs act: they are displacement and velocity of the pin, and a pin that moves
+        has both.
 
         Every later prediction uses the pin's displacement alone. The neglected factor $1 + s\,c_2/k_2$ adds
         phase: at unit gain the loop's phase margin is [[ without | f2 ]] degrees without it and
-        [[ with_it | f2 ]] with it. The predicted limit cycles depend on this margin.
+        [[ with_it | f2 ]] with it, on which the predicted limit cycles depend.
     """).given(without=without, with_it=with_it)
 
 
-@claim("txt-A.2-two-columns", source="derivations/state_space.py", impact=Impact.NOTATION)
+@claim(
+    "txt-A.2-two-columns",
+    source="derivations/state_space.py",
+    impact=Impact.NOTATION,
+    lines=(1428, 1428),
+    paragraph=1,
+    severity=Severity.SLIP,
+    certainty=Certainty.PROVEN,
+)
 def two_columns(known: Evidence) -> Record:
     velocity = known.derivation.space.b[:, 1].subs(c2, 0)
     dissipation = known.derivation.rayleigh_function.subs(c2, 0)
@@ -162,9 +202,10 @@ def two_columns(known: Evidence) -> Record:
         second=small("the numeric model without $c_2$", largest),
     )
     yield text("""
-        One damper alone brings the pin's velocity in, $c_2$ between pin and bridge; the other three do not.
-        The two columns belong to displacement and velocity of the pin, which are one motion, not to relative
-        motions of the trimmer, as the text calls them.
+        Dissipation in general is not the reason: one damper alone brings the pin's velocity in, $c_2$ between
+        pin and bridge. The two columns belong to displacement and velocity of the pin, which are one motion,
+        not to relative motions of the trimmer, as the text calls them.
 
-        To drop the second column, as line 58 of Listing A.1 does, leaves out $c_2$ at the pin.
+        None by itself. [Line 58 of Listing A.1](#lst-A.1), which drops the second column, leaves out $c_2$ at
+        the pin.
     """)

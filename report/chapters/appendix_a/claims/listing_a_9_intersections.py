@@ -5,13 +5,20 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits
+from report.parts import assertion, close, digits, so
 from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGE_GAP, LISTING_DENOMINATOR, LISTING_NUMERATOR, PLOT_OFFSET
+from report.thesis import (
+    DRIVE_OMEGA,
+    LARGE_GAP,
+    LISTING_DENOMINATOR,
+    LISTING_NUMERATOR,
+    PLOT_OFFSET,
+    SMALL_GAP,
+)
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"
@@ -22,7 +29,14 @@ TIME_CONSTANT = 1e-3
 """Load time constant M/D of the example, s."""
 
 
-@claim("lst-A.9", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "lst-A.9",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1681, 1725),
+    paragraph=1,
+    severity=Severity.SLIP,
+)
 def search(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     amplitude, omega = friction_as_listed(cycle)
@@ -37,44 +51,83 @@ def search(known: Evidence) -> Record:
         method="read in the printed lines",
     )
     yield text(r"""
-        Real and imaginary part of the condition are right here, unlike equation 2.54, and the search
-        converges to the thesis's numbers: $3.3138\cdot 10^{-4}/4\cdot 10^{-5} = 8.2845$ at [[ omega | f1 ]]
-        rad/s. Run from an empty workspace it stops, because the start is defined after the search; it finds
-        one solution for each start, and nothing tells whether there are more. The text says line 22 for the
-        search; in the copy at hand it is line 23.
+        Real and imaginary part of the condition are right here, unlike [equation 2.54](#eq-2.54), and the
+        search converges to the thesis's numbers: $3.3138\cdot 10^{-4}/(4\cdot 10^{-5}) = 8.2845$ at
+        [[ omega | f1 ]] rad/s. Run from an empty workspace it stops, because the start is defined after the
+        search. It finds one solution for each start, and nothing tells whether there are more.
 
-        Two starts gave the two limit cycles of table 5.1; a search for all of them finds no third.
+        None once the lines are exchanged. Two starts gave the two limit cycles of table 5.1; a search for all
+        of them finds no third.
     """).given(omega=omega)
 
 
-@claim("txt-A.10-grid", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-A.10-grid",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1692, 1693),
+    paragraph=1,
+    severity=Severity.RESULT,
+)
 def grid(known: Evidence) -> Record:
-    unstable = known.cycles.friction.unstable.amplitude
-    smallest = PLOT_OFFSET / (unstable - 0.5)
-    begins = "the amplitude where the plot begins, at that gap"
+    pair, listed = known.cycles.friction, known.cycles.friction_listing
+    unstable = pair.unstable.amplitude
+    begins = LARGE_GAP / 2 + PLOT_OFFSET
     yield assertion(
-        "",
-        "the plotted locus $-1/N$ shows every intersection, for every gap that is studied",
-        smallest < 1e-8,
+        "for the gap of line 5",
+        "the plotted locus $-1/N$ shows both limit cycles",
+        begins < unstable * LARGE_GAP < pair.stable.amplitude * LARGE_GAP < GRID_END,
+        """
+        it runs from [[ begins | f1 ]] to [[ ends | f0 ]] µm, they are at [[ unstable | f1 ]] and
+        [[ stable | f0 ]] µm
+        """,
+        numbers={
+            "begins": 1e6 * begins,
+            "ends": 1e6 * GRID_END,
+            "unstable": 1e6 * LARGE_GAP * unstable,
+            "stable": 1e6 * LARGE_GAP * pair.stable.amplitude,
+        },
+        method="arithmetic on the grid of line 9",
+        second=so(
+            "the two amplitudes by the rounded coefficients of lines 18 to 20",
+            begins < listed.unstable.amplitude * LARGE_GAP and listed.stable.amplitude * LARGE_GAP < GRID_END,
+        ),
+    )
+    smallest = PLOT_OFFSET / (unstable - 0.5)
+    at_the_start = "the amplitude where the plot begins, at that gap"
+    yield assertion(
+        "for the smaller gaps of figures 5.6 and 5.8, if they are drawn with it",
+        "it shows both as well",
+        smallest < SMALL_GAP,
         r"""
         it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it only
         for gaps above [[ smallest | power1 ]] m
         """,
         numbers={"unstable": unstable, "smallest": smallest},
         method="arithmetic on the grid of line 9",
-        second=close(begins, smallest / 2 + PLOT_OFFSET, smallest * unstable),
+        second=close(at_the_start, smallest / 2 + PLOT_OFFSET, smallest * unstable),
+        certainty=Certainty.READING,
     )
     yield text("""
-        The grid is absolute, in steps of [[ step | f2 ]] µm from a start that does not follow the gap, while
-        the curve depends on $b/A$ alone. For a small gap the plot holds the end of the curve near $-1$ and
-        nothing else.
+        For the gap of the listing the plot is right. But the grid is absolute, in steps of [[ step | f2 ]] µm
+        from a start that does not follow the gap, while the curve depends on $b/A$ alone: for a small gap the
+        plot holds the end of the curve near $-1$ and nothing else, and for gaps above [[ wide | power1 ]] m
+        it ends before the stable limit cycle.
 
-        A limit cycle that seems to appear as the gap grows (sections 5.2.1 and 6) comes into the plotted
-        range; it was there before.
-    """).given(step=1e6 * (GRID_END - LARGE_GAP / 2 - PLOT_OFFSET) / (GRID_POINTS - 1))
+        A limit cycle that seems to appear as the gap grows, see [the threshold](#txt-5.2.1-threshold), comes
+        into the plotted range; it was there before.
+    """).given(
+        step=1e6 * (GRID_END - begins) / (GRID_POINTS - 1),
+        wide=GRID_END / pair.stable.amplitude,
+    )
 
 
-@claim("txt-A.10-coefficients", source="derivations/transfer_function.py")
+@claim(
+    "txt-A.10-coefficients",
+    source="derivations/transfer_function.py",
+    lines=(1702, 1704),
+    paragraph=1,
+)
 def coefficients(known: Evidence) -> Record:
     numbers, system = known.numbers, known.cycles.listing
     rows = (
@@ -88,15 +141,22 @@ def coefficients(known: Evidence) -> Record:
             yield digits(f"{place}, $s^{power}$", printed, exact, second=second)
     right, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
     yield text("""
-        All sixteen coefficients are the exact ones rounded to four digits; those of equation 5.1, which
-        differ in the numerator, belong to another output. The rounding is not harmless: the predicted
-        amplitude moves by [[ more | f2 ]] % and the frequency by [[ shift | signed2 ]] Hz.
+        All sixteen coefficients are the exact ones rounded to four digits; the numerator of [equation
+        5.1](#eq-5.1) differs and belongs to another output. The rounding moves the predicted amplitude by
+        [[ more | f2 ]] % and the frequency by [[ shift | signed2 ]] Hz.
     """).given(
         more=100 * (rounded.amplitude / right.amplitude - 1), shift=rounded.frequency - right.frequency
     )
 
 
-@claim("txt-A.10-two-systems", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-A.10-two-systems",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1679, 1704),
+    paragraph=1,
+    severity=Severity.SLIP,
+)
 def two_systems(known: Evidence) -> Record:
     cycle, systems = (
         known.cycles.friction_listing.stable,
@@ -118,14 +178,23 @@ def two_systems(known: Evidence) -> Record:
     )
     yield text("""
         Drawn is the transfer function of Listing A.1, searched the one typed in with four digits. On the page
-        they look alike, and so near to $-1$ they are not: the amplitude is [[ off | f2 ]] % off. With
-        `evalfr(G, s)` for `G_1` the listing would find the intersection that it shows.
+        they look alike. Near $-1$ the small difference matters a little: the amplitude that is found is
+        [[ off | f2 ]] % too small. With `evalfr(G, s)` for `G_1` the listing would find the intersection that
+        it shows.
 
         Every predicted amplitude of section 5.2.1 carries this difference.
-    """).given(off=100 * (cycle.amplitude / known.cycles.friction.stable.amplitude - 1))
+    """).given(off=100 * (1 - cycle.amplitude / known.cycles.friction.stable.amplitude))
 
 
-@claim("txt-A.10-other-functions", source="trimmer/balance/solve.py", impact=Impact.LOCAL)
+@claim(
+    "txt-A.10-other-functions",
+    source="trimmer/balance/solve.py",
+    impact=Impact.LOCAL,
+    lines=(1679, 1679),
+    paragraph=1,
+    severity=Severity.RESULT,
+    certainty=Certainty.READING,
+)
 def other_functions(known: Evidence) -> Record:
     system, element = known.numbers.displacement_only, ViscousBacklash(1.0, TIME_CONSTANT)
     frozen, found = (
@@ -145,9 +214,10 @@ def other_functions(known: Evidence) -> Record:
         second=by_waveform(system, [(element, found)]),
     )
     yield text("""
-        Line 8 passes the amplitude alone. For Listings A.4 and A.10 that argument would have to be $b/A$, and
-        those of A.5 and A.6 take a frequency too, which the line fixes beforehand while the search varies it
-        in $G$. The two agree by chance only, unless $N$ is free of frequency.
+        Line 8 passes the amplitude alone. Listings A.4 and A.10 take $b/A$ instead, and those of A.5 and A.6
+        a frequency too. If only line 8 is exchanged, as the text says, that frequency is fixed beforehand
+        while the search varies the one in $G$; the two agree by chance only. If lines 23 to 26 are meant to
+        follow, with the frequency they vary, the search is right.
 
         Contours for a fixed frequency (sections 5.2.3 and 5.2.5) may be drawn, but an intersection on them
         counts only at that frequency.

@@ -156,7 +156,7 @@ def state_space_in_laplace_domain(known: Evidence) -> Record:
     yield from transformed_state_space(known)
     yield text(r"""
         The transform of $\dot q$ is $sQ - q(0)$, so the printed form holds for a system that starts at rest,
-        which is what a transfer function assumes. Checked on a general system of two states.
+        which is what a transfer function assumes. It was checked on a general system of two states.
     """)
 
 

@@ -21,13 +21,14 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.claim import Impact, Part, Words
+from report.claim import Impact, Part, Severity, Words
 from report.comparisons.digits import CloseNumbers
+from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values, quadrature_gain
-from report.parts import close, expression, made_here, part, same, so
+from report.parts import close, expression, lost_in_the_copy, made_here, part, same, so
 from report.record import Record, claim, text
 from report.text import filled
 from trimmer import ViscousBacklash
@@ -55,6 +56,12 @@ LEFT_OUT = filled(
 )
 """The terms of n_q behind the factor in equation B.4, and those that its bracket leaves out."""
 QUADRATURE = rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)"
+RIGHT_SIDE = filled(
+    r"""
+    \sin(\phi_c) + \frac{\gamma^2 e^{(1/\gamma)(\tan^{-1} 1/\gamma - \phi_c)}}{\sqrt{1 + \gamma^2}}
+    """
+)
+"""The right side of equation 2.46 as printed."""
 LOAD, PLAY = 1.7, 0.6
 """M omega / D and gap over amplitude for which the flight is integrated numerically."""
 
@@ -109,14 +116,17 @@ def separation_and_contact(_: Evidence) -> Record:
         rf"phase $\phi_c$ of the next contact, for $\gamma = {LOAD}$ and $b/A = {PLAY}$",
         CloseNumbers(found, flown),
         second=so(means, abs(apart[0]) >= 1e-9 > abs(apart[1])),
-        printed_form=Words(rf"pin and load meet again at $\phi_c = {found:.6f}$"),
-        derived_form=Words(f"the flight, integrated in steps, ends at {flown:.6f}"),
+        printed_form=Words(r"pin and load meet again at $\phi_c$"),
+        derived_form=Words(
+            f"the flight, integrated in steps, ends at {flown:.6f}; "
+            f"equation 2.46 with its right sign gives {found:.6f}"
+        ),
     )
     yield text(r"""
-        Pin and load move alike up to $\phi_s$ and meet again at $\phi_c$, as the text reads the figure. Equal
-        velocities do not give $\phi_s$, since they hold during the whole contact: it is the phase at which
-        the contact would have to pull, $\gamma y'' + y' = 0$. The printed equation for $\phi_c$ has a wrong
-        sign: see equation 2.46.
+        Pin and load move alike up to $\phi_s$ and meet again at $\phi_c$, as the text reads the figure. At
+        $\phi_s$ the contact would have to pull, $\gamma y'' + y' = 0$; equal velocities alone do not give it,
+        since they hold during the whole contact. The printed equation for $\phi_c$ has a wrong sign,
+        [see equation 2.46](#eq-2.46).
     """)
 
 
@@ -127,9 +137,9 @@ def separation(_: Evidence) -> Record:
     second = same("the force of the wall at that phase", force, sympy.Integer(0))
     yield expression("", sympy.atan(1 / GAMMA), angle, r"\phi_{s}", second=second)
     yield text(r"""
-        While the bridge follows the pin the wall has to push with $D\dot y + M\ddot y$, which reaches zero at
-        the printed phase. It is the phase of zero force; equal velocities, which the text gives as the
-        reason, hold during the whole contact.
+        While the bridge follows the pin, the wall has to push with $D\dot y + M\ddot y$. That force reaches
+        zero at the printed phase. Equal velocities, which the text gives as the reason, hold during the whole
+        contact.
     """)
 
 
@@ -141,37 +151,44 @@ def ratio(_: Evidence) -> Record:
     equation = mass * position(time).diff(time, 2) + damping * position(time).diff(time)
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
-    yield expression("", printed, second / first, GAMMA)
+    yield expression("", printed, second / first, form=r"\gamma = \frac{M}{D} \omega")
     yield text(r"""
         With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
-        ratio. Its unit is [[ unit ]]: a pure number.
+        ratio. It is a pure number, with the unit [[ unit ]].
     """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
 
 
-@claim("eq-2.46", source=SOURCE, impact=Impact.DOWNSTREAM, lines=(539, 539), paragraph=20)
+@claim(
+    "eq-2.46",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    severity=Severity.RESULT,
+    lines=(539, 539),
+    paragraph=20,
+)
 def contact_equation(_: Evidence) -> Record:
     flight = product(GAMMA**2 / ROOT, sympy.exp((sympy.atan(1 / GAMMA) - CONTACT) / GAMMA))
-    right, wrong_root = sympy.latex(SINE + flight), sympy.sqrt(1 - GAMMA**2)
+    wrong_root = sympy.sqrt(1 - GAMMA**2)
     derived = gap_over_amplitude()
     at_contact = {THETA: CONTACT, SEPARATION: separation_angle(), GAP: 0}
     meeting = sympy.simplify((free_flight() - A * sympy.sin(THETA)).subs(at_contact) / A)
     yield expression(
-        "solved for $b/A$",
+        "",
         wrong_root - SINE - flight,
         derived,
-        r"\frac{b}{A}",
         assume=sympy.Lt(GAMMA, 1),
         second=same("the distance between flight and pin", meeting, ROOT - SINE - flight),
         slip=made_here("the sign under the root is minus instead of plus", derived - ROOT + wrong_root),
-        printed_form=rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {right}",
-        derived_form=rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {right}",
+        item="sqrt(1 - gamma^2), contact angle of viscous-controlled backlash",
+        printed_form=rf"\sqrt{{1 - \gamma^2}} - \frac{{b}}{{A}} = {RIGHT_SIDE}",
+        derived_form=rf"\sqrt{{1 + \gamma^2}} - \frac{{b}}{{A}} = {RIGHT_SIDE}",
     )
     yield text(r"""
-        The sum $\sin\phi_s + \gamma\cos\phi_s$ of the flight is $\sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
+        The flight contributes $\sin\phi_s + \gamma\cos\phi_s = \sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
         \gamma^2}$. For $\gamma > 1$ the printed root is imaginary, and no real contact angle exists.
 
-        Listing A.5 has the same sign, and section 5.2.3 evaluates it for $1 < \gamma < 3/2$: every viscous
-        contour drawn there rests on complex contact angles.
+        [Listing A.5](#lst-A.5) has the same sign, and section 5.2.3 evaluates it for $1 < \gamma < 3/2$.
+        Every viscous contour drawn there rests on complex contact angles.
     """)
 
 
@@ -234,30 +251,29 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
 def in_phase(_: Evidence) -> Record:
     yield in_phase_part("with $b/A$ from the contact equation", general_describing_function())
     yield text("""
-        Put together with the right contact equation, the printed expression is the in-phase part of the
-        derived describing function.
+        With the right contact equation the printed expression is the in-phase part of the derived describing
+        function.
     """)
 
 
-@claim("eq-B.4", source=SOURCE, impact=Impact.LOCAL, lines=(1780, 1784))
+@claim("eq-B.4", source=SOURCE, lines=(1780, 1784))
 def quadrature(_: Evidence) -> Record:
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(general_describing_function())
-    slipped = imaginary - factor * left_out + left_out
+    whole = SameExpression(factor * (behind + left_out), imaginary, assume=flight_lasts())
     yield expression(
         "with $b/A$ from the contact equation",
         factor * behind + left_out,
         imaginary,
         assume=flight_lasts(),
         second=by_quadrature(imaginary, complex(numeric().imag), point()),
-        slip=made_here("the bracket is closed before its last two terms", slipped),
+        copy_fault=lost_in_the_copy("the place where the bracket closes, at the end of the last line", whole),
         printed_form=rf"n_q = {FACTOR} \left({BEHIND}\right) + {LEFT_OUT}",
         derived_form=QUADRATURE,
     )
     yield text(r"""
-        The bracket behind the common factor closes after the term in $\sin^2\phi_c$; it has to hold the last
-        two terms as well. With the bracket around everything, as Listing A.5 has it, the expression is the
-        derived one.
-
-        None: Listing A.5, which computes the contours, has the bracket right.
+        In the copy the bracket behind the common factor closes at the end of the first line; it has to hold
+        the other two lines as well. A bracket over several lines is easily closed too early, in typesetting
+        as in reading a page by machine. With the bracket around everything, as [Listing A.5](#lst-A.5) has
+        it, the expression is the derived one.
     """)

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Impact, Part, Words
+from report.claim import Certainty, Impact, Part, Severity, Words
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -25,6 +25,7 @@ from report.numbers.textbook_loops import (
 )
 from report.parts import assertion, close, digits, equal, expression, made_here, part
 from report.record import Record, claim, text
+from report.text import filled
 from trimmer import FrictionBacklash, response_at
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
@@ -33,6 +34,12 @@ REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
 AT_POINT = complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
+REAL_FORM = filled(
+    r"""
+    \mathrm{Re}(N(A, \omega))\mathrm{Re}(G(j, \omega)) - \mathrm{Im}(N(A, \omega))\mathrm{Im}(G(j, \omega))
+    """
+)
+"""The left side of equation 2.53 as printed."""
 EXAMPLE = "$7/(s + 1)^3$ with friction-controlled backlash"
 STEP = 1.02
 """Factor between the amplitude of a limit cycle and those of the operating points beside it."""
@@ -47,29 +54,41 @@ def real_part(_: Evidence) -> Record:
     printed = total(product(REAL_N, REAL_G), product(-1, IMAGINARY_N, IMAGINARY_G))
     derived = sympy.re(LOOP)
     second = close("complex numbers", AT_POINT.real, complex(derived.subs(POINT)))
-    yield expression("left side, equal to $-1$", printed, derived, second=second)
-    yield text(r"The real part of $NG$. For $G(j\omega)$ the line writes $G(j, \omega)$.")
+    yield expression("", printed, derived, second=second, form=f"{REAL_FORM} = -1")
+    yield text(r"It is the real part of $NG = -1$. For $G(j\omega)$ the line writes $G(j, \omega)$.")
 
 
-@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL, lines=(608, 608), paragraph=3)
+def imaginary_form(first: str) -> str:
+    """Return equation 2.54 with the real or the imaginary part of N in its first product."""
+    gain, linear = r"(N(A, \omega))", r"(G(j, \omega))"
+    products = (
+        rf"\mathrm{{{of_gain}}}{gain}\mathrm{{{of_linear}}}{linear}"
+        for of_gain, of_linear in ((first, "Im"), ("Im", "Re"))
+    )
+    return " + ".join(products) + " = 0"
+
+
+@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(608, 608), paragraph=3)
 def imaginary_part(_: Evidence) -> Record:
     printed = total(product(IMAGINARY_N, IMAGINARY_G), product(IMAGINARY_N, REAL_G))
     derived = sympy.im(LOOP)
     slip = "the first factor is the imaginary part of N instead of the real one"
     slipped = derived - REAL_N * IMAGINARY_G + IMAGINARY_N * IMAGINARY_G
     yield expression(
-        "left side, equal to zero",
+        "",
         printed,
         derived,
         second=close("complex numbers", AT_POINT.imag, complex(derived.subs(POINT))),
         slip=made_here(slip, slipped),
+        printed_form=imaginary_form("Im"),
+        derived_form=imaginary_form("Re"),
     )
     yield text(r"""
-        The imaginary part of $NG$ is $\mathrm{Re}N\,\mathrm{Im}G + \mathrm{Im}N\,\mathrm{Re}G$. As printed
-        the amplitude drops out: for $\mathrm{Im}N \ne 0$ it asks for $\mathrm{Re}G = -\mathrm{Im}G$, whatever
-        the nonlinearity.
+        The first product has the imaginary part of $N$ where the real one belongs. As printed the amplitude
+        drops out: for $\mathrm{Im}N \ne 0$ the line asks for $\mathrm{Re}G = -\mathrm{Im}G$, whatever the
+        nonlinearity.
 
-        None: Listing A.9, lines 23 to 26, has the right form.
+        None: [Listing A.9](#lst-A.9), lines 23 to 26, has the right form.
     """)
 
 
@@ -77,6 +96,7 @@ def imaginary_part(_: Evidence) -> Record:
     "txt-2.3.6-roles",
     source="trimmer/elements/friction_backlash.py",
     impact=Impact.LOCAL,
+    severity=Severity.SLIP,
     lines=(610, 610),
     paragraph=4,
 )
@@ -94,7 +114,7 @@ def roles(known: Evidence) -> Record:
     by_listing = (friction_listing(doubled, 1.0) * linear).imag
     yield assertion(
         "a complex $N$, as of backlash",
-        "the imaginary equation gives the frequency without the amplitude",
+        "the imaginary equation alone gives the frequency",
         abs(left) < 1e-9,
         r"""
         at the predicted [[ cycle.frequency | f2 ]] Hz it is met at $A = [[ cycle.amplitude | f2 ]]\,b$; at
@@ -102,39 +122,43 @@ def roles(known: Evidence) -> Record:
         """,
         numbers={"cycle": cycle, "left": left},
         method="the imaginary part at two amplitudes",
+        certainty=Certainty.READING,
         second=close("the formula of Listing A.3", by_listing, left),
     )
     yield text(r"""
         For a real $N$ the imaginary equation is $\mathrm{Im}\,G = 0$ and gives the frequency, the real one
-        the amplitude. Backlash has a complex $N$; then amplitude and frequency stand in both equations, which
-        have to be solved together, as Listing A.9 does.
+        the amplitude. Backlash has a complex $N$, and then amplitude and frequency stand in both equations.
+        Read as two equations for two unknowns, as the sentence begins, the statement is right; read as one
+        equation for each unknown it is not.
 
-        Chapter 7 says again that the frequency comes from the transfer function alone; it comes from both, as
-        the different frequencies of the kinds of backlash show.
+        None here: [Listing A.9](#lst-A.9) solves both together. [Chapter 7](#txt-7-input-frequency) takes the
+        statement in the second way and is judged there.
     """)
 
 
-def solved_for_plant() -> Part:
-    """Return the part on the condition of harmonic balance solved for G, which two equations print."""
+def solved_for_plant(arguments: str) -> Part:
+    """Return the part on the condition of harmonic balance solved for G, with the arguments of N."""
     linear, nonlinear = sympy.symbols("G N")
-    return expression("", -1 / nonlinear, first_root(1 + nonlinear * linear, linear), linear)
+    form = rf"G(j\omega) = -\frac{{1}}{{N({arguments})}}"
+    return expression("", -1 / nonlinear, first_root(1 + nonlinear * linear, linear), form=form)
 
 
 @claim("eq-2.55", source=SOURCE, lines=(614, 614), paragraph=5)
 def family_of_curves(_: Evidence) -> Record:
-    yield solved_for_plant()
+    yield solved_for_plant(r"A, \omega")
     yield text("""
-        The condition of harmonic balance solved for $G$. For a describing function of two variables it is a
-        family of curves, one for each frequency, and only the point of equal frequency on both curves counts.
+        It is the condition of harmonic balance, solved for $G$. For a describing function of two variables
+        the right side is a family of curves, one for each frequency. Only a point of equal frequency on both
+        curves counts.
     """)
 
 
 @claim("eq-2.56", source=SOURCE, lines=(620, 620), paragraph=7)
 def one_curve(_: Evidence) -> Record:
-    yield solved_for_plant()
+    yield solved_for_plant("A")
     yield text("""
-        The condition of harmonic balance solved for $G$. Without dependence on frequency one curve serves all
-        frequencies. Coulomb friction is of this kind for either choice of its input. The text below it plots
+        As [equation 2.55](#eq-2.55): without dependence on frequency one curve serves all frequencies.
+        Coulomb friction is of this kind for either choice of its input. The text below the equation plots
         $N(A)$; $-1/N(A)$ is meant.
     """)
 
@@ -145,22 +169,21 @@ def graphical_balance(_: Evidence) -> Record:
     samples = np.linspace(1.0, 2.0, 400), np.linspace(0.1, 0.4, 400)
     ((frequency, amplitude),) = graphical_intersections(loop, *samples)
     (cycle,) = loop.limit_cycles()
-    for label, read, solved, exact in (
-        ("frequency at K, from $G$", frequency, cycle.omega, sympy.sqrt(2)),
-        ("amplitude at K, from $-1/N$", amplitude, cycle.amplitude, 2 / (3 * sympy.pi)),
+    for what, curve, read, solved, exact in (
+        ("frequency", "$G$", frequency, cycle.omega, sympy.sqrt(2)),
+        ("amplitude", "$-1/N$", amplitude, cycle.amplitude, 2 / (3 * sympy.pi)),
     ):
         yield part(
-            label,
+            f"{what} at K",
             CloseNumbers(read, solved, DRAWN),
             second=close(f"the closed form ${sympy.latex(exact)}$", float(exact), solved),
-            printed_form=Words(f"read from the curves: {read:.6f}"),
-            derived_form=Words(f"solution of $1 + NG = 0$: {solved:.6f}"),
+            printed_form=Words(f"the {what} of the limit cycle is that of {curve} at the intersection"),
+            derived_form=Words(f"read there {read:.6f}, solution of $1 + NG = 0$ {solved:.6f}"),
         )
     yield text("""
-        The figure names no loop; taken is $1/(s(s+1)(s+2))$ with an ideal relay. Reading amplitude and
-        frequency at the intersection gives what solving the two equations gives, and what the closed form
-        gives. Where $-1/N$ passes a point twice, as of a relay with a dead zone, a point of intersection
-        stands for two amplitudes.
+        The text names no loop, so $1/(s(s+1)(s+2))$ with an ideal relay is taken. Amplitude and frequency
+        read at the intersection are those of the two equations, and of the closed form. Where $-1/N$ passes a
+        point twice, as that of a relay with a dead zone does, the point stands for two amplitudes.
     """)
 
 
@@ -188,10 +211,10 @@ def two_limit_cycles(_: Evidence) -> Record:
         second=close(means, float(from_between), second, SETTLED),
     )
     yield text("""
-        The figure names no loop; taken is [[ loop ]], which has two limit cycles. The operating points beside
-        them are encircled or not as the text says, counted by turns of the locus and by growing poles. With
-        another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves cross;
-        which of two limit cycles is the way in depends on where $-1/N$ begins.
+        The text names no loop, so [[ loop ]] is taken, which has two limit cycles. The operating points
+        beside them are encircled or not as the text says, counted by turns of the locus and by growing poles.
+        With another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves
+        cross.
     """).given(loop=EXAMPLE)
 
 
@@ -202,15 +225,14 @@ def stability_rule(_: Evidence) -> Record:
     from_below, from_between, from_above = (float(each) for each in backlash_history().amplitudes[-1])
     yield assertion(
         "$L_1$",
-        "the first limit cycle is stable",
-        first.stable,
+        "the first limit cycle is unstable",
+        not first.stable,
         """
         of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
         tenth above it at [[ above | f2 ]]
         """,
         numbers={"loop": EXAMPLE, "first": first.amplitude, "below": from_below, "above": from_between},
         method="Loeb's criterion",
-        asserted=False,
         second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
     )
     yield assertion(
@@ -222,10 +244,10 @@ def stability_rule(_: Evidence) -> Record:
         second=close("a simulation that comes down to it", from_above, second.amplitude, SETTLED),
     )
     yield text("""
-        The rule is right where $G$ has no pole in the right half plane, as the trimmer's: with rising
+        The rule is right where $G$ has no pole in the right half plane, as the trimmer has none. With rising
         amplitude $L_1$ goes to the encircled side and grows, $L_2$ goes to the other and shrinks back. That
-        is Loeb's criterion, and a simulated loop does it. With poles of $G$ in the right half plane,
-        encircled points can be the stable ones.
+        is Loeb's criterion, and a simulated loop does it. With poles of $G$ in the right half plane encircled
+        points can be the stable ones.
     """)
 
 
@@ -256,7 +278,14 @@ def side_of_the_crossing() -> Part:
     )
 
 
-@claim("txt-2.3.6-nyquist-premise", source=LOOPS, impact=Impact.NOTATION, lines=(628, 628), paragraph=9)
+@claim(
+    "txt-2.3.6-nyquist-premise",
+    source=LOOPS,
+    impact=Impact.NOTATION,
+    severity=Severity.SLIP,
+    lines=(628, 628),
+    paragraph=9,
+)
 def nyquist_premise(_: Evidence) -> Record:
     loop, linear = backlash_loop(), control.tf([10], [1, 3, 3, 1])
     growing = growing_poles(loop, STEP * loop.limit_cycles()[0].amplitude)
@@ -270,7 +299,8 @@ def nyquist_premise(_: Evidence) -> Record:
         not counterexamples,
         r"""
         the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
-        $10/(s + 1)^3$ with unit feedback has poles at $[[ real | f3 ]] \pm [[ imaginary | f3 ]]j$
+        $10/(s + 1)^3$ is stable, and with unit feedback has poles at $[[ real | f3 ]] \pm
+        [[ imaginary | f3 ]]j$
         """,
         numbers={"growing": growing, "real": closed.real.max(), "imaginary": abs(closed.imag).max()},
         method="counterexamples, by their poles",
@@ -278,9 +308,8 @@ def nyquist_premise(_: Evidence) -> Record:
     )
     yield text("""
         The sentence has the two loops exchanged: the Nyquist criterion takes the poles of the open loop as
-        known and tells the stability of the closed one. Read as it stands it says that a stable $G$ asks for
-        a stable loop; then no operating point could grow, and there were no unstable limit cycle.
+        known and tells the stability of the closed one. Taken as it stands, a stable $G$ would need a stable
+        loop, and no limit cycle could be unstable.
 
-        None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable. Section 5.1.2 draws its
-        conclusion from the locus in the same wrong direction.
+        None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable.
     """)

@@ -60,7 +60,7 @@ def free_body_diagram(_: Evidence) -> Figure:
 @figure(
     "fig-2.2",
     "Eccentric pin",
-    caption="""The shaft from above, and the pin's displacement over a turn (thesis, figure 2.2). The
+    caption="""(a) The shaft from above. (b) The pin's displacement over a turn (thesis, figure 2.2). The
     amplitude is the eccentricity $A$; the bridge's edges are flat, so the size of the pin does not
     matter.""",
     alternative_text="""A circle with a small pin at the distance A from its centre, at the angle 2 pi f t
@@ -87,7 +87,7 @@ def eccentric_pin(_: Evidence) -> Figure:
     span(shaft, (0, -1.2), (x, -1.2))
     shaft.text(0.28, -1.27, "$x_i$", ha="right", va="top")
     shaft.text(x + radius + 0.1, 1.65, "bridge", fontsize=9)
-    shaft.set(xlim=(-1.9, 1.9), ylim=(-1.8, 1.8))
+    shaft.set(xlim=(-1.9, 1.9), ylim=(-1.8, 1.8), title="shaft from above")
     shaft.set_aspect("equal")
     shaft.set_axis_off()
     motion.plot(angles / (2 * np.pi), np.sin(angles), **LINES[0])
@@ -98,6 +98,7 @@ def eccentric_pin(_: Evidence) -> Figure:
     span(motion, (0.25, 0.0), (0.25, 1.0))
     beside(motion, "$A$", (0.25, 0.5), (4, -4))
     motion.set(xlabel="time in turns, $ft$", ylabel="displacement of the pin, $x_i/A$", xlim=(0, 1))
+    motion.set_title("over a turn")
     few_ticks(motion.xaxis, motion.yaxis)
     return figure
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.marks import arrow, beside, few_ticks
+from report.drawing.marks import arrow, beside, few_ticks, limit_cycle
 from report.drawing.plane import critical_point
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
@@ -32,8 +32,9 @@ STEPS: Final = (1.15, 2.0)
     "fig-2.13",
     "Graphical harmonic balance",
     caption=r"""A relay with $1/(s(s+1)(s+2))$, an example in the place of the thesis's figure 2.13, which
-    names no loop. Left: $G$ and $-1/N$ meet at $K$; arrows: rising $\omega$ and $A$. Right: real and
-    imaginary part of $1 + NG$ are zero at the same $K$, $\omega = \sqrt 2$, $A = 2/(3\pi)$.""",
+    names no loop. (a) $G$ and $-1/N$ meet at $K$, which is stable (full point); arrows: rising $\omega$ and
+    $A$. (b) Real and imaginary part of $1 + NG$ are zero at the same $K$, $\omega = \sqrt 2$, $A =
+    2/(3\pi)$.""",
     alternative_text="""Left, the locus of G crosses the negative real axis, along which minus one over N
     runs, at K. Right, a falling curve and an upright line cross at omega 1.4142 and amplitude 0.2122.""",
 )
@@ -44,7 +45,7 @@ def one_limit_cycle(_: Evidence) -> Figure:
     figure, (plane, equations) = panels(3.3, 1, 2)
     _both(plane, loop, omega, np.linspace(0.001, 0.7, 200))
     meeting = complex(loop.inverse_element(cycle.amplitude))
-    plane.plot([meeting.real], [meeting.imag], "o", color=BLACK, markersize=5)
+    limit_cycle(plane, meeting, stable=cycle.stable)
     beside(plane, "$K$", meeting, (-13, 6))
     plane.set(xlabel="real part", ylabel="imaginary part", xlim=(-0.55, 0.1), ylim=(-0.45, 0.25))
     plane.set_title("graphical: $G = -1/N$")
@@ -59,7 +60,7 @@ def one_limit_cycle(_: Evidence) -> Figure:
     equations.set(xlabel=r"$\omega$ [rad/s]", ylabel="amplitude $A$", xlim=(0.8, 2.2), ylim=(0.05, 0.6))
     equations.set_title("algebraic: two equations")
     equations.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=1.0)
-    equations.plot([cycle.omega], [cycle.amplitude], "o", color=BLACK, markersize=5)
+    limit_cycle(equations, (cycle.omega, cycle.amplitude), stable=cycle.stable)
     name = f"$K$: $\\omega = {cycle.omega:.4f}$,\n$A = {cycle.amplitude:.4f}$"
     beside(equations, name, (cycle.omega, cycle.amplitude), (10, 12))
     return figure
@@ -69,9 +70,9 @@ def one_limit_cycle(_: Evidence) -> Figure:
     "fig-2.14",
     "Stable and unstable limit cycle",
     caption=r"""$7/(s + 1)^3$ with friction-controlled backlash, an example in the place of the thesis's
-    figure 2.14. Triangles: operating points at a larger ($L'$) and a smaller ($L''$) amplitude; arrows:
-    rising $\omega$ and $A$. Below: the loop simulated. It leaves $A_1$ either way and settles at $A_2$ from
-    both sides.""",
+    figure 2.14. (a), (b) Open point: unstable limit cycle; full point: stable. Triangles: operating points at
+    a larger ($L'$) and a smaller ($L''$) amplitude; arrows: rising $\omega$ and $A$. (c) The loop simulated.
+    It leaves $A_1$ either way and settles at $A_2$ from both sides.""",
     alternative_text="""The curve of minus one over N enters the shaded region that G encircles at L1,
     unstable, and leaves it at L2, stable, before it ends at minus one. Amplitudes over time fall to zero from
     just below A1, and tend to A2 from just above A1 and from above A2.""",
@@ -114,11 +115,14 @@ def _operating_points(axes: Axes, loop: TextbookLoop, index: int) -> None:
     name, kind = f"L_{index + 1}", "stable" if cycle.stable else "unstable"
     for factor, text, marker in (
         (STEPS[index], f"${name}'$", "^"),
-        (1.0, f"${name}$, {kind}", "o"),
+        (1.0, f"${name}$, {kind}", ""),
         (1 / STEPS[index], f"${name}''$", "v"),
     ):
         point = complex(loop.inverse_element(factor * cycle.amplitude))
-        axes.plot([point.real], [point.imag], marker, color=BLACK, markersize=5.5)
+        if marker:
+            axes.plot([point.real], [point.imag], marker, color=BLACK, markersize=5.5)
+        else:
+            limit_cycle(axes, point, stable=cycle.stable)
         beside(axes, text, point, (8, -4))
 
 

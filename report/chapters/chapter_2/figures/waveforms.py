@@ -170,9 +170,11 @@ def inertia_controlled(_: Evidence) -> Figure:
     _motion(positions, velocities, load)
     velocities.set_xticks(phases, ("$0$", r"$\phi$", r"$\pi$", r"$\pi+\phi$", r"$2\pi$"))
     positions.tick_params(labelbottom=False)
-    positions.set(title="(a) waveforms", ylabel="position$/A$")
-    velocities.set(xlabel=r"phase of the pin, $\omega t$", ylabel=r"velocity$/(\omega A)$")
-    characteristic.set(title="(b) characteristic", xlabel="pin, $x/A$", ylabel="load, $y/A$")
+    positions.set(title="positions", ylabel="position$/A$")
+    velocities.set(
+        xlabel=r"phase of the pin, $\omega t$", ylabel=r"velocity$/(\omega A)$", title="velocities"
+    )
+    characteristic.set(title="characteristic", xlabel="pin, $x/A$", ylabel="load, $y/A$")
     characteristic.set_yticks((-1, -GAP / 2, 0, GAP / 2, 1), ("$-1$", "$-b/2A$", "$0$", "$b/2A$", "$1$"))
     _load(characteristic, pin, load, _in_contact(pin, load))
     few_ticks(characteristic.xaxis)

@@ -112,7 +112,7 @@ def spectrum_without_play(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-3.4", source=OPEN_LOOP, lines=(761, 761), paragraph=5)
+@claim("fig-3.4", source=OPEN_LOOP, lines=(761, 761), paragraph=6)
 def spectrum_with_play(known: Evidence) -> Record:
     gap = float("200e-6")
     again = close("chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), gap)

@@ -85,18 +85,22 @@ def bins_of_the_tables(_: Evidence) -> Record:
     tens = sum(Decimal(cell) % 10 == 0 for cell in cells)
     yield text("""
         [[ whole ]] of the [[ cells ]] frequencies in tables 3.1 and 3.2 are, to every digit, multiples of
-        [[ spacing | f4 ]] Hz, the bins of [[ frames ]] frames; [[ tens ]] are multiples of the 10 Hz that
-        belong to 2000. So the record holds both of its ends, 0 and 0.1 s. The others, [[ misfits ]], are
-        judged at the tables.
+        [[ spacing | f4 ]] Hz, the bins of [[ frames ]] frames; [[ tens ]] are multiples of the
+        [[ resolution ]] Hz that belong to [[ stated ]]. So the record holds both of its ends, 0 and
+        [[ duration ]] s. The others, [[ misfits ]], are judged at [table 3.1](#tab-3.1) and [table
+        3.2](#tab-3.2).
 
-        None: the resolution is 10 Hz either way. The three decimals are those of the bins, and each peak is
-        known to half a bin.
+        None: the resolution is [[ resolution ]] Hz either way. The three decimals are those of the bins, and
+        each peak is known to half a bin.
     """).given(
         whole=len(whole),
         cells=len(cells),
         spacing=float(BIN),
         frames=frames,
         tens=tens or "none",
+        resolution=RESOLUTION,
+        stated=FRAMES,
+        duration=DURATION,
         misfits=", ".join(sorted(set(cells) - set(whole))),
     )
 
@@ -124,6 +128,8 @@ def sign_of_the_output(known: Evidence) -> Record:
         left="y",
         second=second,
         slip=slip,
+        printed_form="y = x_4 - x_2",
+        derived_form="y = x_2 - x_4",
         item=OUTPUT,
         severity=Severity.SLIP,
     )

@@ -17,7 +17,7 @@ from report.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
 from report.parts import assertion, close, digits, equal, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
+from report.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
 PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
@@ -96,7 +96,8 @@ def first_table(_: Evidence) -> Record:
         printed [[ printed ]] Hz is no bin, is not five times the first, and contradicts the difference
         printed beside it. With that one digit put right the three are odd multiples of one frequency.
 
-        None on the text, which calls them multiples of the drive's frequency.
+        None on the text, which calls them multiples of the drive's frequency, whether the author or the copy
+        has the digit wrong.
     """).given(
         bins=", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1),
         spacing=float(peaks.BIN),
@@ -186,8 +187,15 @@ def drive_frequency(_: Evidence) -> Record:
         [[ high | f2 ]] Hz, so the three decimals mean nothing.
 
         None on results: section 5.2.1 and appendix A.9 quote [[ other ]] Hz again, and the models of chapters
-        4 and 5 run at 100 Hz.
-    """).given(right=QUOTED[0][1], other=QUOTED[1][1], misprint=QUOTED[2][1], low=low, high=high)
+        4 and 5 run at [[ models | f0 ]] Hz.
+    """).given(
+        models=DRIVE_FREQUENCY,
+        right=QUOTED[0][1],
+        other=QUOTED[1][1],
+        misprint=QUOTED[2][1],
+        low=low,
+        high=high,
+    )
 
 
 @claim(

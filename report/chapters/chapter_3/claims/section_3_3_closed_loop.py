@@ -27,7 +27,7 @@ ASSUMED_FORCE = "1.0"
 """Force below which section 3.3 assumes friction to be, N."""
 UNMOVED = 0.005
 """Share by which a frequency may change and still be called unaffected."""
-RISING = f"{driven.BY_LISTING}, gap 0.2 mm"
+RISING = f"{driven.BY_LISTING}, gap {1e3 * EXPERIMENT_GAP:g} mm"
 
 
 @claim(

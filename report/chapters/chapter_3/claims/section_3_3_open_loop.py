@@ -145,9 +145,9 @@ def peak_550(known: Evidence) -> Record:
     yield text("""
         It is the fifth harmonic. The trimmer of Listing A.1, another one, would magnify it by its natural
         mode at [[ mode | f1 ]] Hz. The text calls it a subharmonic, which is [judged
-        apart](#txt-3.3-subharmonic). [[ fifth ]] and [[ other ]] Hz read like bins of 1 Hz with one sample
-        too many, as in the experiment's tables.
-    """).given(mode=known.numbers.modes[2].frequency, fifth=FIFTH, other=OPEN_LOOP_PEAK)
+        apart](#txt-3.3-subharmonic). [[ fifth ]] and [[ other ]] Hz read like bins of [[ bin | f0 ]] Hz with
+        one sample too many, as in the experiment's tables.
+    """).given(mode=known.numbers.modes[2].frequency, fifth=FIFTH, other=OPEN_LOOP_PEAK, bin=BIN_OF_FIGURE)
 
 
 @claim(

@@ -24,11 +24,14 @@ if TYPE_CHECKING:
 
     from trimmer.elements.element import Element
 
+    Offset = tuple[float, float]
+    View = tuple[tuple[float, float], tuple[float, float]]
+
 LIBRARY_GAP: Final = 1e-4
 GAMMAS: Final = (1.05, 1.25, 1.45)
 BAND: Final = (4.6e3, 5.38e3)
 """Ends of the band of stable limit cycles that the thesis draws, rad/s."""
-VIEW: Final = ((-1.45, -0.35), (-0.65, 0.35))
+VIEW: Final = ((-1.45, -0.2), (-0.65, 0.35))
 """Part of the plane of figure 5.15: limits of the real and of the imaginary part."""
 OMEGA: Final = np.geomspace(500, 2e4, 6000)
 RATIOS: Final = np.geomspace(1e-3, 0.9999, 800)
@@ -39,7 +42,7 @@ RATIOS: Final = np.geomspace(1e-3, 0.9999, 800)
     "fig-5.5",
     "Friction-controlled backlash by two programs",
     caption="""$G$ and $-1/N$ of Listing A.3, with python-control's values as squares (thesis, figure 5.5).
-    Right: size of what both return. They agree from half of the gap on; below it the library returns zero,
+    (b) Size of what both return. They agree from half of the gap on; below it the library returns zero,
     the listing numbers without meaning.""",
     alternative_text="""Squares lie on a dashed curve that runs from minus one down and to the left through
     the large loop of G. Beside it the size of N over the amplitude: zero at half of the gap, rising towards
@@ -73,20 +76,22 @@ def second_implementation(known: Evidence) -> Figure:
     "fig-5.8",
     "Friction-controlled backlash with G",
     caption="""$G$ and $-1/N$ of friction-controlled backlash, for any gap (thesis, figures 5.8 and 5.10a).
-    Points: predicted limit cycles, amplitudes in gaps. Right: the stable one in the thesis's loop (solid) and
-    with the pin's velocity as second input (dash-dotted).""",
+    Full point: stable limit cycle; open point: unstable; amplitudes in gaps. (b) The stable one in the
+    thesis's loop and with the pin's velocity as second input.""",
     alternative_text="""A large loop below the real axis is crossed twice by a curve that ends at minus one;
     an enlargement near minus one shows two nearly parallel loci that meet the curve at different places.""",
 )
 def friction_intersections(known: Evidence) -> Figure:
     cycles, numbers, element = known.cycles, known.numbers, FrictionBacklash(1.0)
     figure, (left, right) = panels(3.6, 1, 2)
-    _crossings(left, numbers.displacement_only, element, cycles.friction)
-    _crossings(right, numbers.displacement_only, element, cycles.friction)
-    _crossings(right, numbers.both_channels, element, cycles.friction_both_channels, LINES[2])
+    _crossings(left, numbers.displacement_only, element, cycles.friction, ((12, 10), (-20, 14)))
+    _crossings(right, numbers.displacement_only, element, cycles.friction, ((0, 0), (-14, 14)))
+    both = "$G$, with the pin's velocity"
+    _locus(right, numbers.both_channels, both, LINES[2])
+    _marks(right, numbers.both_channels, cycles.friction_both_channels, ((0, 0), (14, -16)))
     plane.frame(left, "both limit cycles", (-9, 3), (-17, 3))
-    plane.frame(right, "the stable one, with and without velocity", (-1.35, -0.85), (-0.4, 0.05), left=False)
-    left.legend(["$G$", "$-1/N$", "limit cycles"], loc="upper left")
+    plane.frame(right, "the stable one, two loops", (-1.35, -0.85), (-0.4, 0.05), left=False)
+    figure.legend(*right.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure
 
 
@@ -94,34 +99,43 @@ def friction_intersections(known: Evidence) -> Figure:
     "fig-5.13",
     "Inertia-controlled backlash with G",
     caption=r"""$G$ and $-1/N$ of inertia-controlled backlash over its whole domain, $0 < b/A < \pi$ (thesis,
-    figure 5.13). Points: predicted limit cycles, amplitudes in gaps.""",
+    figure 5.13). Full point: stable limit cycle; open point: unstable; amplitudes in gaps.""",
     alternative_text="The curve of minus one over N starts at minus one and meets the locus twice.",
 )
 def inertia_intersections(known: Evidence) -> Figure:
     figure, (left, right) = panels(3.6, 1, 2)
-    for axes in (left, right):
-        _crossings(axes, known.numbers.displacement_only, InertiaBacklash(1.0), known.cycles.inertia)
+    for axes, offsets in ((left, ((12, -16), (10, 20))), (right, ((0, 0), (14, 24)))):
+        _crossings(axes, known.numbers.displacement_only, InertiaBacklash(1.0), known.cycles.inertia, offsets)
     plane.frame(left, "both limit cycles", (-2, 2), (-2, 2))
     plane.frame(right, "the stable one", (-1.1, -0.8), (-0.15, 0.05), left=False)
-    left.legend(["$G$", "$-1/N$", "limit cycles"], loc="upper left")
+    left.legend(loc="upper left")
     return figure
 
 
 def _crossings(
-    axes: Axes, system: control.lti.LTI, element: Element, pair: Pair, line: Look = LINES[0]
+    axes: Axes, system: control.lti.LTI, element: Element, pair: Pair, offsets: tuple[Offset, Offset]
 ) -> None:
     """Draw G, -1/N and both limit cycles with frequency and amplitude."""
-    response = response_at(system, OMEGA)
     amplitudes = 1 / (RATIOS * float(element.domain(1.0)))
     inverse = -1 / element.describing_function(amplitudes)
-    plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="G", **line)
-    plot_along(axes, inverse, Along("A", "gaps", amplitudes), label="−1/N", **LINES[1])
-    points = response_at(system, np.array([pair.unstable.omega, pair.stable.omega]))
-    axes.plot(points.real, points.imag, "o", color=BLACK, markersize=5)
+    _locus(axes, system, "$G$", LINES[0])
+    plot_along(axes, inverse, Along("A", "gaps", amplitudes), label="$-1/N$", **LINES[1])
     plane.critical_point(axes)
-    for cycle, point, up in zip((pair.unstable, pair.stable), points, (-12, 8), strict=True):
-        text = f"{cycle.frequency:.1f} Hz, {cycle.amplitude:.3g} gaps"
-        beside(axes, text, point, (8, up), **plane.READABLE)
+    _marks(axes, system, pair, offsets)
+
+
+def _locus(axes: Axes, system: control.lti.LTI, label: str, line: Look) -> None:
+    plot_along(axes, response_at(system, OMEGA), Along("ω", "rad/s", OMEGA), label=label, **line)
+
+
+def _marks(axes: Axes, system: control.lti.LTI, pair: Pair, offsets: tuple[Offset, Offset]) -> None:
+    """Mark both limit cycles, the unstable one first; one without an offset has no text."""
+    cycles = (pair.unstable, pair.stable)
+    texts = [
+        f"{cycle.frequency:.1f} Hz, {cycle.amplitude:.3g} gaps" if any(offset) else ""
+        for cycle, offset in zip(cycles, offsets, strict=True)
+    ]
+    plane.mark(axes, system, cycles, texts, offsets)
 
 
 @figure(
@@ -129,7 +143,8 @@ def _crossings(
     "What a band of limit cycles would need",
     caption="""$G$ with $-1/N$ of inertia-controlled backlash near $-1$ (thesis, figure 5.15). For
     intersections from 4600 to 5380 rad/s the curve would have to be as thick as the shaded area. With all
-    harmonics that come back it is 0.002 thick, less than the line drawn.""",
+    harmonics that come back it is 0.002 thick, less than the line drawn. Full point: the stable limit
+    cycle.""",
     alternative_text="""A broad shaded band around the dashed curve holds both ends of the thesis's range on
     G, which lie far on both sides of the one intersection at 4716 radians per second.""",
 )
@@ -150,9 +165,9 @@ def higher_harmonics(known: Evidence) -> Figure:
     plane.locus(axes, system)
     plane.element_curve(axes, InertiaBacklash(1.0), "$-1/N$, inertia-controlled", LINES[1])
     axes.plot(ends.real, ends.imag, "D", color=BLACK, markersize=5, label="ends of the band")
-    for omega, end, side in zip(BAND, ends, ("right", "left"), strict=True):
-        beside(axes, f"{omega:.0f} rad/s", end, (0, -14), fontsize=8, ha=side)
-    plane.mark(axes, system, (cycle,), (f"{cycle.omega:.0f} rad/s",), ((6, 9),))
+    for omega, end, (side, offset) in zip(BAND, ends, (("right", (-4, 6)), ("left", (10, -13))), strict=True):
+        beside(axes, f"{omega:.0f} rad/s", end, offset, fontsize=8, ha=side)
+    plane.mark(axes, system, (cycle,), (f"{cycle.omega:.0f} rad/s",), ((14, 22),))
     plane.frame(axes, "near $-1$", *VIEW)
     axes.set_aspect("equal")
     figure.legend(loc="outside lower center", ncols=2)
@@ -163,8 +178,9 @@ def higher_harmonics(known: Evidence) -> Figure:
     "fig-5.16",
     "Viscous-controlled backlash with G",
     caption=r"""$G$ with $-1/N$ for a constant $\gamma = M\omega/D$, between the curves for friction and for
-    inertia (thesis, figure 5.16). Above: right contours; each meets the outer circle near $-1$, where it is
-    stable. Below: Listing A.5, whose contact angles are complex; its contours stay away from $-1$.""",
+    inertia (thesis, figure 5.16). (a), (b) Right contours: each meets the outer circle of $G$ near $-1$,
+    where the limit cycle is stable (full point), and once more where it is not (open point). (c), (d) Listing
+    A.5, whose contact angles are complex: its contours stay away from $-1$.""",
     alternative_text="""Above, three curves start at minus one between two others and cross G near minus one
     and once more on the small loop. Below, three curves start away from minus one and bend to the right
     across the small loop; near minus one there is none of them.""",
@@ -172,8 +188,8 @@ def higher_harmonics(known: Evidence) -> Figure:
 def viscous_contours(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
     figure, grid = panels(6.4, 2, 2)
-    _limits(grid[0], system, "right contact angle")
-    _limits(grid[1], system, "Listing A.5, complex contact angle")
+    _limits(grid[0], system, "right contact angle", ((-2.3, 0.9), (-3.1, 0.6)))
+    _limits(grid[1], system, "Listing A.5", ((-5, 7), (-7, 1.5)))
     for gamma, line in zip(GAMMAS, LINES[2:], strict=False):
         for right, listing in grid.T:
             plane.element_curve(right, ViscousBacklash(1.0, gamma).at(1.0), f"$\\gamma$ = {gamma}", line)
@@ -181,16 +197,17 @@ def viscous_contours(known: Evidence) -> Figure:
     for gamma in GAMMAS:
         for axes, cycle in zip(grid[0], cycles_of_constant_gamma(system, gamma), strict=True):
             plane.mark(axes, system, (cycle,), ("",), ((1, 1),))
-    grid[1, 1].legend(*grid[0, 0].get_legend_handles_labels(), loc="lower center")
+    grid[1, 1].set_title("Listing A.5 near $-1$: no contour")
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
     return figure
 
 
-def _limits(row: Iterable[Axes], system: control.lti.LTI, title: str) -> None:
+def _limits(row: Iterable[Axes], system: control.lti.LTI, title: str, view: View) -> None:
     """Draw G and the two limits of the load, in two parts of the plane."""
     whole, near = row
     for axes in (whole, near):
         plane.locus(axes, system)
         plane.element_curve(axes, FrictionBacklash(1.0), "friction", LINES[1])
         plane.element_curve(axes, InertiaBacklash(1.0), "inertia", LINES[5])
-    plane.frame(whole, title, (-5, 7), (-7, 1.5))
-    plane.frame(near, "the same near $-1$", (-1.08, -0.88), (-0.16, 0.02), left=False)
+    plane.frame(whole, title, *view)
+    plane.frame(near, "the same near $-1$", (-1.04, -0.91), (-0.11, 0.01), left=False)

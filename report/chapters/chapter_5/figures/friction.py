@@ -12,7 +12,7 @@ from report.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.numbers import equivalent_nonlinearity as model
 from report.numbers.record import line_amplitudes
-from report.numbers.relay_loop import HALF_PERIODS, IMPULSES, STEP, VISCOUS, friction_motion, output_at_jump
+from report.numbers.relay_loop import HALF_PERIODS, VISCOUS, friction_motion, output_at_jump
 from report.numbers.released_bodies import RECORD
 from report.record import figure
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
@@ -21,8 +21,8 @@ from trimmer import FrictionBacklash, InputChannels, pin_model
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SHOWN_TIME: Final = 40e-6
-"""Time that is shown of the loop with friction, s."""
+SHOWN_FROM, SHOWN_TIME = 1e-8, 40e-6
+"""First and last time that is shown of the loop with friction, s."""
 EVERY: Final = 5
 """One of so many swings is drawn."""
 LOADS: Final = (0.15, 0.25, 0.5)
@@ -34,11 +34,11 @@ NEAR_MODES: Final = (150.0, 850.0)
 @figure(
     "fig-5.19",
     "Relay in the loop",
-    caption="""Size and frequency of the swings after an impulse, in the loop with an ideal relay (thesis,
-    figure 5.19). They never stop becoming smaller and faster; runs end after 3000 switchings. Dotted: what a
-    simulation keeps up that looks at the relay's input once a step.""",
-    alternative_text="""Falling lines of size and rising lines of frequency over time, straight on logarithmic
-    scales and parallel in the end; a dotted level lies across each panel.""",
+    caption="""Swings after an impulse, in the loop with an ideal relay (thesis, figure 5.19): (a) their size,
+    (b) their frequency. They never stop becoming smaller and faster; runs end after 3000 switchings. Dotted:
+    what a simulation keeps up that looks at the relay's input once in 10 µs.""",
+    alternative_text="""Falling lines of size and rising lines of frequency over time on logarithmic scales,
+    ever steeper in the end; a dotted level lies across each panel.""",
 )
 def relay_swings(known: Evidence) -> Figure:
     numbers = known.motion.closed.relay
@@ -51,24 +51,28 @@ def relay_swings(known: Evidence) -> Figure:
     kept, amplitude = numbers.sampled
     for axes, value in ((sizes, amplitude), (frequencies, kept)):
         axes.axhline(value, **DOTTED)
-        axes.set_yscale("log")
-        axes.set(xlabel="time [ms]", xlim=(0, 220))
-    text = f"dotted: kept up by\na step of {1e6 * STEP:.0f} µs"
-    frequencies.annotate(text, (0.98, 0.03), xycoords="axes fraction", ha="right", fontsize=8)
-    sizes.set(ylabel="swing over relay output", title="they become smaller")
-    frequencies.set(ylabel="frequency [Hz]", title="and faster")
-    sizes.legend(loc="upper right", title="impulse over relay")
+        axes.set(xscale="log", yscale="log", xlabel="time [ms]")
+    sizes.set(ylabel="swing over the relay's output", title="size of the swings")
+    frequencies.set(ylabel="frequency [Hz]", title="their frequency")
+    figure.legend(
+        *sizes.get_legend_handles_labels(),
+        loc="outside lower center",
+        ncols=3,
+        title="impulse over the relay's output",
+    )
     return figure
 
 
 @figure(
     "fig-5.20",
     "Coulomb and viscous friction in the loop",
-    caption="""Left, the block on the output: a periodic motion would need $y$ to be zero where a square wave
-    jumps, which it is only at the edges of the grey strip, there in phase. Right, the block on the output's
-    velocity: the loop moves a little and stays (thesis, figure 5.20).""",
+    caption="""Which signal enters the block is not said (thesis, figure 5.20). (a) The output: a square wave
+    that kept itself up would need $y = 0$ where it jumps; $y$ is zero only at the edges of the grey strip,
+    and there in phase with it, which does not keep it up. (b) The output's velocity: the loop moves a little,
+    then sticks or creeps to rest (points).""",
     alternative_text="""Left, two nearly equal curves with peaks at low frequency that fall as a straight line
-    on logarithmic scales. Right, three curves that rise within five microseconds to a constant value.""",
+    on logarithmic scales. Right, three curves that rise to their last value, where a point marks the end:
+    after one microsecond for the weakest impulse, later for the stronger ones.""",
 )
 def friction_and_condition(known: Evidence) -> Figure:
     system = pin_model(known.numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
@@ -76,20 +80,23 @@ def friction_and_condition(known: Evidence) -> Figure:
     figure, (condition, motion) = panels(3.4, 1, 2)
     for gain, line in zip((0.0, VISCOUS), LINES, strict=False):
         values = output_at_jump(A - gain * B @ C, B[:, 0], C[0], HALF_PERIODS)
-        name = "relay" if gain == 0 else f"relay and gain {gain}"
+        name = "relay" if gain == 0 else f"relay with gain {gain}"
         condition.plot(0.5 / HALF_PERIODS, np.where(values < 0, -values, np.nan), label=name, **line)
     condition.axvspan(*sorted(known.motion.closed.relay.alone.frequencies), color="#dddddd")
     condition.set(xscale="log", yscale="log")
-    condition.set(xlabel="frequency of the square wave [Hz]", ylabel="$-y$ at its jump up")
-    condition.set(title="on the output", xlim=(50, 1e5), ylim=(1e-9, 1e3))
+    condition.set(xlabel="frequency of a square wave [Hz]", ylabel="$-y$ where the wave jumps up")
+    condition.set(title="block on the output", xlim=(50, 1e5), ylim=(1e-9, 1e3))
     condition.legend(loc="upper right")
-    times = np.linspace(0, SHOWN_TIME, 801)
-    for impulse, line in zip(IMPULSES, LINES, strict=False):
-        output = friction_motion(system, impulse).output(times)
-        label = f"10$^{{{np.log10(impulse):.0f}}}$ s"
-        motion.plot(1e6 * times, output / np.abs(output).max(), label=label, **line)
-    motion.set(title="on its velocity", xlabel="time [µs]", ylabel="$y$ over its largest", xlim=(0, 40))
-    motion.legend(loc="lower right", title="impulse over force")
+    for run, line in zip(known.motion.closed.relay.friction, LINES, strict=False):
+        times = np.geomspace(SHOWN_FROM, min(run.last_turn, SHOWN_TIME), 401)
+        output = friction_motion(system, run.impulse).output(times)
+        label = f"10$^{{{np.log10(run.impulse):.0f}}}$ s"
+        motion.plot(1e6 * times, output / output[-1], label=label, **line)
+        if run.last_turn < SHOWN_TIME:
+            motion.plot([1e6 * run.last_turn], [1], "o", color=line["color"], markersize=5)
+    motion.set(xscale="log", xlabel="time [µs]", ylabel="$y$ over its last value")
+    motion.set(title="block on the output's velocity", ylim=(0, 1.1))
+    motion.legend(loc="upper left", title="impulse over force")
     return figure
 
 
@@ -97,7 +104,7 @@ def friction_and_condition(known: Evidence) -> Figure:
     "fig-5.21",
     "Backlash and friction together",
     caption="""$G$ with $-1/N$ by Listing A.6 for 0.15 N, 200π rad/s and a gap of 2 mm, and with one of them
-    changed (thesis, figure 5.21; the values beside those are ours). Last panel: the right friction term, over
+    changed (thesis, figure 5.21; the values beside those are ours). (d) The right friction term, over
     $k_2$. The wrong sign bends the curves to the right, the right one bends them up.""",
     alternative_text="""Three panels in which curves from minus one bend from the curve without friction to
     the lower right; a fourth in which they bend to the left and upwards, until they no longer meet G.""",
@@ -106,11 +113,11 @@ def three_panels(known: Evidence) -> Figure:
     k2, force, gap = known.numbers.parameters.k2, model.OTHER_FORCE, LARGER_GAP
     listing, right = model.listing_element, model.right_element
     families = {
-        r"a: Listing A.6, change in $\omega$": {
+        r"Listing A.6, change in $\omega$": {
             f"{omega:.0f} rad/s": listing(force, gap, omega) for omega in (30.0, DRIVE_OMEGA, 6000.0)
         },
-        "b: Listing A.6, change in $F_c$": {f"{each:g} N": listing(each, gap) for each in (0.03, force, 0.6)},
-        "c: Listing A.6, change in $b$": {
+        "Listing A.6, change in $F_c$": {f"{each:g} N": listing(each, gap) for each in (0.03, force, 0.6)},
+        "Listing A.6, change in $b$": {
             f"{1e3 * each:g} mm": listing(force, each) for each in (5e-4, gap, 1e-2)
         },
         "right term, change in $F_c/(k_2 b)$": {f"{load:g}": right(load * k2, k2, 1.0) for load in LOADS},
@@ -130,8 +137,8 @@ def three_panels(known: Evidence) -> Figure:
     "fig-5.22",
     "Equivalent nonlinearity without friction",
     caption=r"""$G$ with $-1/N$ for $b$ = $4\times10^{-6}$ m and $F_c$ = 0 (thesis, figure 5.22). Listing A.6
-    gives backlash without friction and its two limit cycles. Equation 5.14, whose real part lacks a factor,
-    gives a curve along the negative real axis.""",
+    gives backlash without friction and its two limit cycles, stable (full point) and unstable (open).
+    Equation 5.14, whose real part lacks a factor, gives a curve along the negative real axis.""",
     alternative_text="""A dashed curve with two marked intersections, at 2.11 and 33.26 micrometres; a
     dash-dotted straight line along the negative real axis meets G nowhere.""",
 )
@@ -142,11 +149,11 @@ def without_force(known: Evidence) -> Figure:
     amplitudes = SMALL_GAP + np.geomspace(1e-9, 40, 500)
     printed = np.array([-1 / model.printed_function(float(a), 0.0) for a in amplitudes])
     figure, (whole, near) = panels(3.6, 1, 2)
-    for axes in (whole, near):
+    for axes, first in ((whole, 0), (near, 1)):
         locus(axes, system)
         element_curve(axes, FrictionBacklash(SMALL_GAP), "$-1/N$, Listing A.6", LINES[1])
         curve(axes, printed, "$-1/N$, equation 5.14", LINES[2])
-        mark(axes, system, cycles, texts, ((9, 6), (7, -14)))
+        mark(axes, system, cycles[first:], texts[first:], ((9, 6), (7, -14))[first:])
     frame(whole, "$b$ = 4 µm, $F_c$ = 0", (-9, 3), (-20, 8))
     frame(near, "near $-1$", (-1.15, -0.9), (-0.16, 0.02), left=False)
     whole.legend(loc="upper left")
@@ -156,10 +163,11 @@ def without_force(known: Evidence) -> Figure:
 @figure(
     "fig-5.23",
     "Equivalent nonlinearity with 0.6 N",
-    caption=r"""a: $G$ with $-1/N$ for $b$ = $4\times10^{-6}$ m and $F_c$ = 0.6 N (thesis, figure 5.23). By
-    Listing A.6 there is one intersection, with an amplitude of 16.9 mm. With the right sign the curve leaves
-    $-1$ upwards and meets $G$ nowhere. b: spectrum of the exact loop with that gap and force, all bodies
-    displaced alike at the start; dotted: natural modes of the loop without play and friction.""",
+    caption=r"""(a), (b) $G$ with $-1/N$ for $b$ = $4\times10^{-6}$ m and $F_c$ = 0.6 N (thesis, figure 5.23).
+    By Listing A.6 there is one intersection, with an amplitude of 16.9 mm, which would be stable (full
+    point). With the right sign the curve leaves $-1$ upwards and meets $G$ nowhere. (c) Spectrum of the exact
+    loop with that gap and force, all bodies displaced alike at the start; dotted: natural modes of the loop
+    without play and friction, with what the thesis reads.""",
     alternative_text="""Two half circles from minus one to zero, one below the real axis, which crosses G
     close to minus one, and one above it, which does not. Below, a spectrum with three rounded peaks at 222,
     370 and 737 hertz, the same for three starts.""",
@@ -175,8 +183,8 @@ def one_force(known: Evidence) -> Figure:
         element_curve(axes, model.right_element(model.FORCE, k2), "$-1/N$, right term over $k_2$", LINES[2])
     text = f"{cycle.frequency:.2f} Hz\n{1e3 * cycle.amplitude:.1f} mm"
     mark(near, system, (cycle,), (text,), ((9, -24),))
-    frame(whole, f"a: $b$ = 4 µm, $F_c$ = {model.FORCE} N", (-2, 1), (-1.5, 2.2))
-    frame(near, "a: near $-1$", (-1.1, -0.9), (-0.13, 0.05), left=False)
+    frame(whole, f"$b$ = 4 µm, $F_c$ = {model.FORCE} N", (-2, 1), (-1.5, 2.2))
+    frame(near, "near $-1$", (-1.1, -0.9), (-0.13, 0.05), left=False)
     whole.legend(loc="upper left")
     numbers = known.motion.closed.released_bodies
     for run, line in zip(numbers.runs, LINES, strict=False):
@@ -186,20 +194,22 @@ def one_force(known: Evidence) -> Figure:
         spectrum.plot(frequencies[shown], 1e3 * sizes[shown], label=f"{run.displacement:g} m", **line)
     for frequency, printed in zip(numbers.modes, RELEASED_PEAKS, strict=False):
         spectrum.axvline(frequency, **DOTTED)
-        text, look = f"{frequency:.2f} Hz\n(printed {printed})", {"va": "top", "fontsize": 8}
+        text, look = f"mode {frequency:.2f} Hz\nprinted {printed} Hz", {"va": "top", "fontsize": 8}
         beside(spectrum, text, (frequency, 0.97), (5, 0), xycoords=("data", "axes fraction"), **look)
-    spectrum.set_title("b: free vibration after all bodies were displaced alike")
-    spectrum.set(xlabel="frequency [Hz]", ylabel="line over start [10$^{-3}$]", xlim=NEAR_MODES, ylim=(0, 22))
-    spectrum.legend(loc="center right", title="displaced by")
+    spectrum.set_title("free vibration after all bodies were displaced alike")
+    spectrum.set(xlabel="frequency [Hz]", ylabel="amplitude over start [10$^{-3}$]")
+    spectrum.set(xlim=NEAR_MODES, ylim=(0, 23))
+    spectrum.legend(loc="center", bbox_to_anchor=(0.6, 0.6), title="displaced by")
     return figure
 
 
 @figure(
     "fig-5.24",
     "Contours for several forces, and what friction does",
-    caption=r"""Left: Listing A.6 for $b$ = $4\times10^{-6}$ m and several $F_c$ (thesis, figure 5.24); the
-    intersection moves to the right and stops. Right: amplitude over force for friction between cutter and
-    guard; the stable and the unstable limit cycle meet, and beyond that force there is none.""",
+    caption=r"""(a) Listing A.6 for $b$ = $4\times10^{-6}$ m and several $F_c$ (thesis, figure 5.24); the
+    intersection, stable (full points), moves to the right and stops. (b) Amplitude over force for friction
+    between cutter and guard; the stable and the unstable limit cycle (dotted) meet (diamond), and beyond that
+    force there is none.""",
     alternative_text="""Left, five curves from minus one cross G at points that crowd together. Right, for
     each of two loops a falling solid curve and a rising dotted one that end in one point, at 8.1 and 6.3
     kilonewton per metre of gap.""",
@@ -221,7 +231,7 @@ def several_forces(known: Evidence) -> Figure:
         stable, unstable, end = branch.stable, branch.unstable, branch.merger
         branches.plot(stable.force_per_gap / 1e3, stable.amplitude, label=name, **line)
         branches.plot(unstable.force_per_gap / 1e3, unstable.amplitude, color=line["color"], linestyle=":")
-        branches.plot([end.force_per_gap / 1e3], [end.amplitude], "ko", markersize=5)
+        branches.plot([end.force_per_gap / 1e3], [end.amplitude], "D", color=BLACK, markersize=4.5)
     branches.plot([], [], color=BLACK, linestyle=":", label="unstable")
     branches.set(title="friction between cutter and guard", xlabel="$F_c/b$ [kN/m]")
     branches.set(ylabel="amplitude over gap", xlim=(0, 9), ylim=(0, 9))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.drawing.marks import arrow, beside
-from report.drawing.plane import critical_point
+from report.drawing.plane import LEADER, critical_point
 from report.drawing.read_out import Along, plot_along
 from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
@@ -30,7 +30,7 @@ OMEGA = np.geomspace(1e2, 1e5, 3000)
     "fig-5.1",
     "Time response of the linear trimmer",
     caption=r"""Pin and output for $u(t) = 0.0015\sin(2\pi 100 t)$ m, started from rest (thesis, figure 5.1).
-    Below: their difference. The start excites the natural modes, which take some periods to decay.""",
+    (b) Their difference. The start excites the natural modes, which take some periods to decay.""",
     alternative_text="""Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly
     coincide; a third curve below shows their difference, which starts at 0.3 mm and decays.""",
 )
@@ -102,7 +102,7 @@ def nyquist_locus(known: Evidence) -> Figure:
         plot_along(axes, response, Along("ω", "rad/s", omega), label=r"$\omega > 0$", **LINES[0])
         plot_along(axes, response.conj(), Along("ω", "rad/s", -omega), label=r"$\omega < 0$", **thin)
         critical_point(axes)
-        beside(axes, "$-1$", (-1, 0), (-8, 8), ha="right")
+        beside(axes, "$-1$", (-1, 0), (-24, 30), ha="right", arrowprops=LEADER)
         for place in (2150.0, 3350.0, 3600.0, 4400.0):
             arrow(axes, *response_at(system, place * np.array([1, 1.004])), color=LINES[0]["color"])
     enlarged.set(xlim=(-3, 3), ylim=(-3, 3), title="near the critical point", xlabel="real part")

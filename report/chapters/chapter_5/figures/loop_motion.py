@@ -8,7 +8,7 @@ import numpy as np
 
 from report.drawing import plane
 from report.drawing.marks import beside
-from report.drawing.style import DOTTED, LINES, panels
+from report.drawing.style import DOTTED, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import RECORD, SAMPLE_RATE, SETTLING, AmplitudeRun
 from report.numbers.impulse_response import GAPS, SHOWN
@@ -26,8 +26,10 @@ if TYPE_CHECKING:
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
-READINGS: Final = (33.03, -32.961)
-"""Printed readings of figure 5.9a, µm."""
+READING: Final = 33.03
+"""Printed reading of the crest in figure 5.9a, µm."""
+CREST: Final = 0.025
+"""Time to either side of the crest that is shown, over the period."""
 WINDOW: Final = 1.5e-3
 """Time over which smallest and largest value make one point of a band, s: more than a period."""
 SHOWN_PERIODS: Final = 4
@@ -79,45 +81,59 @@ def _band(axes: Axes, times: Reals, values: Reals) -> None:
 @figure(
     "fig-5.9",
     "Limit cycle for a gap of 4 µm",
-    caption="""a: settled output with the readings of the thesis (figure 5.9). b: its spectrum over one
-    second, whose highest bin is 734 Hz, and over the stated 0.1 s, whose highest bin is 730 Hz. Dotted: the
+    caption="""(a) Settled output (thesis, figure 5.9). (b) Its crest: the exact coefficients give 33.16 µm,
+    the rounded ones of the listing 33.04 µm; dotted: the reading of the thesis. (c) Its spectrum over one
+    second, whose highest bin is 734 Hz, and over the stated 0.1 s, whose highest bin is 730 Hz; dotted: the
     limit cycle.""",
-    alternative_text="""A sine of 33 micrometres between two dotted lines. Below it a narrow peak at 734 hertz
-    and one ten times as wide at 730, on both sides of a dotted line at 733.6.""",
+    alternative_text="""A sine of 33 micrometres. Beside it its crest, enlarged: the curve of the rounded
+    coefficients touches the dotted reading, the exact one is 0.13 micrometres higher. Below, a narrow peak at
+    734 hertz and one ten times as wide at 730, on both sides of a dotted line at 733.6.""",
 )
 def small_gap(known: Evidence) -> Figure:
     orbit, rounded = known.orbits.friction.stable, known.orbits.friction_listing.stable
-    figure, (upper, lower) = panels(5.2, 2)
+    figure = new_figure(5.4)
+    grid = figure.add_gridspec(2, 2, width_ratios=(3, 2), height_ratios=(4, 5))
+    upper, crest, lower = (figure.add_subplot(place) for place in (grid[0, 0], grid[0, 1], grid[1, :]))
     times = np.linspace(0, SHOWN_PERIODS * orbit.period, 1601)
     upper.plot(1e3 * times, 1e6 * SMALL_GAP * periodic(orbit, times), **LINES[0])
-    for reading in READINGS:
-        upper.axhline(reading, **DOTTED)
-    exact, listing = (1e6 * SMALL_GAP * each.amplitude for each in (orbit, rounded))
-    sizes = f"exact ±{exact:.2f} µm, rounded coefficients ±{listing:.2f} µm"
-    text = f"{sizes}; dotted: readings {READINGS[0]} and −{-READINGS[1]} µm"
-    upper.annotate(text, (0.5, 1.02), xycoords="axes fraction", ha="center", fontsize=9)
-    upper.set(xlabel="a: time [ms]", ylabel="$y$ [µm]", xlim=(0, 1e3 * times[-1]), ylim=(-40, 40))
+    upper.set(title="settled output", xlabel="time [ms]", ylabel="$y$ [µm]")
+    upper.set(xlim=(0, 1e3 * times[-1]), ylim=(-40, 40))
+    for each, name, line in zip((orbit, rounded), ("exact", "rounded"), LINES, strict=False):
+        phases, values = _crest(each)
+        crest.plot(phases, 1e6 * SMALL_GAP * values, label=name, **line)
+    crest.axhline(READING, label="reading", **DOTTED)
+    crest.set(title="its crest", xlabel="time around it over the period", ylabel="$y$ [µm]")
+    crest.set(xlim=(-CREST, CREST), ylim=(32.6, 33.45))
+    crest.legend(loc="upper right", fontsize=8, ncols=3, handlelength=1.6, columnspacing=0.8)
     for record, line, marker, size in zip(RECORDS, LINES, "os", (2.5, 5), strict=False):
         times = np.linspace(0, record.duration, record.samples)
         lines = 1e6 * SMALL_GAP * line_amplitudes(periodic(orbit, times))
         frequencies = record.bin_width * np.arange(lines.size)
         near = (frequencies > NEAR_PEAK[0]) & (frequencies < NEAR_PEAK[1])
         label = f"{record.duration:g} s, highest bin {frequencies[np.argmax(lines)]:.0f} Hz"
-        look = {"marker": marker, "markersize": size, "label": label} | line
-        lower.plot(frequencies[near], lines[near], **look)
+        lower.plot(frequencies[near], lines[near], marker=marker, markersize=size, label=label, **line)
     lower.axvline(orbit.frequency, **DOTTED)
-    lower.set(xlabel="b: frequency [Hz]", ylabel="amplitude [µm]", xlim=NEAR_PEAK, ylim=(0, None))
+    lower.set(title="spectrum", xlabel="frequency [Hz]", ylabel="amplitude [µm]")
+    lower.set(xlim=NEAR_PEAK, ylim=(0, None))
     lower.legend(loc="upper right")
     return figure
+
+
+def _crest(orbit: PeriodicOrbit) -> tuple[Reals, Reals]:
+    """Return time over the period, from the crest of an orbit on, and the output around it."""
+    period = np.linspace(0, 1, 4001)
+    highest = period[np.argmax(periodic(orbit, period * orbit.period))]
+    around = np.linspace(-CREST, CREST, 201)
+    return around, periodic(orbit, (highest + around) * orbit.period)
 
 
 @figure(
     "fig-5.10",
     "Intersections and oscillation for a gap of 40 µm",
-    caption=r"""a: $G$ and $-1/N$ of friction-controlled backlash with $b$ = $4\times10^{-5}$ m (thesis,
+    caption=r"""(a), (b) $G$ and $-1/N$ of friction-controlled backlash with $b$ = $4\times10^{-5}$ m (thesis,
     figure 5.10). Full point: stable limit cycle; open point: unstable. The curve is that of every other gap;
-    only the amplitudes along it belong to this one. b: how far the exact loop swings after an impulse, and
-    the settled motion.""",
+    only the amplitudes along it belong to this one. (c) How far the exact loop swings after an impulse. (d)
+    The settled motion.""",
     alternative_text="""The dashed curve leaves the large loop of G at its lower side, at 21.1 micrometres and
     553.6 hertz, unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz,
     stable. Below, a band that widens to 0.33 millimetres, and four periods of a sine of that size.""",
@@ -131,17 +147,17 @@ def larger_gap(known: Evidence) -> Figure:
         size = f"{1e6 * LARGE_GAP * cycle.amplitude:.1f} µm, {cycle.frequency:.1f} Hz"
         text = f"{size}\n{'stable' if cycle.stable else 'unstable'}"
         plane.mark(axes, system, (cycle,), (text,), (offset,))
-    plane.frame(whole, "a: both intersections", (-9, 3), (-20, 6))
-    plane.frame(near, "a: the outer one, near $-1$", (-1.15, -0.9), (-0.16, 0.02), left=False)
+    plane.frame(whole, "both intersections", (-9, 3), (-20, 6))
+    plane.frame(near, "the outer one, near $-1$", (-1.15, -0.9), (-0.16, 0.02), left=False)
     whole.legend(loc="upper left")
     run = known.motion.closed.impulses.runs[0]  # scaled by the gap it is the motion for any gap
     _band(start, run.times, 1e3 * LARGE_GAP / run.gap * run.output)
-    start.set_title(f"b: after an impulse of {1e3 * run.impulse / run.gap:g} ms times $b$")
+    start.set_title(f"after an impulse of {1e3 * run.impulse / run.gap:g} ms times $b$")
     start.set(xlabel="time [ms]", ylabel="$y$ [mm]", xlim=(0, 120))
     orbit = known.orbits.friction.stable
     times = np.linspace(0, SHOWN_PERIODS * orbit.period, 801)
     settled.plot(1e3 * times, 1e3 * LARGE_GAP * periodic(orbit, times), **LINES[0])
-    settled.set_title(f"b: settled, {1e6 * LARGE_GAP * orbit.amplitude:.1f} µm at {orbit.frequency:.1f} Hz")
+    settled.set_title(f"settled, {1e6 * LARGE_GAP * orbit.amplitude:.1f} µm at {orbit.frequency:.1f} Hz")
     settled.set(xlabel="time [ms]", xlim=(0, 1e3 * times[-1]))
     return figure
 
@@ -155,7 +171,7 @@ def periodic(orbit: PeriodicOrbit, times: Reals) -> Reals:
     "fig-5.11",
     "Driven loop over time",
     caption="""Output and bridge with a drive of 1.5 mm at 100 Hz and $b$ = 40 µm (thesis, figure 5.11).
-    Above: open loop. Below: the same blocks with the output subtracted from the drive, which swing between −1
+    (a) Open loop. (b) The same blocks with the output subtracted from the drive, which swing between −1
     and 1 mm (dotted) with a faster oscillation on top, as the text describes the figure.""",
     alternative_text="""Above, a sine of 1.48 millimetres that bridge and output share. Below, a wave of one
     millimetre made of a slow and a fast oscillation, the bridge in opposite phase to the fast one.""",
@@ -174,7 +190,7 @@ def time_responses(known: Evidence) -> Figure:
         axes.plot(1e3 * times, 1e3 * load, label="bridge, behind the play", **LINES[1])
         axes.axhline(1.0, **DOTTED)
         axes.axhline(-1.0, **DOTTED)
-        axes.set_ylabel("[mm]")
+        axes.set_ylabel("displacement [mm]")
     upper.set(title="open loop, as the caption has it", ylim=(-1.7, 2.4))
     upper.legend(loc="upper right", ncols=2)
     lower.set(title="output fed back, the drive as reference", xlabel="time [ms]", xlim=(0, 1e3 * times[-1]))
@@ -184,9 +200,9 @@ def time_responses(known: Evidence) -> Figure:
 @figure(
     "fig-5.12",
     "Closed and driven loop in spectra",
-    caption="""a: closed loop (thesis, figure 5.12). b: open loop, odd multiples of 100 Hz only; and the same
-    blocks with the output subtracted from the drive, where the limit cycle shows. Dotted: its frequency
-    without drive.""",
+    caption="""(a) Closed loop (thesis, figure 5.12a). (b) Open loop, odd multiples of 100 Hz only (thesis,
+    figure 5.12b). (c) The same blocks with the output subtracted from the drive, where the limit cycle shows.
+    Dotted: its frequency without drive.""",
     alternative_text="""Three spectra. The first has one line at 733.6 hertz; the second has lines at 100,
     300, 500, 700, 900 and 1100 hertz, none of them there; the third has large lines at 100 and at 733
     hertz.""",
@@ -196,14 +212,14 @@ def spectra(known: Evidence) -> Figure:
     figure, (top, middle, bottom) = panels(5.2, 3, sharex=True)
     sizes = 1e6 * SMALL_GAP * abs(orbit.harmonics)
     _stems(top, orbit.frequency * np.arange(1, sizes.size + 1), sizes)
-    top.set_title("a: closed loop without drive, $b$ = 4 µm")
+    top.set_title("closed loop without drive, $b$ = 4 µm")
     _stems(middle, DRIVE_FREQUENCY * np.arange(run.harmonics.size), 1e6 * run.harmonics)
-    middle.set_title("b: open loop, $b$ = 40 µm")
+    middle.set_title("open loop, $b$ = 40 µm")
     times = SETTLING + np.arange(round(RECORD * SAMPLE_RATE)) / SAMPLE_RATE
     record = closed.reference.from_rest.motion.output(times)
     spectrum = amplitude_spectrum(record, SAMPLE_RATE, Window.BLACKMAN_HARRIS)
     bottom.plot(spectrum.frequency, 1e6 * spectrum.amplitude, **LINES[0])
-    bottom.set_title("b: output fed back, the drive as reference, $b$ = 40 µm")
+    bottom.set_title("output fed back, the drive as reference, $b$ = 40 µm")
     for axes in (top, middle, bottom):
         axes.axvline(orbit.frequency, **DOTTED)
         axes.set_yscale("log")
@@ -225,9 +241,9 @@ def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
 @figure(
     "fig-5.14",
     "Inertia-controlled backlash, driven",
-    caption="""From rest, 1.5 mm at 100 Hz, $b$ = 0.4 mm (thesis, figure 5.14). Above: open loop. Below:
-    Listing A.8's block in the loop with the drive as reference; its largest line beside multiples of 100 Hz
-    (points) is where the thesis reads 659 Hz.""",
+    caption="""From rest, 1.5 mm at 100 Hz, $b$ = 0.4 mm (thesis, figure 5.14). (a), (b) Open loop. (c),
+    (d) Listing A.8's block in the loop with the drive as reference; its largest line beside multiples of
+    100 Hz (points) is where the thesis reads 659 Hz.""",
     alternative_text="""Above, a distorted sine, and a spectrum that falls smoothly between odd multiples of
     100 hertz. Below, a fast oscillation on a slow one, and a spectrum with a hump at 660 hertz beside a line
     at 700.""",
@@ -240,7 +256,7 @@ def inertia(known: Evidence) -> Figure:
     rows = ((block.open_loop, "open loop"), (block.block_in_loop, "Listing A.8 in the loop"))
     for (motion, axes), (output, name) in zip(grid, rows, strict=True):
         motion.plot(1e3 * block.times[shown], 1e3 * output[shown], **LINES[0])
-        motion.set(ylabel="$y$ [mm]", title=f"a: {name}, from rest")
+        motion.set(ylabel="$y$ [mm]", title=f"{name}, from rest")
         sizes = 1e6 * line_amplitudes(output)
         frequencies = SHORT.bin_width * np.arange(sizes.size)
         near = (frequencies > 0) & (frequencies < HIGHEST)
@@ -251,7 +267,7 @@ def inertia(known: Evidence) -> Figure:
         axes.plot(frequencies[places], sizes[places], "o", **look)
         axes.axvline(frequency, **DOTTED)
         axes.set_yscale("log")
-        axes.set(ylabel="amplitude [µm]", title=f"b: {name}", ylim=(FLOOR, 5e3))
+        axes.set(ylabel="amplitude [µm]", title=f"{name}, spectrum", ylim=(FLOOR, 5e3))
     look = {"ha": "right", "fontsize": 8, "arrowprops": {"arrowstyle": "-"}}
     beside(grid[1, 1], f"{frequency:.1f} Hz", (frequency, 1e6 * size), (-8, 22), **look)
     grid[0, 1].legend(loc="upper right", handletextpad=0.2)

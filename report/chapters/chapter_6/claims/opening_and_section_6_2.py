@@ -8,97 +8,139 @@ import sympy
 
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
-from report.chapters.second_ways import by_grid, by_quadrature
-from report.claim import Impact
+from report.chapters.second_ways import ALL_LOADS, by_matching_real_parts, by_quadrature
+from report.claim import Impact, Severity
+from report.comparisons.assertion import Assertion
+from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.independent import loci
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.waveforms import coefficient
-from report.parts import assertion, close, digits, made_here
+from report.parts import assertion, close, digits, lost_in_the_copy
 from report.record import Record, claim, text
-from trimmer import FrictionBacklash, asymptotic_roll_off, harmonic_leakage, real_axis_crossings
+from trimmer import FrictionBacklash, asymptotic_roll_off, harmonic_leakage, limit_cycles
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
 
+EXACT = 1e-6
+"""Share below which an error counts as none."""
+NARROW = 1e-9
+"""Gap for which all limit cycles are sought, m; far below every threshold of the thesis."""
+HIGH_OMEGA = 1e8
+"""Angular frequency at which the slope of the gain is taken, rad/s."""
 
-@claim("txt-6-every-case", source="trimmer/balance/solve.py", impact=Impact.LOCAL)
+
+@claim(
+    "txt-6-every-case",
+    source="trimmer/balance/solve.py",
+    impact=Impact.LOCAL,
+    lines=(1323, 1323),
+    paragraph=1,
+    severity=Severity.RESULT,
+)
 def every_case(known: Evidence) -> Record:
-    system = known.numbers.displacement_only
-    relay = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
-    with_play = min(2, *(len(found) for found in known.cycles.viscous))
-    yield digits(
-        "least number of limit cycles over the elements",
-        "1",
-        min(with_play, relay),
-        second=by_grid(system, relay),
-        slip=made_here("Coulomb friction is left out", with_play),
+    system, cycles = known.numbers.displacement_only, known.cycles
+    counts = [len(found) for found in cycles.viscous]
+    limits = (cycles.friction, cycles.inertia)
+    yield assertion(
+        "kinds of backlash",
+        "each has one limit cycle or two",
+        min(counts) >= 1 and max(counts) <= 2,
+        f"{min(counts)} to {max(counts)} for {len(counts)} loads between the limits, two at either limit",
+        method=ALL_LOADS,
+        second=by_matching_real_parts(system, 0.0, 2),
+    )
+    narrow = limit_cycles(system, FrictionBacklash(NARROW))
+    yield assertion(
+        "the second one, with friction or inertia alone",
+        "it is there only under strict conditions",
+        len(narrow) < 2,
+        """
+        it is there for every gap, since $N$ depends on $b/A$ alone: friction-controlled backlash has it at
+        [[ friction | f4 ]] gaps, inertia-controlled at [[ inertia | f4 ]]
+        """,
+        numbers={
+            name: pair.unstable.amplitude for name, pair in zip(("friction", "inertia"), limits, strict=True)
+        },
+        method=f"all solutions of harmonic balance, for a gap of {power_of(NARROW)} m",
+        second=by_matching_real_parts(system, 0.0, len(narrow)),
+        item="a single limit cycle for 4e-6 m, a second one for a larger gap",
     )
     yield text("""
-        Friction- and inertia-controlled backlash have two limit cycles each, viscous-controlled one or two,
-        by its $M/D$. Coulomb friction alone, the fourth case of chapter 5, has none, as section 5.2.4 says
-        itself. That two occur under strict conditions only is not so either: they do for every gap.
+        Every kind of backlash has one limit cycle or two, as the text says. Coulomb friction alone, also a
+        case of chapter 5, has none, as section 5.2.4 says; the sentence is read as one on backlash. That two
+        occur only under strict conditions is not so: the condition that section 5.2.1 names is a wide gap,
+        and with friction or with inertia alone both are there for every gap.
 
-        Chapter 7 repeats it: all models showed a stable limit cycle.
+        The unstable one is the threshold from which an oscillation grows, see [the second limit
+        cycle](#txt-5.2.1-second-limit-cycle).
     """)
 
 
-HIGH_OMEGA = 1e8
-
-
-@claim("txt-6.2-filter-order", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-6.2-filter-order",
+    source="trimmer/linear/low_pass.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1339, 1339),
+    paragraph=1,
+    severity=Severity.RESULT,
+)
 def filter_order(known: Evidence) -> Record:
     order = -asymptotic_roll_off(known.numbers.displacement_only) / 20
     slope = -math.log10(gain_ratio(known.numbers, HIGH_OMEGA, 10))
     second = close("the slope of the exact gain at $10^{8}$ rad/s", slope, order, 1e-6)
-    yield digits("", "1", order, second=second)
+    item = "order 1 and -20 dB per decade, roll-off of the transfer function"
+    yield digits("", "1", order, second=second, item=item)
     yield text("""
-        The order is two, see section 5.1.2. So the transfer function is not on the edge of filtering because
-        of its order; where the hypothesis fails, it fails because of the resonances.
+        The order is two, as [at the roll-off](#txt-5.1.2-roll-off). So it is not the order that puts the
+        transfer function on the edge of filtering; where the hypothesis fails, it fails because of the
+        resonances.
 
         The caution that the chapter draws from order one has the wrong ground.
     """)
 
 
-@claim("txt-6.2-higher-terms", source="trimmer/balance/leakage.py", impact=Impact.NOTATION)
+@claim("txt-6.2-higher-terms", source="trimmer/balance/leakage.py", lines=(1339, 1339), paragraph=1)
 def higher_terms(known: Evidence) -> Record:
     wave, values = relay_waveform(), {FORCE: sympy.Integer(1)}
     zero = [wave.cosine_coefficient(2), wave.cosine_coefficient(3), wave.sine_coefficient(2)]
     b_3 = wave.sine_coefficient(3)
+    vanish = all(sympy.simplify(each) == 0 for each in zero)
+    statement, means = "where these vanish, only the fundamental is left", "Fourier coefficients of a relay"
+    shown = f"a relay's square wave has $a_2$, $a_3$ and $b_2$ zero and $b_3 = {sympy.latex(b_3)}$"
+    index_read = Assertion(statement, not vanish or sympy.simplify(b_3) != 0, shown, means)
     yield assertion(
         r"$a_n = 0$ and $b_2 = 0$ for $n = 2, 3, \dots$",
-        "where these vanish, only the fundamental is left",
-        any(sympy.simplify(each) != 0 for each in zero) or sympy.simplify(b_3) == 0,
-        f"a relay's square wave has all of these zero and $b_3 = {sympy.latex(b_3)}$",
-        method="Fourier coefficients of the relay's waveform",
+        statement,
+        not vanish or sympy.simplify(b_3) == 0,
+        shown,
+        method=means,
         second=by_quadrature(b_3, coefficient(wave, sympy.sin(3 * THETA), values), values),
+        copy_fault=lost_in_the_copy("the index of the sine terms, $b_n$, is read as $b_2$", index_read),
     )
     cycle, exact = known.cycles.friction.stable, known.orbits.friction.stable.amplitude
-    element = FrictionBacklash(1.0)
-    even, third = (abs(complex(element.describing_function(cycle.amplitude, harmonic=n))) for n in (2, 3))
-    (leak,) = harmonic_leakage(known.numbers.displacement_only, element, cycle, (3,))
+    (leak,) = harmonic_leakage(known.numbers.displacement_only, FrictionBacklash(1.0), cycle, (3,))
     error = abs(cycle.amplitude / exact - 1)
     yield assertion(
-        "what accuracy asks for",
-        "harmonic balance is accurate only if the element's higher terms vanish",
-        third <= 0.01 or error >= 0.01,
+        "higher terms that come back",
+        "even very small ones make a predicted limit cycle inaccurate",
+        leak > 0 and error > EXACT,
         """
-        at the stable limit cycle the third has [[ third | f1 ]] % of the input, the second [[ even | f0 ]] %;
-        the amplitude is predicted to [[ error | f2 ]] %
+        at the stable limit cycle of friction-controlled backlash the third comes back with [[ leak | f2 ]] %
+        of the fundamental, and the predicted amplitude is off by [[ error | f2 ]] %
         """,
-        numbers={"third": 100 * third, "even": 100 * even, "error": 100 * error},
-        method="harmonics of friction-controlled backlash, and the exact orbit",
+        numbers={"leak": 100 * leak, "error": 100 * error},
+        method="the element's third harmonic with the response of $G$, and the exact orbit",
         second=close("the exact orbit by two durations", known.orbits.friction_by_durations[0], exact, 1e-6),
     )
     yield text("""
-        The index of the sine terms has slipped: $b_2 = 0$ is printed where $b_n = 0$ is meant. Nor do these
-        coefficients, which are the element's own, vanish or need to: the linear part takes care of them, so
-        that [[ leak | f2 ]] % of the fundamental come back as third harmonic, and that is what the error
-        follows.
-
-        None: the filtering hypothesis of equation 2.26 is stated rightly in section 2.3.2.
-    """).given(leak=100 * leak)
+        As read, only one sine term has to vanish, which a relay's output fulfils without being a sine. With
+        $b_n$ in place of $b_2$ the sentence is right: the page shows whether the copy or the author has the
+        wrong index. What has to vanish is what the linear part lets back, as section 2.3.2 says, not the
+        output of the element itself.
+    """)
 
 
-@claim("txt-6.2-tangency", source="trimmer/balance/limit_cycle.py")
+@claim("txt-6.2-tangency", source="trimmer/balance/limit_cycle.py", lines=(1345, 1345), paragraph=2)
 def tangency(known: Evidence) -> Record:
     cycles, system = known.cycles, known.numbers.displacement_only
     pairs = (cycles.friction, cycles.inertia, cycles.friction_both_channels)
@@ -122,7 +164,8 @@ def tangency(known: Evidence) -> Record:
         second=close(differences, by_differences, stable.crossing_angle, 1e-5),
     )
     yield text(r"""
-        No prediction for backlash is in doubt for this reason. Nor do the curves touch for the gap of
-        $2\times10^{-8}$ m, as section 5.2.1 has it, since they are the same for every gap. What the
-        predictions do depend on is the small distance of $G$ from $-1$ (section A.10).
+        No prediction for backlash is in doubt for this reason. The curves are the same for every gap, so they
+        do not touch for the gap of $2\times10^{-8}$ m either, as [section 5.2.1](#txt-5.2.1-touching) has it.
+        The predictions do depend on the small distance of $G$ from $-1$, see [the two transfer functions of
+        Listing A.9](#txt-A.10-two-systems).
     """)

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.comparisons.printed import power
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import LetGoLoad
 from report.parts import assertion, close
 from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
+from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
 
 LARGEST_FORCE = 1.0
 """Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""
 GAPS_QUOTED = {"section 3.2": "200e-6", "chapter 6": "200e-6", "section 6.4": "100e-6"}
 SOURCE = "report/chapters/chapter_6/claims/sections_6_3_and_6_4.py"
+DOMINANT = "friction dominates: backlash in the trimmer is friction-controlled"
 
 
-@claim("txt-6.3-friction-dominates", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-6.3-friction-dominates",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1349, 1351),
+    paragraph=1,
+    severity=Severity.CONCLUSION,
+)
 def dominant_friction(known: Evidence) -> Record:
     mass = known.numbers.parameters.m2
     load = LetGoLoad(DRIVE_AMPLITUDE, DRIVE_OMEGA, LARGEST_FORCE / mass)
@@ -27,15 +35,22 @@ def dominant_friction(known: Evidence) -> Record:
         "friction exceeds the load's inertia, so that the load stops with the pin",
         needed < LARGEST_FORCE,
         r"""
-        $m_2A\omega^2$ is [[ needed | f2 ]] N under the drive, 3 g at 1.5 mm and 100 Hz; friction is assumed
-        below [[ bound | f1 ]] N
+        $m_2A\omega^2$ is [[ needed | f2 ]] N under the drive, [[ mass | f0 ]] g at [[ stroke | f1 ]] mm and
+        [[ drive | f0 ]] Hz; friction is assumed below [[ bound | f1 ]] N
         """,
-        numbers={"needed": needed, "bound": LARGEST_FORCE},
+        numbers={
+            "needed": needed,
+            "mass": 1e3 * mass,
+            "stroke": 1e3 * DRIVE_AMPLITUDE,
+            "drive": DRIVE_FREQUENCY,
+            "bound": LARGEST_FORCE,
+        },
         method="the thesis's mass, drive and bound of the force",
         second=close("second differences of the pin's sampled motion", sampled, needed, 1e-5),
+        item=DOMINANT,
     )
     yield assertion(
-        "a load of 3 g with 1.0 N of friction, let go by the pin",
+        "the load with as much friction, let go by the pin",
         "it stays within the gap until the pin comes back for it",
         ahead < EXPERIMENT_GAP,
         """
@@ -45,20 +60,37 @@ def dominant_friction(known: Evidence) -> Record:
         numbers={"ahead": 1e3 * ahead, "gap": 1e6 * LARGE_GAP, "wider": 1e6 * EXPERIMENT_GAP},
         method="deceleration by a constant force, beside the pin's sine",
         second=close("SciPy's integration of the flight", load.ahead_by_integration(), ahead, 1e-6),
+        item=DOMINANT,
     )
-    cycle = known.cycles.friction.stable
+    cycle, heavy = known.cycles.friction.stable, known.cycles.inertia.stable
     yield text("""
         Sections 2.3.4, 5.2.1 and 6.3 take friction for dominant because the spring presses hard; none gives a
-        number, and 6.3 says that there is no evidence. With the thesis's own mass, drive and bound the load's
-        inertia is the larger force, and at the predicted limit cycle for [[ gap | f0 ]] µm it is
-        [[ inertia | f0 ]] N. So neither limit holds; the general backlash is the one to use.
+        number, and 6.3 says that there is no evidence. With the mass of Listing A.1, the drive and the bound
+        on friction that the thesis itself states, the load's inertia is the larger force; at the predicted
+        limit cycle for [[ gap | f0 ]] µm it is [[ inertia | f0 ]] N. So neither limit holds; the general
+        backlash is the one to use.
 
-        The recommendation of chapter 7 may rest on ease, not on physics. Its frequency suffers little, 733.6
-        to 750.6 Hz between the limits; its amplitude by a third.
-    """).given(gap=1e6 * LARGE_GAP, inertia=mass * LARGE_GAP * cycle.amplitude * cycle.omega**2)
+        The recommendation of chapter 7 may rest on ease, not on physics. The predicted frequency lies at
+        [[ low | f1 ]] Hz with friction alone and at [[ high | f1 ]] Hz with inertia alone, where the
+        amplitude is [[ smaller | f0 ]] % smaller.
+    """).given(
+        gap=1e6 * LARGE_GAP,
+        inertia=mass * LARGE_GAP * cycle.amplitude * cycle.omega**2,
+        low=cycle.frequency,
+        high=heavy.frequency,
+        smaller=100 * (1 - heavy.amplitude / cycle.amplitude),
+    )
 
 
-@claim("txt-6-gap-quoted", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-6-gap-quoted",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(1357, 1357),
+    paragraph=1,
+    severity=Severity.SLIP,
+    certainty=Certainty.READING,
+)
 def gap_of_the_experiment(_: Evidence) -> Record:
     yield assertion(
         "",
@@ -68,8 +100,8 @@ def gap_of_the_experiment(_: Evidence) -> Record:
         method="read in the three places",
     )
     yield text("""
-        Section 6.4 gives half of what section 3.2 and chapter 6 give. One may be the total gap and the other
-        half of it, but neither place says so.
+        Section 6.4 gives half of what section 3.2 and chapter 6 give. Read as a slip it changes nothing. One
+        may also be the total gap and the other half of it, which neither place says.
 
-        Any amplitude predicted for the experiment is uncertain by a factor of two.
+        By the second reading an amplitude predicted for the experiment is uncertain by a factor of two.
     """)

@@ -1,16 +1,10 @@
-"""Claims of chapter 7 on the input: its amplitude, its frequency, and what shows of it in the output."""
+"""Claims of chapter 7 on the drive's amplitude, and on what shows of a limit cycle in the output."""
 
 from __future__ import annotations
 
 import numpy as np
-import sympy
 
-from derivations.elements import backlash
-from derivations.elements.friction import FORCE
-from derivations.elements.waveform import describing_function
-from derivations.symbols import A, omega
-from report.chapters.appendix_a.claims.listings_a_2_to_a_6_describing_functions import friction_expression
-from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
+from report.chapters.chapter_3.claims.section_3_3_open_loop import SUBHARMONICS
 from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     REPEATS,
     line_part,
@@ -18,23 +12,18 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.chapters.second_ways import ALL_LOADS
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
-from report.numbers.listed_blocks import contact_angle
 from report.numbers.record import change, line_amplitudes
-from report.parts import assertion, close, expression, small, so
+from report.parts import assertion, close
 from report.record import Record, claim, text
 from report.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
-    DRIVE_OMEGA,
     LARGE_GAP,
-    MEASURED_DRIVE_FREQUENCY,
-    MEASURED_DRIVE_OMEGA,
 )
-from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash
+from trimmer import FrictionBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
 FIFTH = 5
@@ -42,7 +31,13 @@ SIMULATED = "exact simulation with 1.5 mm and 100 Hz"
 BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 
-@claim("txt-7-input-amplitude", source="trimmer/elements/friction_backlash.py", impact=Impact.LOCAL)
+@claim(
+    "txt-7-input-amplitude",
+    source="trimmer/elements/friction_backlash.py",
+    impact=Impact.LOCAL,
+    lines=(1393, 1394),
+    paragraph=9,
+)
 def input_amplitude(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     fifth = [open_loop_harmonic(known, FIFTH, amplitude) for amplitude in DRIVE_AMPLITUDES]
@@ -57,6 +52,9 @@ def input_amplitude(known: Evidence) -> Record:
         numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=open_loop_repeats(known),
+        item="the open loop shows the limit cycle of the closed loop",
+        severity=Severity.CONCLUSION,
+        certainty=Certainty.PROVEN,
     )
     below = FrictionBacklash(LARGE_GAP).describing_function(0.49 * LARGE_GAP)
     yield assertion(
@@ -64,131 +62,42 @@ def input_amplitude(known: Evidence) -> Record:
         "the amplitude of the input has no effect on the oscillation that is left",
         max(fifth) / min(fifth) < 1.001 and not np.isnan(below),
         """
-        for a gap of 40 µm the fifth harmonic of the output is [[ outputs ]] for inputs of [[ inputs ]]; below
-        half of the gap there is no output at all
+        for a gap of [[ gap | f0 ]] µm the fifth harmonic of the output is [[ outputs ]] for inputs of
+        [[ inputs ]]; below half of the gap there is no output at all
         """,
         numbers={
+            "gap": 1e6 * LARGE_GAP,
             "outputs": ", ".join(f"{1e6 * each:.2f} µm" for each in fifth),
             "inputs": ", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES),
         },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth[1], 1e-4),
+        item="the drive's amplitude does not alter the limit cycle",
+        severity=Severity.RESULT,
     )
     yield text("""
         In open loop nothing is fed back, so there is no limit cycle that could keep its amplitude: what is
-        seen are harmonics of the drive. Scaling shows what they may depend on: input and gap times one factor
-        give the output times that factor, so an output that did not depend on the input would be proportional
-        to the gap. That is the limit for an input much larger than the gap, where backlash adds nearly a
-        square wave of half the gap; from 1.5 to 3 mm the fifth harmonic grows by [[ growth | f1 ]] %, which
-        is easily taken for nothing.
+        seen are harmonics of the drive. An input much larger than the gap leaves nearly a square wave of half
+        the gap behind the play, whatever its amplitude. From [[ middle ]] to [[ largest ]] mm the fifth
+        harmonic grows by [[ growth | f1 ]] %, which is easily taken for nothing.
 
-        The answer holds as an approximation for wide strokes. It says nothing on a limit cycle under a drive
-        in closed loop, which this method with one sinusoid does not reach.
-    """).given(growth=100 * (fifth[2] / fifth[1] - 1))
-
-
-@claim("txt-7-input-frequency", source="derivations/elements/backlash.py", impact=Impact.LOCAL)
-def input_frequency(known: Evidence) -> Record:
-    friction = describing_function(backlash.friction_waveform(), A)
-    inertia = describing_function(backlash.inertia_waveform(), A).subs(
-        backlash.GAP, A * backlash.inertia_contact_ratio()
+        The answer holds as an approximation for wide strokes, and not for a limit cycle. On a limit cycle
+        under a drive in closed loop see [the drive's amplitude](#txt-5.2.1-drive-amplitude).
+    """).given(
+        middle=f"{1e3 * DRIVE_AMPLITUDES[1]:g}",
+        largest=f"{1e3 * DRIVE_AMPLITUDES[2]:g}",
+        growth=100 * (fifth[2] / fifth[1] - 1),
     )
-    limits, slow_and_fast = (ViscousBacklash(1.0, each) for each in (1e-9, 1e3)), np.array([1e2, 1e4])
-    changes = [abs(complex(np.diff(each.describing_function(2.0, slow_and_fast))[0])) for each in limits]
-    general = "the general element with $M/D$ of 1 ns and of 1000 s, at 100 and at 10 000 rad/s"
-    yield assertion(
-        "describing functions",
-        "those of friction- and inertia-controlled backlash do not depend on frequency",
-        not {omega, backlash.GAMMA} & (friction.free_symbols | inertia.free_symbols),
-        "with $A$, the gap and the contact angle they are complete",
-        method="symbols of the derived functions",
-        second=so(general, max(changes) < 1e-4),
-    )
-    fifth, measured = (
-        open_loop_harmonic(known, FIFTH, omega=each) for each in (DRIVE_OMEGA, MEASURED_DRIVE_OMEGA)
-    )
-    yield assertion(
-        "what follows for the output",
-        "for friction-controlled backlash the input frequency changes nothing",
-        abs(measured / fifth - 1) < 0.1,
-        """
-        behind a gap of 40 µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive of [[ drive | f0 ]] Hz and
-        [[ measured | f0 ]] µm for one of [[ measured_drive ]] Hz
-        """,
-        numbers={
-            "fifth": 1e6 * fifth,
-            "drive": DRIVE_FREQUENCY,
-            "measured": 1e6 * measured,
-            "measured_drive": MEASURED_DRIVE_FREQUENCY,
-        },
-        method=BY_RESPONSE,
-        second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth, 1e-4),
-    )
-    cycles, orbits = known.cycles, known.orbits
-    without_inertia, without_friction = cycles.friction.stable.frequency, cycles.inertia.stable.frequency
-    ratio = without_friction / without_inertia
-    by_orbits = "the ratio of the exact orbits' frequencies"
-    exact_ratio = orbits.inertia.stable.frequency / orbits.friction.stable.frequency
-    yield assertion(
-        "condition of harmonic balance",
-        "the frequency follows from the transfer function alone",
-        abs(ratio - 1) < 1e-6,
-        """
-        with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
-        inertia-controlled backlash
-        """,
-        numbers={"friction": without_inertia, "inertia": without_friction},
-        method="all solutions of harmonic balance for both elements",
-        second=close(by_orbits, exact_ratio, ratio, 0.005),
-    )
-    added = LISTING - friction_expression()
-    far_up = abs(complex(added.subs({FORCE: 1, A: 1, omega: 10**12})))
-    yield expression(
-        "what Listing A.6 adds to backlash, with rising frequency",
-        sympy.Integer(0),
-        sympy.limit(added, omega, sympy.oo),
-        r"\lim (N - N_r)",
-        second=small("its size at $10^{12}$ rad/s, raised by one", far_up),
-    )
-    slow = complex(sympy.limit(-1 / LISTING.subs({A: backlash.GAP}), omega, 0))
-    at_gap = complex((-1 / inertia).subs(backlash.CONTACT, contact_angle(1.0)).evalf())
-    element = -1 / complex(InertiaBacklash(1.0).describing_function(1.0))
-    yield assertion(
-        "equivalent nonlinearity, with falling frequency",
-        "the contour of Listing A.6 tends to that of inertia-controlled backlash",
-        abs(slow - at_gap) < 1e-3,
-        """
-        at $A = b$ the listing's $-1/N$ tends to [[ slow | f0 ]], that of inertia is $[[ real | f2 ]]
-        [[ imaginary | signed2 ]]j$
-        """,
-        numbers={"slow": slow.real, "real": at_gap.real, "imaginary": at_gap.imag},
-        method="limit of the listing's function",
-        second=close("the inertia-controlled element", element, at_gap),
-    )
-    stable = [cycle for found in cycles.viscous for cycle in found if cycle.stable]
-    lowest, highest = (limit(cycle.frequency for cycle in stable) for limit in (min, max))
-    yield assertion(
-        "range of frequencies",
-        "stable limit cycles have nearly one frequency whatever $M/D$ is",
-        highest / lowest < 1.03,
-        f"from {lowest:.1f} to {highest:.1f} Hz",
-        method=ALL_LOADS,
-        second=close(by_orbits, exact_ratio, highest / lowest, 0.005),
-    )
-    yield text("""
-        That two of the functions do not depend on frequency is right, and does not make the system
-        independent of it: $G$ does depend. The frequency in the others is that of the limit cycle, not that
-        of the input. The function of Listing A.6 tends to backlash at high frequency because of its wrong
-        factor, and to no kind of backlash at low frequency; friction itself does not depend on frequency at
-        all. The range of frequencies is narrow, as stated; the amplitude still falls by [[ fall | f0 ]] %
-        from its largest value to that for inertia.
-
-        At the measured 109.945 Hz the fifth harmonic meets a resonance, which matters more than anything in
-        this answer.
-    """).given(fall=100 * (1 - cycles.inertia.stable.amplitude / max(cycle.amplitude for cycle in stable)))
 
 
-@claim("txt-7-subharmonics", source="report/numbers/drive_amplitudes.py", impact=Impact.LOCAL)
+@claim(
+    "txt-7-subharmonics",
+    source="report/numbers/drive_amplitudes.py",
+    impact=Impact.LOCAL,
+    lines=(1397, 1400),
+    paragraph=9,
+    severity=Severity.CONCLUSION,
+)
 def subharmonics(known: Evidence) -> Record:
     run, orbit = open_loop(known), known.orbits.friction.stable
     first, second = run.output[:SAMPLES], run.output[SAMPLES:]
@@ -211,6 +120,8 @@ def subharmonics(known: Evidence) -> Record:
         },
         method="exact simulation; two periods of the settled open loop",
         second=close(by_response, fifth, run.harmonics[FIFTH], 1e-4),
+        item=SUBHARMONICS,
+        severity=Severity.SLIP,
     )
     yield line_part(known, "a limit cycle on top of the drive's oscillation, in open loop")
     largest = 100 * abs(orbit.harmonics[2] / orbit.harmonics[0])
@@ -225,10 +136,10 @@ def subharmonics(known: Evidence) -> Record:
     )
     yield text("""
         The peaks that are meant lie at multiples of the drive: they are harmonics, not subharmonics. A
-        subharmonic, at a fraction of the drive's frequency, would need a motion with several times its
-        period, which a stable linear system behind play does not have. A limit cycle on top of the driven
-        oscillation shows where the output is fed back to the pin, not in open loop.
+        subharmonic, at a fraction of the drive's frequency, needs a motion with several times its period,
+        which a stable linear system behind play does not have. A limit cycle on top of the driven oscillation
+        shows where the output is fed back to the pin, not in open loop.
 
-        In a spectrum of the open loop no peak has to be sorted out as a limit cycle: what is no harmonic is a
-        free vibration that has not died out.
+        In a spectrum of this open loop no peak can be that of a limit cycle: what is no harmonic is a free
+        vibration that has not died out.
     """)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from report.chapters.second_ways import EXACTLY
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_ratio
 from report.numbers.linear_numbers import lightly_damped_response
@@ -14,16 +12,31 @@ from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks, response_at
 
+PRECISELY = 0.5
+"""Distance within which a frequency lies precisely at another, Hz."""
 THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
 
 
-@claim("txt-7-damping", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
+@claim(
+    "txt-7-damping",
+    source="trimmer/linear/extrema.py",
+    impact=Impact.LOCAL,
+    lines=(1386, 1387),
+    paragraph=9,
+    severity=Severity.RESULT,
+)
 def damping(known: Evidence) -> Record:
     numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
     light = lightly_damped_response(numbers.parameters)
     highest, without = (max(peak.magnitude for peak in peaks) for peaks in (damped, resonance_peaks(light)))
     exact = max(float(gain(numbers, peak.omega)) for peak in damped)
+    pairs = zip(
+        sorted(mode.eigenvalue.imag for mode in numbers.modes),
+        sorted(mode.omega for mode in numbers.undamped),
+        strict=True,
+    )
+    moved = max(abs(with_it / without_it - 1) for with_it, without_it in pairs)
     yield assertion(
         "",
         "damping increases the magnitude of the resonances",
@@ -33,14 +46,22 @@ def damping(known: Evidence) -> Record:
         second=close(EXACTLY, exact, highest),
     )
     yield text("""
-        Damping lowers every resonance, as section 5.1.3 itself says. The answer to the first research
-        question states the opposite.
+        Damping lowers every resonance, as section 5.1.3 itself says. The answer to the first sub-question
+        states the opposite.
 
-        The answer has to read: damping lowers the resonances, and moves them by two percent at most.
-    """)
+        The answer has to read: damping lowers the resonances, and moves the natural frequencies by
+        [[ moved | f1 ]] % at most.
+    """).given(moved=100 * moved)
 
 
-@claim("txt-7-operating-frequency", source="trimmer/linear/modes.py", impact=Impact.LOCAL)
+@claim(
+    "txt-7-operating-frequency",
+    source="trimmer/linear/modes.py",
+    impact=Impact.LOCAL,
+    lines=(1386, 1387),
+    paragraph=9,
+    severity=Severity.RESULT,
+)
 def operating_frequency(known: Evidence) -> Record:
     lowest = min(mode.frequency for mode in known.numbers.modes)
     undamped = min(mode.omega for mode in known.numbers.undamped) / TURN
@@ -56,31 +77,39 @@ def operating_frequency(known: Evidence) -> Record:
         It is the other way round: all resonances lie above the operating frequency, as section 5.1.3 says.
         That does not make them irrelevant, because the harmonics of the drive reach them.
 
-        None on numbers; the answer to the first research question contradicts chapter 5.
+        None on numbers; the answer to the first sub-question contradicts chapter 5.
     """)
 
 
-@claim("txt-7-resonance", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
+@claim(
+    "txt-7-resonance",
+    source="trimmer/linear/extrema.py",
+    impact=Impact.NOTATION,
+    lines=(1387, 1387),
+    paragraph=9,
+    severity=Severity.SLIP,
+)
 def resonance(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     peaks = resonance_peaks(numbers.displacement_only)
     highest = max(peaks, key=lambda peak: peak.magnitude).omega
-    mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest))
-    width, distance = -2 * mode.eigenvalue.real, pair.unstable.omega - highest
+    away = {
+        name: min(abs(cycle.omega - peak.omega) for peak in peaks) / TURN
+        for name, cycle in (("stable", pair.stable), ("unstable", pair.unstable))
+    }
     height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest))
-    means = f"the exact gain there, {100 * height:.0f} % of the peak's, where half power has 71 %"
-    away = abs(distance) > width / 2
     yield assertion(
         "where the limit cycles lie",
-        "no limit cycle lies at a resonance",
-        away,
+        "that one lies precisely at a resonance is very unlikely",
+        min(away.values()) > PRECISELY,
         """
-        the unstable one, at [[ frequency | f1 ]] Hz, is [[ distance | f1 ]] Hz from the highest peak, which
-        is [[ width | f1 ]] Hz wide
+        the stable one is [[ stable | f0 ]] Hz from the nearest peak of the gain, the unstable one
+        [[ unstable | f1 ]] Hz from the highest
         """,
-        numbers={"frequency": pair.unstable.frequency, "distance": distance / TURN, "width": width / TURN},
-        method="all solutions of harmonic balance; peaks of the gain; the mode's damping",
-        second=so(means, (height > math.sqrt(0.5)) == (not away)),
+        numbers=away,
+        method="all solutions of harmonic balance; peaks of the gain",
+        second=so(f"the exact gain at the unstable one, {100 * height:.0f} % of the peak's", height < 1),
+        item="no limit cycle at a resonance, very unlikely",
     )
     shares = {peak.omega: share_of_third(known, peak.omega) for peak in peaks}
     at_peaks = ", ".join(f"{share:.2g} at {omega / TURN:.1f} Hz" for omega, share in shares.items())
@@ -96,17 +125,18 @@ def resonance(known: Evidence) -> Record:
         numbers={"at_peaks": at_peaks, "stable": share_of_third(known, pair.stable.omega)},
         method="gain at three times each peak's frequency over the peak",
         second=close(EXACTLY, exact, shares[highest]),
+        certainty=Certainty.READING,
     )
+    mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest))
     yield text("""
-        Taken to the letter, no two numbers are ever precisely equal; to the width of a peak, the unstable
-        limit cycle lies at the highest one. That does no harm: a resonance magnifies the first harmonic, so
-        the others are weaker beside it, and of all peaks this one filters best. Only at the two lowest, flat
-        peaks does the third harmonic pass unweakened; what spoils filtering is a resonance at three or five
-        times the frequency, which the argument leaves out.
+        Precisely at a resonance there is no limit cycle, though the unstable one lies within the
+        [[ width | f0 ]] Hz that the highest peak is wide. The fear behind it has two readings. If a resonance
+        at the limit cycle is meant, it magnifies the first harmonic and so weakens the others beside it, but
+        for the two lowest, flat peaks; of all peaks the highest filters best. If a resonance at a higher
+        harmonic is meant, that harmonic does come back.
 
-        Harmonic balance is not endangered by the resonances near its two limit cycles. A drive of 110 Hz is:
-        its fifth harmonic meets the highest peak.
-    """)
+        None on the predictions: no resonance lies near three or five times either frequency.
+    """).given(width=-2 * mode.eigenvalue.real / TURN)
 
 
 def share_of_third(known: Evidence, omega: float) -> float:

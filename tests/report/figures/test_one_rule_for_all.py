@@ -1,0 +1,88 @@
+"""One rule for all figures: letters of panels, marks of limit cycles, texts beside curves."""
+
+import re
+from string import ascii_lowercase
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
+
+from report.collect import collect
+from report.drawing.letters import letter_panels, panels_of, title_of
+from report.drawing.marks import STABLE, UNSTABLE
+from report.drawing.style import new_figure, style
+from report.inventory import read_inventory
+
+FIGURES = collect(read_inventory()).figures
+STEP = 2.0
+"""Distance of the points of a curve that are looked for under a text, in pixels."""
+MARGIN = np.array([1.0, 2.0])
+"""What a curve may reach into the box of a text, across and up, in pixels; it is larger than the letters."""
+
+each_figure = pytest.mark.parametrize("figure", FIGURES, ids=lambda figure: figure.id)
+
+
+@each_figure
+def test_panels_are_lettered_in_their_order_and_captions_name_no_others(figure, drawn):
+    panels = panels_of(drawn(figure.id))
+    letters = [title_of(axes)[:3] for axes in panels]
+    if len(panels) > 1:
+        assert letters == [f"({letter})" for letter in ascii_lowercase[: len(panels)]]
+    named = set(re.findall(r"(?:^|[ ,])\(([a-z])\)", figure.caption))
+    if figure.id != "fig-2.15":  # a block diagram, which has its two parts on one canvas
+        assert named <= set(ascii_lowercase[: len(panels)] if len(panels) > 1 else "")
+
+
+def test_a_letter_is_put_once_and_not_before_a_legend():
+    with style():
+        figure = new_figure(2.0)
+        left, right, legend = figure.subplots(1, 3)
+    left.set_title("a title")
+    legend.set_axis_off()
+    letter_panels(figure)
+    letter_panels(figure)
+    assert [title_of(axes) for axes in (left, right, legend)] == ["(a) a title", "(b)", ""]
+
+
+@each_figure
+def test_limit_cycles_are_full_or_open_and_the_caption_says_what_that_means(figure, drawn):
+    marks = [line for axes in drawn(figure.id).axes for line in axes.lines]
+    for label, face, word in ((STABLE, "#000000", "full"), (UNSTABLE, "white", "open")):
+        chosen = [mark for mark in marks if mark.get_label() == label]
+        assert {mark.get_markerfacecolor() for mark in chosen} <= {face}
+        assert not chosen or word in figure.caption.lower()
+
+
+@each_figure
+def test_titles_fit_and_texts_stand_beside_curves(figure, drawn):
+    drawing = drawn(figure.id)
+    with style():
+        canvas = FigureCanvasAgg(drawing)
+        canvas.draw()
+        titles = [(axes, extent(axes._left_title, canvas)) for axes in panels_of(drawing)]
+        texts = [(axes, text) for axes in drawing.axes if axes.axison for text in axes.texts]
+        boxes = [(axes, text.get_text(), extent(text, canvas)) for axes, text in texts if text.get_text()]
+    for position, (_, box) in enumerate(titles):
+        assert box.x1 <= drawing.bbox.x1
+        assert not any(box.overlaps(other) for _, other in titles[:position] if other.width)
+    for axes, text, box in boxes:
+        assert axes.bbox.x0 - 1 <= box.x0 and box.x1 <= drawing.bbox.x1, text
+        assert not any(runs_through(line, box, axes.bbox) for line in axes.lines if line.get_clip_on()), text
+
+
+def extent(text, canvas):
+    """The box of a text alone, without the arrow of an annotation."""
+    return Text.get_window_extent(text, canvas.get_renderer())
+
+
+def runs_through(line, box, view):
+    """Say whether a curve, as far as it is seen, runs through the inside of a box."""
+    points = line.get_transform().transform(np.array(line.get_data(orig=False), float).T)
+    points = points[np.isfinite(points).all(axis=1)]
+    counts = np.clip(np.hypot(*np.diff(points, axis=0).T) / STEP, 1, 2000).astype(int)
+    dense = [np.linspace(a, b, n) for a, b, n in zip(points[:-1], points[1:], counts, strict=True)]
+    points = np.concatenate([points, *dense])
+    seen = np.all((points >= view.min) & (points <= view.max), axis=1)
+    inside = np.all(np.abs(points - (box.min + box.max) / 2) < box.size / 2 - MARGIN, axis=1)
+    return bool((seen & inside).any())

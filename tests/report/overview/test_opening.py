@@ -1,0 +1,50 @@
+"""The first screen: short, its numbers right, and each finding on a claim that is there."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from report.claim import judge
+from report.items import items
+from report.overview.opening import opening
+
+MOST_CHARACTERS = 1300
+
+
+@pytest.fixture(scope="module")
+def findings(claims, inventory):
+    return tuple(judge(claims[claim_id], entry) for claim_id, entry in inventory.items())
+
+
+@pytest.fixture(scope="module")
+def screen(evidence, findings):
+    return opening(evidence, findings)
+
+
+def words(screen) -> str:
+    said = [*(f"{each.sentence} {each.action}" for each in screen.highlights), *screen.do, *screen.do_not]
+    return re.sub(r"[*`$\\]", "", " ".join([screen.sentences, *said]))
+
+
+def test_the_first_screen_is_short(screen) -> None:
+    assert len(words(screen)) < MOST_CHARACTERS - 200  # headings, references and grades stand there too
+
+
+def test_what_matters_most_is_wrong_and_is_judged(screen, findings) -> None:
+    by_id = {finding.id: finding for finding in findings}
+    for highlight in screen.highlights:
+        if not highlight.place.startswith("twin"):
+            assert by_id[highlight.place].verdict.is_wrong
+
+
+def test_counts_are_over_printed_things(screen, findings) -> None:
+    judged = items(findings)
+    reproduced = sum(item.verdict.value == "reproduced" for item in judged)
+    assert f"{reproduced} of {len(judged)} printed things" in screen.sentences
+
+
+def test_the_force_that_ends_the_limit_cycle(screen) -> None:
+    # Harmonic balance of the thesis's loop has 1.62 N (tests/report/numbers/test_friction_in_place.py).
+    assert "1.6 N" in words(screen)
