@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 from trimmer.maps.drawing import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
+SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)])
 LONGER = len(PERIOD_COLOURS)
 NAMES = {
     **{count: (f"period {count}", colour) for count, colour in enumerate(PERIOD_COLOURS, start=1)},
@@ -34,8 +35,8 @@ KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
     "twin-map-friction",
     "Kinds of motion over gap and friction",
     caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
-    White dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2
-    N.""",
+    White dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N;
+    square: 0.2 mm and 2 N.""",
     alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
     with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
 )
@@ -86,13 +87,12 @@ def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers) -> None
     from matplotlib.path import Path
 
     (left, right, across), (low, high, up) = _ends(first), _ends(second)
-    unit, corners = Path.unit_rectangle(), dict[int, list[Path]]()
+    corners: dict[int, list[Path]] = {}
     for row, line in enumerate(cells):
         edges = np.flatnonzero(np.diff(line)) + 1
         for begin, end in zip([0, *edges], [*edges, len(line)], strict=True):
-            size, corner = ((end - begin) * across, up), (left + begin * across, low + row * up)
-            place = Path(unit.vertices * size + np.array(corner), unit.codes)
-            corners.setdefault(int(line[begin]), []).append(place)
+            corner, size = (left + begin * across, low + row * up), ((end - begin) * across, up)
+            corners.setdefault(int(line[begin]), []).append(Path(corner + SQUARE * size, closed=True))
     for number, places in sorted(corners.items()):
         colour = NAMES[number][1]
         path = Path.make_compound_path(*places)
