@@ -75,6 +75,7 @@ class Opening:
 
     sentences: str
     highlights: tuple[Highlight, ...]
+    figure: Figure
     do: tuple[str, ...]
     do_not: tuple[str, ...]
 
@@ -282,6 +283,7 @@ class Document:
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: those of claims, of the chapter on the twin, and of how far the results hold."""
-        of_twin = self.twin.figures if self.twin else ()
-        return (*self.figures, *of_twin, *((self.robustness.figure,) if self.robustness else ()))
+        """All figures: of the first screen, claims, the chapter on the twin, and how far it holds."""
+        first = (self.opening.figure,) if self.opening else ()
+        last = (self.robustness.figure,) if self.robustness else ()
+        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last)

@@ -179,7 +179,7 @@
     });
   };
 
-  for (const paper of document.querySelectorAll(".paper")) {
+  for (const paper of document.querySelectorAll(".drawing .paper")) {
     const svg = paper.querySelector("svg[data-axes]");
     if (svg) interactive(paper, svg);
   }

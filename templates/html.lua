@@ -160,6 +160,16 @@ local function figure(div)
   )
 end
 
+-- The figure of the first screen has no tools, to leave room for what stands around it.
+local function opening_figure(div)
+  return wrapped(
+    '<figure class="opening-figure">',
+    wrapped('<div class="paper">', { pandoc.Plain(div.content[1].content) }, "</div>")
+      .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption>"),
+    "</figure>"
+  )
+end
+
 local function program(div)
   local summary = "<details class=\"program\"><summary>Show the %s lines of %s</summary>"
   local blocks = div.content:map(function(block)
@@ -212,6 +222,7 @@ local converters = {
   end,
   group = section("group"),
   ["errata-sheet"] = section("errata-sheet"),
+  ["opening-figure"] = opening_figure,
   ["verdict-picture"] = function(div)
     return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
   end,

@@ -28,6 +28,7 @@ from report.octave.listings import corrected_programs
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
+from report.overview.opening_figure import opening_figure
 from report.provenance import libraries
 from report.record import ClaimRecord
 from report.robustness.page import robustness
@@ -59,7 +60,7 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
         programs=results["programs"],
-        opening=opening(evidence, findings),
+        opening=opening(evidence, findings, results["opening-figure"]),
         answers=results["answers"],
         corrected=results["corrected-results"],
         robustness=results["robustness"],
@@ -114,6 +115,7 @@ def _tasks(
                 ("answers", answers),
                 ("corrected-results", corrected_results),
                 ("robustness", robustness),
+                ("opening-figure", opening_figure),
             )
         ),
         *(

@@ -5,17 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from report.claim import Finding, Verdict
-from report.document import Highlight, Opening
+from report.document import Figure, Highlight, Opening
 from report.evidence import Evidence
 from report.items import items
+from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
 from report.text import filled
 from report.thesis import EXPERIMENT_GAP
 
 BOUND = 1.0
 """Of friction in the thesis, N."""
+SLOWER = 108.0
+"""A speed beside that of the trimmer, Hz."""
+SOFT = 10e3
+"""Stiffness of a bridge that bears every gap of the map, N/m."""
 
 
-def opening(known: Evidence, findings: Sequence[Finding]) -> Opening:
+def opening(known: Evidence, findings: Sequence[Finding], figure: Figure) -> Opening:
     """Return the first screen; its counts are over printed things."""
     judged = items(findings)
     reproduced = sum(item.verdict is Verdict.REPRODUCED for item in judged)
@@ -30,7 +35,8 @@ def opening(known: Evidence, findings: Sequence[Finding]) -> Opening:
             total=len(judged),
         ),
         highlights=_highlights(known),
-        do=_do(),
+        figure=figure,
+        do=_do(known),
         do_not=_do_not(known),
     )
 
@@ -40,16 +46,23 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
     return (
         _highlight(
             "txt-3.1-output-sign",
-            """
-            No trimmer has the loop with the limit cycles; with its output as section 3.1 has it, it has none.
-            """,
+            "No trimmer has the loop with the limit cycles; with section 3.1's output even it has none.",
             "Do not look for [[ frequency | f0 ]] Hz.",
             frequency=known.cycles.friction.stable.frequency,
         ),
         _highlight(
+            "twin-main",
+            """
+            With contact both ways, 0.2 mm and 2 N repeat after [[ periods ]] drive periods, with lines at
+            thirds of the drive.
+            """,
+            "Look between the harmonics.",
+            periods=known.twin.main.twin.period_count,
+        ),
+        _highlight(
             "txt-3.3-open-loop-odd",
-            "The measured spectra have even harmonics; the model has none for any parameters.",
-            "Model contact that pushes back.",
+            "Measured spectra have even harmonics; the model has none for any parameters.",
+            "Compute without symmetry.",
         ),
         _highlight(
             "txt-6.3-friction-dominates",
@@ -72,18 +85,39 @@ def _highlight(place: str, sentence: str, action: str, /, **numbers: object) -> 
     return Highlight(place, filled(sentence, **said), filled(action, **done))
 
 
-def _do() -> tuple[str, ...]:
+def _do(known: Evidence) -> tuple[str, ...]:
+    stiffness = known.twin.stiffness
+    borne = stiffness.reaches[stiffness.second <= SOFT * (1 + 1e-9)].min()
     return (
-        "Compute your trimmer with contact both ways (`trimmer respond`).",
-        "Look for lines between the harmonics of the drive.",
+        filled(
+            "Hold the gap below [[ reach | f2 ]] mm ([[ friction | f1 ]] N, [[ speed | f0 ]] Hz).",
+            reach=1e3 * known.twin.friction.reach(SMALL_FORCE),
+            friction=SMALL_FORCE,
+            speed=FREQUENCY,
+        ),
+        filled(
+            "Soften the bridge: [[ soft | f0 ]] kN/m bears [[ borne | f1 ]] mm.",
+            soft=1e-3 * SOFT,
+            borne=1e3 * float(borne),
+        ),
     )
 
 
 def _do_not(known: Evidence) -> tuple[str, ...]:
+    speed = known.twin.speed
     return (
-        "Tune against a limit cycle of the thesis.",
         filled(
-            "Expect a gap small enough to be harmless: the cycle has [[ ratio | f1 ]] gaps.",
-            ratio=known.cycles.friction.stable.amplitude,
+            "Fight 0.2 mm of play with friction: it takes [[ force | f1 ]] N.",
+            force=known.twin.friction_for_experiment,
+        ),
+        filled(
+            """
+            Trust one speed: [[ slower | f0 ]] Hz bears [[ less | f2 ]] mm, [[ speed | f0 ]] Hz
+            [[ more | f2 ]] mm.
+            """,
+            slower=SLOWER,
+            less=1e3 * speed.reach(SLOWER),
+            speed=FREQUENCY,
+            more=1e3 * speed.reach(FREQUENCY),
         ),
     )

@@ -7,6 +7,7 @@ import re
 import pytest
 
 from report.claim import judge
+from report.document import Figure
 from report.items import items
 from report.overview.opening import opening
 
@@ -20,7 +21,7 @@ def findings(claims, inventory):
 
 @pytest.fixture(scope="module")
 def screen(evidence, findings):
-    return opening(evidence, findings)
+    return opening(evidence, findings, Figure("opening", "", "", "", ""))
 
 
 def words(screen) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import sympy
 
 from report.document import (
@@ -124,6 +126,7 @@ def sample() -> Document:
                 ),
                 Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "Use 40."),
             ),
+            dataclasses.replace(figures()[0], id="opening"),
             ("Compute *your* trimmer.",),
             ("Trust $G$ blindly.", "Tune."),
         ),

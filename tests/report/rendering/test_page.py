@@ -226,3 +226,19 @@ def test_the_first_paint_does_not_wait_for_figures(browser: Browser, half_a_page
     assert page.evaluate("document.readyState") == "loading"
     assert re.match("The linear trimmer", page.locator("h1").inner_text())
     page.close()
+
+
+@pytest.mark.parametrize(("width", "height"), [(768, 900), (1440, 900)])
+def test_the_first_screen_shows_what_matters_and_what_to_do(
+    visit: Callable[..., Visit], width: int, height: int
+) -> None:
+    page = visit().page
+    page.set_viewport_size({"width": width, "height": height})
+    for part in (".highlights li:last-child", ".designer"):
+        expect(page.locator(part)).to_be_in_viewport(ratio=1)
+
+
+def test_on_a_phone_the_first_finding_is_on_the_first_screen(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    page.set_viewport_size({"width": 360, "height": 740})
+    expect(page.locator(".highlights li").first).to_be_in_viewport(ratio=1)

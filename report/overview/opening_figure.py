@@ -1,0 +1,66 @@
+"""The figure of the first screen: which motion a trimmer has over gap and friction."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from report.document import Figure
+from report.drawing.style import new_figure, style
+from report.drawing.svg import to_svg
+from report.evidence import Evidence
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawing
+
+NAME: Final = "opening-map"
+TITLE: Final = "What play does to the motion at 110 Hz"
+HEIGHT: Final = 1.55
+COLOURS: Final = ("#dbe9f6", "#e69f00", "#7a1f1f")
+NAMES: Final = ("repeats with the drive", "repeats later", "does not repeat")
+
+
+def opening_figure(known: Evidence) -> Figure:
+    """Draw the map over gap and friction in three colours; the chapter on the trimmer has it in full."""
+    words = (
+        "A map over gap and friction. Up to about a tenth of a millimetre the motion repeats with the drive; "
+        "beyond it mostly does not repeat, but for an island around 0.2 mm and 1 to 2 newtons."
+    )
+    caption = (
+        "Each cell is an exact motion from rest with contact both ways, 110 Hz; circle: 40 µm and 0.5 N, "
+        "square: 0.2 mm and 2 N."
+    )
+    with style():
+        svg = to_svg(_drawn(known), NAME, TITLE, words)
+    return Figure(NAME, TITLE, caption, words, svg)
+
+
+def _drawn(known: Evidence) -> Drawing:
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+    numbers = known.twin.friction
+    drawn = new_figure(HEIGHT)
+    axes = drawn.subplots()
+    count = numbers.kept.period_count
+    cells = np.where(count == 1, 0, np.where(count > 1, 1, 2))
+    axes.pcolormesh(
+        1e3 * numbers.first,
+        numbers.second,
+        cells,
+        cmap=ListedColormap(COLOURS),
+        vmin=-0.5,
+        vmax=2.5,
+        rasterized=True,
+    )
+    for gap, friction, marker in ((0.04, 0.5, "o"), (0.2, 2.0, "s")):
+        axes.plot(gap, friction, marker, color="white", markeredgecolor="black", markersize=6)
+    axes.grid(visible=False)
+    axes.set(xlabel="gap [mm]", ylabel="friction [N]")
+    handles = [
+        Patch(facecolor=colour, edgecolor="0.4", label=name)
+        for colour, name in zip(COLOURS, NAMES, strict=True)
+    ]
+    drawn.legend(handles=handles, loc="outside right center")
+    return drawn
