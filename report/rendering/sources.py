@@ -39,8 +39,9 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
         BrokenLinkError: naming the claim and the file, if a finding names a file that is not there.
     """
     findings: dict[str, list[Finding | Observation]] = {}
-    observations: tuple[Observation, ...] = document.twin.observations if document.twin else ()
-    for finding in (*document.findings, *observations):
+    observations = document.twin.observations if document.twin else ()
+    named: tuple[Finding | Observation, ...] = (*document.findings, *observations)
+    for finding in named:
         findings.setdefault(finding.source, []).append(finding)
     return tuple(
         ShownSource(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
