@@ -35,7 +35,7 @@ KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
     "twin-map-friction",
     "Kinds of motion over gap and friction",
     caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
-    White dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N;
+    Small dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N;
     square: 0.2 mm and 2 N.""",
     alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
     with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
