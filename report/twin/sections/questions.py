@@ -55,11 +55,11 @@ def damping(known: Evidence) -> Observed:
     single, chaotic = numbers.single.mean(axis=1), numbers.chaotic.mean(axis=1)
     stated = numbers.row(0.4)
     yield text("""
-        Without play the linear trimmer is stable with any damping. With play the damping of the bridge
-        matters, and not in one direction: with 0.5 N and gaps up to 0.5 mm, [[ stated | percent0 ]] of the
-        cells repeat with the drive at the thesis's 0.4 N s/m, [[ least | percent0 ]] at [[ at_least | f1 ]]
-        N s/m and [[ most | percent0 ]] at [[ at_most | f1 ]] N s/m; chaos fills [[ chaos | percent0 ]] at
-        0.4 and [[ less_chaos | percent0 ]] at [[ end | f1 ]] N s/m.
+        Without play the trimmer is stable with the dampings of Listing A.1. With play the damping of the
+        bridge matters, and not in one direction: with 0.5 N and gaps up to 0.5 mm, [[ stated | percent0 ]]
+        of the cells repeat with the drive at the thesis's 0.4 N s/m, [[ least | percent0 ]] at
+        [[ at_least | f1 ]] N s/m and [[ most | percent0 ]] at [[ at_most | f1 ]] N s/m; chaos fills
+        [[ chaos | percent0 ]] at 0.4 and [[ less_chaos | percent0 ]] at [[ end | f1 ]] N s/m.
     """).given(
         stated=single[stated],
         least=single.min(),
