@@ -48,19 +48,16 @@ class EquivalentNumbers:
 
     ``rounded`` has Listing A.6 with the coefficients of Listing A.9, ``rounded_less_force`` besides the force
     of figure 5.21, ``other_gap`` its force and gap. ``listing`` has exact coefficients, ``by_force`` one
-    stable limit cycle for each of ``FORCES``. ``own_frequency`` takes the loop's frequency in place of the
-    drive's, ``as_printed`` is equation 5.14, ``sign_turned`` the listing with the other sign of its term,
-    ``over_stiffness`` the right term over k2, ``in_place`` friction between cutter and guard;
-    ``..._both_channels`` is the loop with the pin's velocity too.
+    stable limit cycle for each of ``FORCES``. ``as_printed`` is equation 5.14, ``sign_turned`` the listing
+    with the other sign of its term, ``over_stiffness`` the right term over k2, ``in_place`` friction between
+    cutter and guard; ``..._both_channels`` is the loop with the pin's velocity too.
     """
 
     rounded: tuple[LimitCycle, ...]
     rounded_less_force: tuple[LimitCycle, ...]
     listing: tuple[LimitCycle, ...]
-    listing_both_channels: tuple[LimitCycle, ...]
     other_gap: tuple[LimitCycle, ...]
     by_force: tuple[LimitCycle, ...]
-    own_frequency: Point
     as_printed: Point
     sign_turned: tuple[LimitCycle, ...]
     over_stiffness: tuple[LimitCycle, ...]
@@ -102,7 +99,6 @@ def solve_equivalent(
 ) -> EquivalentNumbers:
     """Solve each variant; ``ends`` are the unstable and stable limit cycle without friction, per gap."""
     system, both, k2 = numbers.displacement_only, numbers.both_channels, numbers.parameters.k2
-    listing = limit_cycles(system, listing_element(FORCE))
     by_force = (limit_cycles(system, listing_element(force)) for force in FORCES)
     channels = InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_AND_VELOCITY
     in_place, in_place_both = (
@@ -112,30 +108,15 @@ def solve_equivalent(
     return EquivalentNumbers(
         rounded=limit_cycles(rounded, listing_element(FORCE)),
         rounded_less_force=limit_cycles(rounded, listing_element(OTHER_FORCE)),
-        listing=listing,
-        listing_both_channels=limit_cycles(both, listing_element(FORCE)),
+        listing=limit_cycles(system, listing_element(FORCE)),
         other_gap=limit_cycles(system, listing_element(OTHER_FORCE, LARGER_GAP)),
         by_force=tuple(cycle for cycles in by_force for cycle in cycles if cycle.stable),
-        own_frequency=_own_frequency(system, listing[0]),
         as_printed=_newton(system, lambda a, _: printed_function(a, FORCE), *START_OF_EQUATION),
         sign_turned=limit_cycles(system, right_element(FORCE, DRIVE_OMEGA)),
         over_stiffness=limit_cycles(system, right_element(FORCE, k2)),
         over_stiffness_both_channels=limit_cycles(both, right_element(FORCE, k2)),
         in_place=in_place,
         in_place_both_channels=in_place_both,
-    )
-
-
-def _own_frequency(system: control.TransferFunction, frozen: LimitCycle) -> Point:
-    """Solve with the term at the frequency of the loop, from the solution at the frozen one."""
-    start = frozen.amplitude * DRIVE_OMEGA / frozen.omega
-    return _newton(
-        system,
-        lambda amplitude, omega: complex(
-            listing_element(FORCE, SMALL_GAP, omega).describing_function(amplitude)
-        ),
-        start,
-        frozen.omega,
     )
 
 

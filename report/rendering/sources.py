@@ -39,7 +39,7 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
         BrokenLinkError: naming the claim and the file, if a finding names a file that is not there.
     """
     findings: dict[str, list[Finding | Observation]] = {}
-    observations = document.twin.observations if document.twin else ()
+    observations: tuple[Observation, ...] = document.twin.observations if document.twin else ()
     named: tuple[Finding | Observation, ...] = (*document.findings, *observations)
     for finding in named:
         findings.setdefault(finding.source, []).append(finding)

@@ -16,7 +16,8 @@ from tqdm import tqdm
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
 from trimmer.branches.continuation import SILENCE
-from trimmer.branches.follow import FollowedBranch, is_symmetric
+from trimmer.branches.fitting import is_symmetric, shortest_map
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.mechanism_map import MechanismMap
 from trimmer.branches.orbit import Place, Problem
@@ -141,7 +142,7 @@ def _ranges_of(branch: FollowedBranch, special: SpecialPoint, begin: float, end:
 
 def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: LocusRanges) -> _Search:
     mechanism = branch.map.mechanism.with_value(branch.map.place, special.value)
-    map = replace(branch.map, mechanism=mechanism, single=None)
+    map = shortest_map(replace(branch.map, mechanism=mechanism, single=None), special.value, special.state)
     map = replace(map, mirrored=is_symmetric(map, special.value, special.state))
     scales = [max(abs(lowest), abs(highest)) for lowest, highest in ranges.both]
     maps = replace(map, scale=scales[0]), replace(map, place=second, scale=scales[1])

@@ -9,10 +9,8 @@ import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-import control
 import mpmath
 import numpy as np
-from scipy.optimize import brentq
 
 from report.numbers.friction_in_place import Merger, force_response
 from report.numbers.independent.exact_response import quotient
@@ -87,18 +85,6 @@ def inertia_exactly(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, fl
         polynomials = numbers.numerator, numbers.denominator
         angle, omega = _newton(polynomials, element, start, near.omega)
         return float(1 / (angle - mpmath.sin(angle))), omega
-
-
-def frequency_of_strong_friction(system: control.TransferFunction, near: float) -> float:
-    """Return the frequency (Hz) near another to which the loop of Listing A.6 tends with a growing force.
-
-    There the real part of 1/G is -1, in which the force takes no part.
-    """
-
-    def real_part(frequency: float) -> float:
-        return (1 / complex(response_at(system, TURN * frequency))).real + 1
-
-    return float(brentq(real_part, near - 1, near + 1))
 
 
 def loop_at_merger(numbers: LinearNumbers, merger: Merger) -> complex:

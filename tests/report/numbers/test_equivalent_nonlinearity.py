@@ -95,8 +95,6 @@ def test_every_prediction_closes_its_loop(numbers, system, evidence):
         assert distance(line_by_line(cycle.amplitude, SMALL_GAP, DRIVE_OMEGA, FORCE), cycle.omega) < 1e-9
     for cycle, force in zip(numbers.by_force, FORCES, strict=True):
         assert distance(line_by_line(cycle.amplitude, SMALL_GAP, DRIVE_OMEGA, force), cycle.omega) < 1e-9
-    own = numbers.own_frequency
-    assert distance(line_by_line(own.amplitude, SMALL_GAP, own.omega, FORCE), own.omega) < 1e-9
     printed = numbers.as_printed
     assert distance(printed_function(printed.amplitude, FORCE), printed.omega) < 1e-9
 

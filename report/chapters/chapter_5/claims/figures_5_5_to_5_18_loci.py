@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import control
 
+from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
+from report.chapters.chapter_5.claims.section_5_2_1_impulses import EDGE
+from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
-from report.chapters.second_ways import LOEB, NEWTON, by_grid, by_waveform
-from report.claim import Impact, Part
+from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
+from report.chapters.second_ways import LOEB, NEWTON, by_waveform
+from report.claim import Impact, Part, Severity, Slip
 from report.comparisons.printed import power, power_of
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
 from report.numbers.independent.loci import (
     LIBRARY_GAP,
     LIBRARY_GRID,
-    distance_from_curve,
     intersections_by_library,
 )
 from report.numbers.independent.waveforms import sampled_gain
@@ -21,28 +24,24 @@ from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, intersections, listing_contour
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, PLOT_OFFSET, TURN
+from report.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
     ViscousBacklash,
-    harmonic_leakage,
     limit_cycles,
-    real_axis_crossings,
 )
 
 SOURCE = "trimmer/balance/solve.py"
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
-THICK_BAND = (4.6e3, 5.38e3)
-HARMONICS = range(3, 40, 2)
 GAMMAS = (1.05, 1.25, 1.45)
 LINE_6 = "line 6 of Listing A.5 has the wrong sign under its root, so that contact angles are complex"
 STABLE_SIDE = TURN * 600
 """Angular frequency, rad/s, above which G is on the outer circle on its way to -1."""
 
 
-@claim("fig-5.5", source="trimmer/elements/friction_backlash.py")
+@claim("fig-5.5", source="trimmer/elements/friction_backlash.py", lines=(997, 997), paragraph=3)
 def second_implementation(known: Evidence) -> Record:
     gain = control.friction_backlash_nonlinearity(LIBRARY_GAP).describing_function
     distance = max(abs(friction_listing(a, LIBRARY_GAP) / gain(a) - 1) for a in LIBRARY_GRID)
@@ -77,54 +76,84 @@ def second_implementation(known: Evidence) -> Record:
         second=close(NEWTON, first / LIBRARY_GAP, by_newton, 0.01),
     )
     yield text("""
-        Listing and library agree to rounding where they are drawn, so the formula is right; inside of the
-        dead band, which is not drawn, the library returns zero and the listing numbers without meaning. The
-        numbers of figure 5.5b are not in the text. The library interpolates on the grid it is given: on
-        [[ steps ]] equal steps of the range of Listing A.9 it finds the outer limit cycle to [[ error | f1 ]]
-        %, and gives the inner one an amplitude of [[ inner | f0 ]] mm.
+        Listing and library agree to rounding where they are drawn, so the formula is right. The numbers of
+        figure 5.5b are not in the text. The library interpolates on the grid it is given: on [[ steps ]]
+        equal steps of the range of Listing A.9 it finds the outer limit cycle to [[ error | f1 ]] %, and
+        gives the inner one an amplitude of [[ inner | f0 ]] mm.
     """).given(steps=LIBRARY_GRID.size, error=100 * error, inner=1e3 * second)
 
 
-def intersections_part(known: Evidence, gap: str, printed: str) -> Part:
+def intersections_part(known: Evidence, gap: str, printed: str, item: str, slip: Slip | None = None) -> Part:
     """Return the part on how often the locus for a gap meets G."""
     element = FrictionBacklash(float(gap))
     found = limit_cycles(known.cycles.listing, element)
     exact = limit_cycles(known.numbers.displacement_only, element)
-    plotted = sum(cycle.amplitude >= float(gap) / 2 + PLOT_OFFSET for cycle in found)
     return digits(
         f"intersections for $b$ = {power(gap)} m",
         printed,
         len(found),
         second=equal("the exact coefficients", len(exact), len(found)),
-        slip=made_here(PLOTTED, plotted),
+        slip=slip,
+        item=item,
     )
 
 
-@claim("fig-5.6", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.6",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1014, 1014),
+    paragraph=7,
+    severity=Severity.CONCLUSION,
+)
 def tiny_gaps(known: Evidence) -> Record:
-    for gap, printed in (("1e-8", "0"), ("2e-8", "0"), ("3e-8", "1")):
-        yield intersections_part(known, gap, printed)
+    for gap in ("1e-8", "2e-8"):
+        yield intersections_part(known, gap, "0", SMALLEST_GAP)
+    found, listed = (
+        limit_cycles(system, FrictionBacklash(3e-8))
+        for system in (known.numbers.displacement_only, known.cycles.listing)
+    )
+    yield assertion(
+        r"for $b$ = $3\times10^{-8}$ m",
+        "the curves clearly intersect",
+        any(cycle.stable for cycle in found),
+        f"{len(found)} times, once at a stable limit cycle of {1e9 * found[-1].amplitude:.0f} nm",
+        method="all solutions of harmonic balance for that gap",
+        second=equal("the coefficients of Listing A.9", len(listed), len(found)),
+    )
     yield text(r"""
         All three gaps have two intersections, at the same two points of the locus: the whole curve is the
         same, only the amplitudes along it change. What the figure shows depends on where the plotted
-        amplitudes begin; with the start of Listing A.9 none of the three would show any.
+        amplitudes begin. A curve that begins at [[ start | f0 ]] nm touches for $2\times10^{-8}$ m and shows
+        what the text describes; one that begins as in Listing A.9 shows none of the three.
 
         The threshold of $2\times10^{-8}$ m in section 5.2.1 and chapter 6 is read from this figure.
-    """)
+    """).given(start=1e9 * EDGE * known.cycles.friction_listing.stable.amplitude)
 
 
-@claim("fig-5.8", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.8",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1050, 1050),
+    paragraph=12,
+    severity=Severity.RESULT,
+)
 def one_intersection(known: Evidence) -> Record:
-    yield intersections_part(known, "4e-6", "1")
+    stable, unstable = known.cycles.friction_listing.stable, known.cycles.friction_listing.unstable
+    start = SMALL_GAP / 2 + PLOT_OFFSET
+    plotted = sum(SMALL_GAP * cycle.amplitude >= start for cycle in (unstable, stable))
+    item, slip = section_5_2_1_predictions.SECOND_ONLY_LATER, made_here(PLOTTED, plotted)
+    yield intersections_part(known, "4e-6", "1", item, slip)
     yield text("""
-        There are two, as for every gap. The second lies at 0.527 times the gap, below the amplitude at which
-        the plotted locus begins, so the figure shows the first one only.
+        There are two, as for every gap. The second lies at [[ inner | f2 ]] µm. The curve that Listing A.9
+        plots begins at [[ start | f2 ]] µm, so the figure shows the first one only.
 
         It makes the second limit cycle of figure 5.10 look like an effect of the larger gap.
-    """)
+    """).given(inner=1e6 * SMALL_GAP * unstable.amplitude, start=1e6 * start)
 
 
-@claim("fig-5.10", source=SOURCE)
+@claim("fig-5.10", source=SOURCE, lines=(1090, 1090), paragraph=19)
 def larger_gap(known: Evidence) -> Record:
     found = inner, outer = limit_cycles(known.numbers.displacement_only, FrictionBacklash(LARGE_GAP))
     rounded = limit_cycles(known.cycles.listing, FrictionBacklash(LARGE_GAP))
@@ -152,59 +181,47 @@ def larger_gap(known: Evidence) -> Record:
         second=close(means, known.orbits.left_by[1], stable.amplitude, 1e-5),
     )
     yield text("""
-        Both intersections are there, the outer one stable. They lie at the same two points of the locus as
-        for every other gap; figure 5.8, for a tenth of this gap, shows one only because its curve begins at a
-        fixed distance above $b/2$. The oscillation of part b goes on in the exact loop too. Amplitudes and
-        frequencies are judged with table 5.1 and with the text on this gap.
+        Both intersections are there, the outer one stable, as for every other gap; [figure 5.8](#fig-5.8)
+        leaves the inner one out. The oscillation of part b goes on in the exact loop too. Amplitudes and
+        frequencies are judged at [table 5.1](#tab-5.1) and at the [text on this
+        gap](#txt-5.2.1-simulated-4e-5).
     """)
 
 
-@claim("fig-5.13", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.13",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1169, 1169),
+    severity=Severity.RESULT,
+)
 def inertia(known: Evidence) -> Record:
     system, stable = known.numbers.displacement_only, known.cycles.inertia.stable
     found, scaled = (limit_cycles(system, InertiaBacklash(gap)) for gap in (1.0, 1e-3))
     _, omega = inertia_exactly(known.numbers, stable)
-    below_two = sum(1 / cycle.amplitude <= 2 for cycle in found)
-    yield digits(
-        "intersections",
-        "1",
-        len(found),
-        second=equal("the gap scaled by a thousand", len(scaled), len(found)),
-        slip=made_here("the curve is drawn for beta up to 2 only", below_two),
+    below_two, scaled_below_two = (
+        sum(gap / cycle.amplitude <= 2 for cycle in cycles) for gap, cycles in ((1.0, found), (1e-3, scaled))
     )
+    second = equal("the gap scaled by a thousand", scaled_below_two, below_two)
+    yield digits(r"intersections for $\beta$ up to 2", "1", below_two, second=second)
     label, second = "angular frequency of the stable one", close(NEWTON, omega, stable.omega)
-    yield digits(label, "5.12e3", stable.omega, "rad/s", second=second)
+    yield digits(label, "5.12e3", stable.omega, "rad/s", second=second, item=section_5_2_2.FREQUENCY)
     yield text(r"""
-        Drawn with equation 2.43 the curve meets the locus twice: once at [[ stable.omega | f0 ]] rad/s, and
-        once more beyond $\beta = 2$, where the thesis stops. What was drawn to give 5120 rad/s could not be
-        found.
+        Within the range that the section gives, $\beta$ up to 2, the curve of equation 2.43 meets the locus
+        once, at [[ stable.omega | f0 ]] rad/s; it meets it once more [beyond that
+        range](#txt-5.2.2-beta-range). What was drawn to give 5120 rad/s could not be found.
 
-        See the prediction in section 5.2.2 and the band of equation 5.10.
+        See the [prediction](#txt-5.2.2-prediction) in section 5.2.2 and the band of [equation
+        5.10](#eq-5.10).
     """).given(stable=stable)
 
 
-@claim("fig-5.15", source="trimmer/balance/leakage.py", impact=Impact.DOWNSTREAM)
-def higher_harmonics(known: Evidence) -> Record:
-    system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
-    element = InertiaBacklash(1.0)
-    returned = sum(harmonic_leakage(system, element, cycle, HARMONICS))
-    thickness = returned / abs(complex(element.describing_function(cycle.amplitude)))
-    lines = abs(known.orbits.inertia.stable.harmonics)
-    exact = float(lines[1:].sum() / lines[0])
-    low, high = (distance_from_curve(system, element, omega) for omega in THICK_BAND)
-    means = f"the exact orbit, whose harmonics have {100 * exact:.2f} % of its fundamental together"
-    yield assertion(
-        r"from $4.6\times10^{3}$ to $5.38\times10^{3}$ rad/s",
-        "harmonics make the curve thick enough to meet $G$ over this band",
-        max(low, high) <= thickness,
-        """
-        at the ends $G$ is [[ low | f3 ]] and [[ high | f3 ]] away from the curve; all harmonics that come
-        back together are [[ returned | f2 ]] % of the fundamental, a thickness of [[ thickness | f4 ]]
-        """,
-        numbers={"low": low, "high": high, "returned": 100 * returned, "thickness": thickness},
-        method=f"harmonics 3 to {HARMONICS[-1]} of the element, each with the response of $G$",
-        second=so(means, exact < min(low, high)),
-    )
+@claim(
+    "fig-5.15",
+    source="report/chapters/chapter_5/claims/figures_5_5_to_5_18_loci.py",
+    lines=(1195, 1195),
+)
+def higher_harmonics(_: Evidence) -> Record:
     yield uncheckable(
         "the drawn thickness",
         "a curve with a ball of some radius around it",
@@ -214,17 +231,20 @@ def higher_harmonics(known: Evidence) -> Record:
         """,
     )
     yield text("""
-        What the element's harmonics do in the loop can be computed and is small: the filtering hypothesis
-        holds at this limit cycle. Nor would they open a band: with more harmonics there are as many more
-        equations as unknowns, so that each limit cycle moves, and stays one point. A limit cycle is isolated
-        by its definition.
-
-        Equation 5.8 and the explanation of the 23 % in section 5.2.2 are without ground. Section 6.2 refers
-        to this figure for what higher harmonics may do.
+        Footnote 10 calls the figure an example that does not belong to the actual harmonics. What these do is
+        judged at [equation 5.8](#eq-5.8): they move the curve by far less. Nor would they open a band: with
+        more harmonics there are as many more equations as unknowns, so that each limit cycle moves and stays
+        one point.
     """)
 
 
-@claim("fig-5.16", source="report/numbers/listed_functions.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.16",
+    source="report/numbers/listed_functions.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1216, 1216),
+    severity=Severity.RESULT,
+)
 def viscous(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     listing = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
@@ -261,33 +281,36 @@ def viscous(known: Evidence) -> Record:
     yield text("""
         Viscous contours begin at $-1$, as those of friction and inertia do, and cross the outer circle
         between theirs. Listing A.5 repeated, with its complex angles, gives contours that begin away from
-        $-1$, run to the right and meet $G$ at [[ first | f0 ]] to [[ last | f0 ]] Hz only: that is what the
+        $-1$, run to the right and meet $G$ at [[ first | f0 ]] to [[ last | f0 ]] Hz only; that is what the
         text describes. The right contours meet the inner circle too, at [[ low | f1 ]] to [[ high | f1 ]] Hz,
         and are unstable there.
 
-        What is drawn from it, that all viscous limit cycles are unstable and merge with others, falls. The
-        band of section 5.2.3 holds by the right contours, each of which has a stable limit cycle of its own.
+        The text concludes that every viscous limit cycle is unstable and moves to another element's. Each
+        load has a stable one of its own. The band of section 5.2.3 holds all the same.
     """).given(first=min(listing) / TURN, last=max(listing) / TURN, low=min(inner), high=max(inner))
 
 
-@claim("fig-5.17", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.17",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1231, 1231),
+    severity=Severity.RESULT,
+)
 def band(known: Evidence) -> Record:
     yield from band_parts(known)
     yield text("""
-        The arrow ends at the two limits of the load, of which the upper one is wrong: [[ high | f1 ]] Hz. The
-        band between them is as the section says, and narrower.
+        The arrow ends at the two limits of the load. The upper one is wrong: it is [[ high | f1 ]] Hz, [as at
+        equation 5.10](#eq-5.10). The band between them is as the section says, and narrower.
 
         See equation 5.10.
     """).given(high=known.cycles.inertia.stable.frequency)
 
 
-@claim("fig-5.18", source="trimmer/linear/crossings.py")
+@claim("fig-5.18", source="trimmer/linear/crossings.py", lines=(1243, 1243), paragraph=6)
 def coulomb(known: Evidence) -> Record:
-    system = known.numbers.displacement_only
-    negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
-    second = by_grid(system, negative)
-    yield digits("intersections with the negative real axis", "0", negative, second=second)
+    yield crossings_part(known)
     yield text("""
-        The locus and the negative real axis do not meet, as the text reads from the figure. For friction in
-        this loop the curve to draw is the positive imaginary axis, which the locus does not meet either.
+        The locus and the negative real axis do not meet, as the text reads from the figure. For friction the
+        curve to draw is the positive imaginary axis, which the locus does not meet either.
     """)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims import section_5_2_4
-from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_part, size_part
-from report.chapters.chapter_5.claims.section_5_2_1_simulated import one_impulse_part
+from report.chapters.chapter_5.claims.section_5_2_1_driven import REPEATS, line_part, open_loop, size_part
+from report.chapters.chapter_5.claims.section_5_2_1_impulses import one_impulse_part
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
-from report.chapters.chapter_5.claims.section_5_2_2 import peak_parts as peaks_of_inertia
+from report.chapters.chapter_5.claims.section_5_2_2_simulated import peak_parts as peaks_of_inertia
 from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
-from report.claim import Confirmation, Impact
+from report.claim import Certainty, Confirmation, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
@@ -27,7 +27,14 @@ UNIT = 1e-8
 BY_COEFFICIENTS = "Fourier coefficients of the exact orbit"
 
 
-@claim("fig-5.7", source="report/numbers/impulse_response.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.7",
+    source="report/numbers/impulse_response.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1033, 1033),
+    paragraph=9,
+    severity=Severity.CONCLUSION,
+)
 def three_gaps(known: Evidence) -> Record:
     runs = known.motion.closed.impulses.runs
     strong = [run for run in runs if run.impulse == runs[0].impulse]
@@ -35,23 +42,23 @@ def three_gaps(known: Evidence) -> Record:
     exact = known.orbits.friction.stable.amplitude
     yield one_impulse_part(known)
     yield assertion(
-        "from top to bottom",
-        "what goes on grows faster than the gap",
-        max(sizes) / min(sizes) > 1.1,
+        r"for $2\times10^{-8}$ and $3\times10^{-8}$ m",
+        "a very small oscillation goes on, and a larger one",
+        strong[1].amplitude < strong[2].amplitude and min(sizes) > 1,
         "after [[ impulse | power0 ]] m s it is [[ amplitudes ]], [[ size | f3 ]] gaps each",
         numbers={
             "impulse": strong[0].impulse,
-            "amplitudes": ", ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong),
+            "amplitudes": " and ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong[1:]),
             "size": sizes[0],
         },
         method="exact simulation of the three gaps with one impulse",
         second=close("the exact orbit, by shooting", exact, sizes[0], 1e-4),
     )
     yield text(r"""
-        The three panels can only be one curve at three scales; if one of them dies out after the same impulse
-        as the others, it is that of the largest gap. A panel without oscillation, one with a little and one
-        with a clear one, in this order, do not follow from the model. Three amplitudes of 1 : 2 : 3 on one
-        scale may look like it.
+        After one impulse the three panels can only be one curve at three scales; if one of them dies out, it
+        is that of the largest gap. A first panel without oscillation takes another impulse, or a scale on
+        which the smallest of 1 : 2 : 3 does not show; see the [text on this
+        simulation](#txt-5.2.1-impulse-1e-8).
 
         The threshold of $2\times10^{-8}$ m has no support in simulation.
     """)
@@ -65,7 +72,14 @@ def others_by_balance(known: Evidence) -> Confirmation:
     return so(means, largest < STANDS_OUT)
 
 
-@claim("fig-5.9", source="report/numbers/exact_orbits.py", impact=Impact.LOCAL)
+@claim(
+    "fig-5.9",
+    source="report/numbers/exact_orbits.py",
+    impact=Impact.LOCAL,
+    lines=(1067, 1067),
+    paragraph=16,
+    severity=Severity.SLIP,
+)
 def small_gap(known: Evidence) -> Record:
     orbits = known.orbits
     exact, rounded = (
@@ -88,27 +102,50 @@ def small_gap(known: Evidence) -> Record:
     yield text("""
         The exact oscillation is its own mirror image half a period later, so both readings should be
         [[ exact | power4 ]] m. The upper one is what rounded coefficients give, [[ rounded | power4 ]] m, cut
-        after four digits; the lower one is 0.2 % smaller and misses the peak, or the motion had not settled.
-        That one line stands out is right: this limit cycle is nearly a sine.
+        after four digits. The lower one is [[ smaller | f1 ]] % smaller: it misses the peak, or the motion
+        had not settled. That one line stands out is right, since this limit cycle is nearly a sine.
 
-        The amplitude of the simulation is 0.5 % off, more than the prediction that it tests.
-    """).given(exact=exact, rounded=rounded)
+        The amplitude of the simulation is [[ off | f1 ]] % off, more than the prediction that it tests.
+    """).given(
+        exact=exact,
+        rounded=rounded,
+        smaller=100 * (1 - 3.2961e-5 / 3.303e-5),
+        off=100 * (exact / 3.29955e-5 - 1),
+    )
 
 
-@claim("fig-5.11", source=DRIVEN, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.11",
+    source=DRIVEN,
+    impact=Impact.DOWNSTREAM,
+    lines=(1129, 1129),
+    severity=Severity.RESULT,
+)
 def driven_response(known: Evidence) -> Record:
     closed = known.motion.closed.reference.from_rest
     yield size_part(known, "output of the linear block")
     yield text("""
-        The figure as the text describes it, ±1 mm with a strong faster oscillation, is that of the loop with
-        the drive as its reference: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at
-        [[ frequency | f1 ]] Hz. Behind an open loop the output is the drive, with harmonics of one percent.
+        The text describes ±1 mm with a strong faster oscillation. That is the loop with the drive as its
+        reference: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at [[ frequency | f1 ]] Hz. Behind an
+        open loop the output is the drive, with harmonics of [[ ripple | f0 ]] µm.
 
         It is no picture of the driven trimmer, whose output is not fed back to the pin.
-    """).given(base=1e3 * closed.base, line=1e3 * closed.line, frequency=closed.frequency)
+    """).given(
+        base=1e3 * closed.base,
+        line=1e3 * closed.line,
+        frequency=closed.frequency,
+        ripple=1e6 * open_loop(known).ripple,
+    )
 
 
-@claim("fig-5.12", source=DRIVEN, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.12",
+    source=DRIVEN,
+    impact=Impact.DOWNSTREAM,
+    lines=(1150, 1150),
+    paragraph=4,
+    severity=Severity.CONCLUSION,
+)
 def driven_spectrum(known: Evidence) -> Record:
     sizes = abs(known.orbits.friction.stable.harmonics)
     yield assertion(
@@ -122,27 +159,40 @@ def driven_spectrum(known: Evidence) -> Record:
     yield line_part(known, "b: the second line of the driven loop")
     yield text("""
         Part a is right. Part b is called open loop, but its second line, at the limit cycle's frequency,
-        needs the output to be fed back. The gaps of the two parts differ by a factor of ten, which changes
+        needs the output to be fed back. That the gaps of the two parts differ by a factor of ten changes
         nothing in frequency.
 
-        The two configurations are not equivalent, as the text concludes from this figure.
+        The text concludes from this figure that the two configurations are equivalent. They are not.
     """)
 
 
-@claim("fig-5.14", source="report/numbers/timed_block.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.14",
+    source="report/numbers/timed_block.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1182, 1182),
+    severity=Severity.RESULT,
+)
 def inertia(known: Evidence) -> Record:
     read, size = known.motion.closed.timed_block.largest_other_line
     yield from peaks_of_inertia(known)
     yield text("""
         As for friction-controlled backlash, what is printed belongs to a closed loop with the drive as
-        reference, here with Listing A.8's block in it: beside multiples of 100 Hz its largest line is in the
-        bin at [[ read | f1 ]] Hz, with [[ size | f0 ]] µm. In open loop there is none at all.
+        reference, here with the block of Listing A.8 in it. Beside multiples of 100 Hz its largest line
+        stands at [[ read | f1 ]] Hz, with [[ size | f0 ]] µm. The open loop has no such line.
 
-        See the peak at 659 Hz in section 5.2.2.
+        See the [peak at 659 Hz](#txt-5.2.2-open-loop-659) in section 5.2.2.
     """).given(read=read, size=1e6 * size)
 
 
-@claim("fig-5.19", source=RELAY, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.19",
+    source=RELAY,
+    impact=Impact.DOWNSTREAM,
+    lines=(1256, 1256),
+    severity=Severity.RESULT,
+    certainty=Certainty.READING,
+)
 def relay(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     means = f"exact simulation, whose last two of {SETTLED_AFTER} periods are alike"
@@ -159,31 +209,42 @@ def relay(known: Evidence) -> Record:
         numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=so(means, difference < REPEATS),
+        item=section_5_2_4.OSCILLATION,
     )
     yield text("""
-        The caption says open loop, the text feedback; neither has a limit cycle. Behind a relay in open loop
-        stand odd multiples of the drive. In the loop the relay oscillates ever faster with ever smaller
+        The caption says open loop, the text says feedback; neither has a limit cycle. Behind a relay in open
+        loop stand odd multiples of the drive. In the loop the relay oscillates ever faster with ever smaller
         swings, so a simulation ends with what its step or tolerance leaves.
 
-        See the high frequency in section 5.2.4.
+        See the [high frequency](#txt-5.2.4-high-frequency) in section 5.2.4.
     """)
 
 
-@claim("fig-5.20", source=RELAY, impact=Impact.DOWNSTREAM)
+@claim(
+    "fig-5.20",
+    source=RELAY,
+    impact=Impact.DOWNSTREAM,
+    lines=(1236, 1236),
+    paragraph=5,
+    severity=Severity.RESULT,
+    certainty=Certainty.READING,
+)
 def relay_and_viscous(known: Evidence) -> Record:
     numbers = known.motion.closed.relay
     viscous = numbers.with_viscous
+    item = "an oscillation of high frequency with Coulomb and viscous friction"
     yield section_5_2_4.candidates_part(
         viscous,
         "the block on the output, as a relay with a gain of 0.1",
         "a periodic oscillation goes on",
         by_harmonics(known.numbers.displacement_only, viscous.frequencies, VISCOUS),
+        item,
     )
-    yield section_5_2_4.friction_part(numbers, "the block on the output's velocity, as friction")
+    yield section_5_2_4.friction_part(numbers, "the block on the output's velocity, as friction", item)
     yield text("""
-        Which signal enters the block is not said. On the output it is a relay with a small gain, and there is
-        no periodic motion; on its velocity it is friction, and the loop sticks or creeps to rest without
-        oscillation. A lasting high frequency is again the simulation's own.
+        The text does not say which signal enters the block. On the output it is a relay with a small gain,
+        and there is no periodic motion with two switchings. On the output's velocity it is friction, and the
+        loop sticks or creeps to rest. A lasting high frequency is again the simulation's own.
 
         The second simulation does not confirm the first.
     """)

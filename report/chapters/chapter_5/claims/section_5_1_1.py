@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from report.claim import Impact, Part
+from report.claim import Certainty, Impact, Part, Severity
 from report.evidence import Evidence
 from report.numbers.independent.linear_trimmer import deviation_from_pin
 from report.numbers.linear_numbers import LinearNumbers
@@ -21,19 +21,20 @@ def amplitude_part(numbers: LinearNumbers) -> Part:
     settled = steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude
     simulated = numbers.start.settled_amplitude
     second = close("half of peak to peak of a simulation", simulated, settled, 1e-5)
-    return digits("amplitude of the settled output", "0.0015", settled, "m", second=second)
+    item = "0.0015 m, settled amplitude of the linear trimmer"
+    return digits("amplitude of the settled output", "0.0015", settled, "m", second=second, item=item)
 
 
-@claim("txt-5.1.1-amplitude", source=SOURCE)
+@claim("txt-5.1.1-amplitude", source=SOURCE, lines=(903, 903), paragraph=3)
 def amplitude(known: Evidence) -> Record:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     settled = steady_state(system, DRIVE_OMEGA, DRIVE_AMPLITUDE)
     yield amplitude_part(known.numbers)
     yield text("""
         At 100 Hz the gain is [[ gain | f5 ]], so the amplitudes agree to the printed digits; the output lags
-        by [[ lag | f2 ]] degrees. That is a coincidence of this frequency: a slow drive gives [[ slow | f1 ]]
-        % of the pin's amplitude, and from there the gain rises towards the resonances. With the pin's
-        velocity as second input the gain is [[ with_velocity | f5 ]].
+        by [[ lag | f2 ]] degrees. It happens to be so at this frequency: a slow drive gives [[ slow | f1 ]] %
+        of the pin's amplitude, and the gain rises from there towards the resonances. With the pin's velocity
+        as second input it is [[ with_velocity | f5 ]].
     """).given(
         gain=settled.amplitude / DRIVE_AMPLITUDE,
         lag=-math.degrees(settled.phase),
@@ -42,13 +43,13 @@ def amplitude(known: Evidence) -> Record:
     )
 
 
-@claim("fig-5.1", source=SOURCE, impact=Impact.LOCAL)
+@claim("fig-5.1", source=SOURCE, impact=Impact.LOCAL, lines=(901, 901), paragraph=2, severity=Severity.SLIP)
 def time_response(known: Evidence) -> Record:
     numbers, deviation = known.numbers, known.numbers.start.deviation
     integrated = deviation_from_pin(numbers.parameters)
     yield amplitude_part(numbers)
     yield assertion(
-        "from rest, first period",
+        "from rest, in the first period",
         "the output follows the input precisely",
         deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
         """
@@ -58,14 +59,15 @@ def time_response(known: Evidence) -> Record:
         numbers={"deviation": 1e3 * deviation, "share": 100 * deviation / DRIVE_AMPLITUDE},
         method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
         second=close("SciPy's DOP853 over that period", integrated, deviation, 1e-5),
+        certainty=Certainty.READING,
     )
     yield text("""
-        Read as the settled motion, the statement holds to the printed digits. Read as it stands, for the
-        command that is quoted and its start from rest, it does not: the start excites the natural modes, and
-        the slowest of them decays with [[ slowest | f0 ]]/s, so it is visible for several periods. After that
-        a lag of [[ lag | f2 ]] degrees is left.
+        For the settled motion the statement holds to the printed digits. For the quoted command, which
+        starts from rest, it does not: the start excites the natural modes, and the slowest of them decays
+        with [[ slowest | f0 ]]/s, so it shows for several periods. After that the output lags by
+        [[ lag | f2 ]] degrees.
 
-        None on predictions. A spectrum of such a run has peaks at the natural frequencies that no
+        No prediction changes. The spectrum of such a run has peaks at the natural frequencies that no
         nonlinearity caused, unless the start is cut off.
     """).given(
         slowest=min(-mode.eigenvalue.real for mode in numbers.modes),

@@ -1,36 +1,20 @@
-"""Claims of section 5.1.3: eigenvalues, resonances, damping and antiresonances (equations 5.2 and 5.3)."""
+"""Claims of section 5.1.3 on eigenvalues and resonances (equation 5.2)."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
-import numpy as np
-import sympy
-
-from derivations.state_space import output_row
 from report.chapters.second_ways import EXACTLY
-from report.claim import Confirmation, Impact, Part
+from report.claim import Certainty, Confirmation, Impact, Part, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
-from report.numbers.independent.linear_trimmer import (
-    antiresonances,
-    antiresonances_without_damping,
-    matrix_formula,
-)
-from report.numbers.linear_numbers import (
-    DAMPING_FACTOR,
-    lightly_damped,
-    lightly_damped_response,
-    sum_of_displacements,
-)
-from report.parts import assertion, close, digits, made_here, matrix, small, so
+from report.parts import assertion, close, digits, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from trimmer import Body, Displacement, filtering_ratio, linear_model, resonance_peaks, response_at
+from trimmer import filtering_ratio, resonance_peaks
 from trimmer.linear.extrema import Extremum
 
-MODES, DAMPING = "trimmer/linear/modes.py", "report/numbers/linear_numbers.py"
+MODES = "trimmer/linear/modes.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -40,14 +24,10 @@ PRINTED_EIGENVALUES = (
 READING_ACCURACY = 0.01
 """Share to which a plot can be read."""
 PLOT_READ = f"a plot is read to {100 * READING_ACCURACY:.0f} %"
-OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
-"""Weights of the four displacements in the output of the thesis's loop, and in that of figure 5.4."""
-VISIBLE = 3
-"""Peaks that the output of the thesis shows with all of the damping."""
 EXACT_ROOTS, EXACT_SLOPE = "the roots of the exact polynomial", "the slope of the exact gain"
 
 
-@claim("eq-5.2", source=MODES)
+@claim("eq-5.2", source=MODES, lines=(937, 942), paragraph=2)
 def printed_eigenvalues(known: Evidence) -> Record:
     exact = sorted(
         (root for root in eigenvalues(known.numbers) if root.imag > 0), key=lambda root: -root.imag
@@ -59,11 +39,13 @@ def printed_eigenvalues(known: Evidence) -> Record:
         yield digits(rf"$\mathrm{{Im}}\,\lambda_{{{index}}}$", imaginary, value.imag, "rad/s", second=second)
     yield text("""
         All eight eigenvalues agree to every printed digit. They come in four conjugate pairs, one for each
-        mode; they are poles, never zeros, of the transfer function, which the text leaves open.
+        mode. The text leaves open whether they are poles or zeros of the transfer function; they are poles.
     """)
 
 
-def peak_part(index: str, printed: str, omega: float, second: Confirmation) -> Part:
+def peak_part(
+    index: str, printed: str, omega: float, second: Confirmation, certainty: Certainty | None = None
+) -> Part:
     """Hold the frequency of a peak against an eigenvalue's imaginary part, as well as a plot can be read."""
     distance = omega / float(printed) - 1
     return assertion(
@@ -73,6 +55,7 @@ def peak_part(index: str, printed: str, omega: float, second: Confirmation) -> P
         f"it stands at {omega:.2f} rad/s, {100 * distance:+.3f} %",
         method=f"local maxima of the gain; {PLOT_READ}",
         second=second,
+        certainty=certainty,
     )
 
 
@@ -80,7 +63,14 @@ def nearest(peaks: Sequence[Extremum], omega: float) -> Extremum:
     return min(peaks, key=lambda each: abs(each.omega - omega))
 
 
-@claim("txt-5.1.3-hidden-peak", source="trimmer/linear/extrema.py", impact=Impact.LOCAL)
+@claim(
+    "txt-5.1.3-hidden-peak",
+    source="trimmer/linear/extrema.py",
+    impact=Impact.LOCAL,
+    lines=(944, 944),
+    paragraph=3,
+    severity=Severity.SLIP,
+)
 def hidden_peak(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     peaks = resonance_peaks(system)
@@ -88,7 +78,8 @@ def hidden_peak(known: Evidence) -> Record:
     found = {printed: nearest(peaks, float(printed)).omega for _, _, printed in visible}
     for index, _, printed in visible:
         omega = found[printed]
-        yield peak_part(index, printed, omega, close(EXACT_SLOPE, peak(numbers, omega), omega, 1e-7))
+        second = close(EXACT_SLOPE, peak(numbers, omega), omega, 1e-7)
+        yield peak_part(index, printed, omega, second, Certainty.READING)
     pole = next(mode.eigenvalue for mode in numbers.modes if mode.omega_damped > 7000)
     apart = min(abs(zero - pole) for zero in system.zeros())
     falls = gain(numbers, float(place) * 1.01) < gain(numbers, float(place) * 0.99)
@@ -107,173 +98,53 @@ def hidden_peak(known: Evidence) -> Record:
     *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
     yield text("""
-        One resonance is hidden, as the text says, because zeros all but cancel its poles. Two others stand
-        within [[ others | f1 ]] % of the imaginary parts, but the one near 1397 rad/s, next to a valley, has
-        its peak [[ last | f1 ]] % higher. A further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no
-        eigenvalue at all.
+        One resonance is hidden, as the text says, because zeros all but cancel its poles. The text lets the
+        peaks correspond to the imaginary parts. As modes they do. As places, two stand within
+        [[ others | f1 ]] %, and the faint one next to a valley stands [[ last | f1 ]] % above its
+        [[ mode | f0 ]] rad/s.
 
-        Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues.
-    """).given(others=max(map(abs, others)), last=last, stray=stray)
+        Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues. A further faint
+        maximum, at [[ stray | f1 ]] rad/s, belongs to no eigenvalue at all.
+    """).given(others=max(map(abs, others)), last=last, stray=stray, mode=numbers.modes[0].omega_damped)
 
 
-@claim("txt-5.1.3-first-resonance", source="trimmer/linear/low_pass.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-5.1.3-first-resonance",
+    source="trimmer/linear/low_pass.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(963, 963),
+    paragraph=7,
+    severity=Severity.RESULT,
+)
 def first_resonance(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
-    frequency, measured = numbers.modes[0].frequency, TURN * MEASURED_DRIVE_FREQUENCY
+    frequency, measured = numbers.modes[0].frequency, MEASURED_DRIVE_FREQUENCY
     exact = min(abs(root.imag) for root in eigenvalues(numbers)) / TURN
-    fifth, fifth_measured = (float(filtering_ratio(system, omega, 5)) for omega in (DRIVE_OMEGA, measured))
+    fifth = float(filtering_ratio(system, DRIVE_OMEGA, 5))
     second = close(EXACT_ROOTS, exact, frequency)
     yield digits("first eigenfrequency", "222.35", frequency, "Hz", second=second)
     yield assertion(
         "what follows for the drive",
         "the resonances do not matter, as the drive is far below the first one",
-        max(fifth, fifth_measured) < 1,
-        """
-        the drive's harmonics meet them: the fifth passes [[ fifth | f1 ]] times better than the drive at 100
-        Hz and [[ fifth_measured | f1 ]] times better at [[ measured ]] Hz
-        """,
-        numbers={"fifth": fifth, "fifth_measured": fifth_measured, "measured": MEASURED_DRIVE_FREQUENCY},
+        fifth < 1,
+        f"the drive's harmonics meet them: the fifth of 100 Hz passes {fifth:.1f} times better than 100 Hz",
         method="frequency response at multiples of the drive",
-        second=close(EXACTLY, gain_ratio(numbers, measured, 5), fifth_measured),
+        second=close(EXACTLY, gain_ratio(numbers, DRIVE_OMEGA, 5), fifth),
+        item="the resonances do not matter, as the drive lies below them",
+        certainty=Certainty.READING,
     )
     yield text("""
         The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
-        holds for a purely sinusoidal motion only, since play and friction make harmonics. The fifth of
-        [[ measured ]] Hz, the drive that was measured, lies at [[ fifth | f1 ]] Hz, on the highest peak of
-        this gain; the parameters of the measured trimmer (table C.1) are not given.
+        holds for a sinusoidal motion. It does not hold for the trimmer, where play and friction make
+        harmonics of the drive.
 
-        A peak near 550 Hz in a driven spectrum of this trimmer needs no limit cycle: a harmonic of the drive
-        is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for a fifth
-        harmonic too.
+        A peak near [[ highest | f0 ]] Hz in a driven spectrum of this model needs no limit cycle: a harmonic
+        of the drive is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for
+        a fifth harmonic too, which fits the measured drive of [[ measured ]] Hz ([[ fifth | f1 ]] Hz), though
+        the parameters of the measured trimmer (table C.1) are not given.
     """).given(
         ratio=frequency / DRIVE_FREQUENCY,
-        measured=MEASURED_DRIVE_FREQUENCY,
-        fifth=5 * MEASURED_DRIVE_FREQUENCY,
+        highest=max(resonance_peaks(system), key=lambda each: each.magnitude).omega / TURN,
+        measured=measured,
+        fifth=5 * measured,
     )
-
-
-@claim("eq-5.3", source="derivations/state_space.py", impact=Impact.LOCAL)
-def output_matrix(known: Evidence) -> Record:
-    parameters, bodies = known.numbers.parameters, len(Body)
-    tracked = sympy.ImmutableMatrix.vstack(*(output_row(body, None, bodies) for body in range(bodies)))
-    added = sympy.ImmutableMatrix(sympy.ones(1, bodies) * tracked)
-    model = linear_model(parameters, [Displacement(body) for body in Body])
-    difference = np.abs(np.array(tracked, dtype=float) - np.asarray(model.C)).max()
-    yield matrix(
-        "",
-        sympy.ImmutableMatrix([[1, 1, 1, 1, 0, 0, 0, 0]]),
-        tracked,
-        left=sympy.Symbol("C"),
-        second=small("the numeric model with each displacement as an output", float(difference)),
-        slip=made_here("the four rows are added up into one", added),
-    )
-    system = lightly_damped_response(parameters)
-    highest = known.numbers.undamped[-1].omega
-    beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
-    spike = nearest(resonance_peaks(system), highest)
-    yield text("""
-        To track four positions takes four rows. The printed row gives one output, the sum $x_1 + x_2 + x_3 +
-        x_4$, in which motions of opposite sign cancel.
-
-        Figure 5.4 shows the sum; its four peaks are those of the modes all the same. With a thousandth of the
-        damping $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
-    """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
-
-
-@claim("txt-5.1.3-damping", source=MODES, impact=Impact.LOCAL)
-def damping(known: Evidence) -> Record:
-    numbers, parameters = known.numbers, known.numbers.parameters
-    systems = numbers.displacement_only, lightly_damped_response(parameters)
-    damped, light = (
-        [nearest(resonance_peaks(system), mode.omega) for mode in numbers.undamped[:VISIBLE]]
-        for system in systems
-    )
-    ratios = [each.magnitude / other.magnitude for each, other in zip(light, damped, strict=True)]
-    least, most = min(ratios), max(ratios)
-    solved = [
-        abs(matrix_formula(lightly_damped(parameters), 1j * each.omega))
-        / abs(matrix_formula(parameters, 1j * other.omega))
-        for each, other in zip(light, damped, strict=True)
-    ]
-    yield assertion(
-        "height of the peaks",
-        "damping lowers every peak",
-        least > 1,
-        f"a thousandth of the damping makes the visible peaks {least:.0f} to {most:.0f} times higher",
-        method="all local maxima of the gain for both dampings",
-        second=close("the state space solved at these peaks", min(solved), least, 1e-6),
-    )
-    shifts = [100 * (each.omega / other.omega - 1) for each, other in zip(damped, light, strict=True)]
-    modes = zip(numbers.modes, numbers.undamped, strict=True)
-    of_modes = [100 * (mode.omega_damped / undamped.omega - 1) for mode, undamped in modes]
-    of_peaks = ", ".join(f"{shift:+.2f} %" for shift in shifts)
-    of_eigenvalues = ", ".join(f"{shift:+.3f} %" for shift in of_modes)
-    first = damped[0].omega
-    yield assertion(
-        "place of the peaks",
-        "damping does not move the resonances",
-        max(map(abs, shifts)) <= 100 * READING_ACCURACY,
-        f"peaks of the gain move by {of_peaks}; eigenfrequencies by {of_eigenvalues}",
-        method=f"peaks with {DAMPING_FACTOR:g} of the damping against peaks with all of it; {PLOT_READ}",
-        second=close(EXACT_SLOPE, peak(numbers, first), first, 1e-7),
-    )
-    yield text("""
-        Damping lowers the peaks, as the text says, and hides the highest one. It also moves them: by
-        [[ largest | f1 ]] % for the peak near 1400 rad/s, and by [[ highest | f2 ]] % for the highest
-        eigenfrequency. On the scale of a Bode plot most of that cannot be seen.
-
-        Small. Chapter 7 sums this up as an increase of the magnitude by damping, and puts the resonances
-        below the operating frequency; neither is so.
-    """).given(largest=max(map(abs, shifts)), highest=-of_modes[3])
-
-
-@claim("fig-5.4", source=MODES)
-def bode_plot_without_damping(known: Evidence) -> Record:
-    found = resonance_peaks(sum_of_displacements(lightly_damped(known.numbers.parameters)))
-    farthest = 0.0
-    for (index, _, printed), mode in zip(reversed(PRINTED_EIGENVALUES), known.numbers.undamped, strict=True):
-        omega = nearest(found, mode.omega).omega
-        farthest = max(farthest, abs(omega / float(printed) - 1))
-        second = close("the undamped eigenvalue problem", omega, mode.omega, 1e-4)
-        yield peak_part(index, printed, omega, second)
-    yield text("""
-        With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
-        frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %, as
-        well as a plot shows. The thesis does not say how small its damping was.
-    """).given(farthest=100 * farthest)
-
-
-@claim("txt-5.1.3-antiresonances", source=DAMPING, impact=Impact.LOCAL)
-def valleys(known: Evidence) -> Record:
-    parameters = known.numbers.parameters
-    first = antiresonances(known.numbers.displacement_only)
-    other = antiresonances(sum_of_displacements(lightly_damped(parameters)))
-    undamped = antiresonances(lightly_damped_response(parameters))
-    free = "frequencies where a constrained system without damping is free to swing"
-    of_sum, of_output = (antiresonances_without_damping(parameters, weights)[1] for weights in (SUM, OUTPUT))
-    in_5_2, in_5_4 = (", ".join(f"{omega:.0f}" for omega in omegas) for omegas in (first, other))
-    apart, shift = (float(np.abs(each / first - 1).max()) for each in (other, undamped))
-    yield assertion(
-        "figure 5.4 beside figure 5.2",
-        "the antiresonances of the two figures are the same, as far as a plot can be read",
-        apart < READING_ACCURACY,
-        f"at {in_5_2} rad/s in figure 5.2 and {in_5_4} rad/s in figure 5.4, up to {100 * apart:.1f} % apart",
-        method=f"zeros of the two transfer functions; {PLOT_READ}",
-        second=close(free, of_sum, other[1], 1e-4),
-    )
-    yield assertion(
-        "damping itself, for one output",
-        "damping does not move the antiresonances, as far as a plot can be read",
-        shift < READING_ACCURACY,
-        f"those of $q_2 - q_4$ move by {100 * shift:.2f} % at most",
-        method="zeros with all and with a thousandth of the damping",
-        second=close(free, of_output, undamped[1], 1e-4),
-    )
-    yield text("""
-        Resonances belong to the system, antiresonances to the output that is looked at. Figure 5.4 shows the
-        sum of all displacements, figure 5.2 a difference of two, so their valleys may not be compared: the
-        one near [[ first | f0 ]] rad/s is at [[ other | f0 ]] rad/s there. That damping hardly moves them is
-        right, but only for one and the same output.
-
-        None: no later number uses an antiresonance.
-    """).given(first=first[1], other=other[1])

@@ -10,7 +10,7 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.independent.symbolic import least_amplitude_with_contact
@@ -24,24 +24,40 @@ OURS = FrictionBacklash(1.0)
 LIBRARY = control.friction_backlash_nonlinearity(1.0)
 
 
-@claim("eq-5.4", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "eq-5.4",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(1071, 1071),
+    paragraph=17,
+    severity=Severity.RESULT,
+    certainty=Certainty.READING,
+)
 def domain(known: Evidence) -> Record:
     edge = 1.0 / float(OURS.domain(1.0))
     second = close("the contact angle exists", least_amplitude_with_contact(), edge)
     slip = made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge)
     yield digits("edge of the domain over the gap $b$ of this section", "1.0", edge, second=second, slip=slip)
     yield text(r"""
-        In section 2.3.4 $b$ is half of the gap and the condition is right. In this section, its listings and
-        its tables $b$ is the whole gap, and the pin reaches the bridge as soon as $A > b/2$ (a thousandth
-        above that the real part of $N$ is [[ above | power1 ]]). Table 5.1 itself has a limit cycle at $A =
-        [[ cycle.amplitude | f3 ]]\,b$, where equation 5.4 says there is none.
+        With $b$ as half of the gap, as in section 2.3.4, the condition is right. With $b$ as the whole gap,
+        as footnote 8 has it and the listings and tables of this section use it, the pin reaches the bridge as
+        soon as $A > b/2$. Table 5.1 itself has a limit cycle at $A = [[ cycle.amplitude | f3 ]]\,b$, where
+        the equation has no describing function.
 
-        Half of the range of amplitudes with contact below $b$ is declared empty; the second limit cycle lies
-        in it.
-    """).given(above=float(OURS.describing_function(1.001 * edge).real), cycle=known.cycles.friction.unstable)
+        No number of the thesis follows from it. Whoever takes the condition from here loses the second limit
+        cycle.
+    """).given(cycle=known.cycles.friction.unstable)
 
 
-@claim("eq-5.5", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "eq-5.5",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1075, 1075),
+    paragraph=18,
+    severity=Severity.RESULT,
+    certainty=Certainty.PROVEN,
+)
 def proportionality(_: Evidence) -> Record:
     function = describing_function(friction_waveform(), A)
     at_one, at_ten = (complex((function * A / GAP).subs({GAP: 1, A: ratio})) for ratio in (1, 10))
@@ -63,28 +79,34 @@ def proportionality(_: Evidence) -> Record:
         second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
     )
     yield text("""
-        $N$ is a function of $b/A$ and not a multiple of it. It tends to one, not to zero, when $b/A$ does.
-        The proportion printed is that of a relay. Nor does what the text draws from it follow: $-A/b$ comes
-        closer to zero as $b$ grows, where $-1/N$ at a given amplitude moves away from it.
+        $N$ is a function of $b/A$, but not a multiple of it: where $b/A$ tends to zero, $N$ tends to one. The
+        printed proportion is that of a relay. The text takes from it that $-1/N$ grows with the gap. That is
+        so at a given amplitude, but the printed $-A/b$ shrinks with the gap.
 
-        The text concludes from it that a larger gap moves the curve until it meets $G$ a second time. The
-        curve as a whole does not depend on the gap at all; only the amplitudes along it do.
+        The text concludes that a larger gap moves the curve until it meets $G$ a second time. The curve as a
+        whole does not depend on the gap; only the amplitudes along it do.
     """)
 
 
-@claim("eq-5.6", source="report/chapters/chapter_5/claims/section_5_2_1_describing_function.py")
+@claim(
+    "eq-5.6",
+    source="report/chapters/chapter_5/claims/section_5_2_1_describing_function.py",
+    lines=(1114, 1114),
+    paragraph=21,
+)
 def external_input(_: Evidence) -> Record:
     time, amplitude = sympy.Symbol("t", real=True), sympy.Rational("0.0015")
     printed = amplitude * sympy.sin(200 * sympy.pi * time)
     derived = sympy.im(amplitude * sympy.exp(2 * sympy.pi * 100 * sympy.I * time))
-    yield expression("", printed, derived, left=sympy.Symbol("r"))
+    form = r"r(t) = 0.0015\sin(2\pi 100t)"
+    yield expression("", printed, derived, left=sympy.Symbol("r"), printed_form=form)
     yield text("""
-        Equation 2.1 with an eccentricity of 1.5 mm and 100 turns a second. The motor of the experiment turned
-        faster, see the places where its frequency is quoted.
+        This is [equation 2.1](#eq-2.1) with an eccentricity of 1.5 mm and 100 turns a second. The motor of
+        the experiment turned faster; see [where its frequency is quoted](#txt-3.2-drive-frequency).
     """)
 
 
-@claim("txt-5.2.1-locus-directions", source=SOURCE)
+@claim("txt-5.2.1-locus-directions", source=SOURCE, lines=(988, 988), paragraph=2)
 def locus_directions(_: Evidence) -> Record:
     amplitudes = 1e6, 0.5 * (1 + 1e-2), 0.5 * (1 + 1e-4)
     far, near, nearer = (complex(-1 / OURS.describing_function(each)) for each in amplitudes)
@@ -112,11 +134,18 @@ def locus_directions(_: Evidence) -> Record:
         second=close(means, nearer_by_library, nearer, 1e-6),
     )
     yield text("""
-        Both directions are right. They are one and the same motion along one curve, whose parameter is $b/A$.
+        Both directions are right. They are one motion along one curve, whose parameter is $b/A$.
     """)
 
 
-@claim("txt-5.2.1-second-implementation", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "txt-5.2.1-second-implementation",
+    source=SOURCE,
+    impact=Impact.LOCAL,
+    lines=(990, 999),
+    paragraph=3,
+    severity=Severity.SLIP,
+)
 def library(_: Evidence) -> Record:
     distance = max(
         abs(complex(OURS.describing_function(a)) - LIBRARY.describing_function(a))
@@ -143,11 +172,13 @@ def library(_: Evidence) -> Record:
         f"it has {', '.join(names)}",
         method="names in the installed python-control",
         second=close("that of saturation, called for twice its bound", saturated, by_hand),
+        certainty=Certainty.READING,
     )
     yield text("""
-        The two implementations agree, with the total gap as parameter in both. The library has had saturation
-        and a relay with hysteresis from the start as well, the latter with zero hysteresis being the thesis's
-        Coulomb friction.
+        The two implementations agree, with the total gap as parameter in both. If the text means that of its
+        own elements only friction-controlled backlash is in the library, that is nearly so: a relay with
+        hysteresis, taken with none, is its Coulomb friction. If it means the library as a whole, there are
+        three.
 
-        A check of the friction listing against the library would have been possible.
+        The function for Coulomb friction could have been checked against the library too.
     """)

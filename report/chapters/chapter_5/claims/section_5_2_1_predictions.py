@@ -1,4 +1,4 @@
-"""Claims of section 5.2.1, and of chapters 6 and 7, on predictions for friction-controlled backlash."""
+"""Claims of section 5.2.1 on predictions for friction-controlled backlash (tables 5.1 and 5.2)."""
 
 from __future__ import annotations
 
@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
-from report.claim import Confirmation, Impact, Part
+from report.claim import Certainty, Confirmation, Impact, Part, Severity
 from report.comparisons.printed import power
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
-from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.parts import assertion, close, digits, made_here, repeated
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
@@ -20,6 +19,11 @@ from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 SOURCE = "trimmer/balance/solve.py"
 SCALING = "scaling of the describing function in the gap"
 TINY_GAP = 2e-11
+FREQUENCY = "733.33 Hz, limit cycle predicted for friction-controlled backlash"
+AMPLITUDE = "3.3138e-5 m, amplitude predicted for friction-controlled backlash"
+SECOND_AMPLITUDE = "2.1089e-5 m, second limit cycle of friction-controlled backlash"
+SECOND_ONLY_LATER = "a single limit cycle for 4e-6 m, a second one for a larger gap"
+"""Things that are printed in more than one place."""
 TABLE_5_2 = {
     **{"1e-4": "0.00083", "2e-4": "0.0017", "3e-4": "0.0025", "4e-4": "0.0033", "5e-4": "0.0041"},
     **{"6e-4": "0.0050", "7e-4": "0.0058", "8e-4": "0.0066", "9e-4": "0.0075", "1e-3": "0.0083"},
@@ -50,22 +54,27 @@ def predicted(known: Evidence) -> tuple[Predicted, Predicted]:
     return unstable, stable
 
 
-def amplitude_part(label: str, printed: str, gap: float, of: Predicted) -> Part:
+def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: str) -> Part:
     derived = gap * of.exact.amplitude
-    slip = repeated(ROUNDED, gap * of.listing.amplitude)
-    return digits(label, printed, derived, "m", second=close(NEWTON, gap * of.ratio, derived), slip=slip)
+    second, slip = close(NEWTON, gap * of.ratio, derived), repeated(ROUNDED, gap * of.listing.amplitude)
+    return digits(label, printed, derived, "m", second=second, slip=slip, item=item)
 
 
-def all_parts(prefix: str, gap: float, of: Predicted, printed: tuple[str, str, str]) -> Iterator[Part]:
-    """Yield the parts on amplitude (m), angular frequency and frequency, which are printed in this order."""
+def all_parts(
+    prefix: str, gap: float, of: Predicted, printed: tuple[str, str, str], item: str
+) -> Iterator[Part]:
+    """Yield the parts on amplitude (m), angular frequency and frequency, which are printed in this order.
+
+    ``item`` is that of the amplitude; the two frequencies are one printed thing wherever they stand.
+    """
     exact, listing = of.exact, of.listing
     amplitude, omega, frequency = printed
     second = close(NEWTON, of.omega, exact.omega)
-    yield amplitude_part(f"{prefix}amplitude", amplitude, gap, of)
-    slip = repeated(ROUNDED, listing.omega)
-    yield digits(f"{prefix}angular frequency", omega, exact.omega, "rad/s", second=second, slip=slip)
-    slip = repeated(ROUNDED, listing.frequency)
-    yield digits(f"{prefix}frequency", frequency, exact.frequency, "Hz", second=second, slip=slip)
+    yield amplitude_part(f"{prefix}amplitude", amplitude, gap, of, item)
+    label, slip = f"{prefix}angular frequency", repeated(ROUNDED, listing.omega)
+    yield digits(label, omega, exact.omega, "rad/s", second=second, slip=slip, item=FREQUENCY)
+    label, slip = f"{prefix}frequency", repeated(ROUNDED, listing.frequency)
+    yield digits(label, frequency, exact.frequency, "Hz", second=second, slip=slip, item=FREQUENCY)
 
 
 def second_frequency(label: str, unstable: Predicted) -> Part:
@@ -74,22 +83,30 @@ def second_frequency(label: str, unstable: Predicted) -> Part:
     name = f"{ROUNDED}, and the second digit is written 3 instead of 5"
     slip = made_here(name, float(f"{listed[0]}3{listed[2:]}"))
     second = close(NEWTON, unstable.omega, exact.omega)
-    return digits(label, "533.22", exact.frequency, "Hz", second=second, slip=slip)
+    item = "533.22 Hz, second limit cycle of friction-controlled backlash"
+    return digits(label, "533.22", exact.frequency, "Hz", second=second, slip=slip, item=item)
 
 
-@claim("txt-5.2.1-prediction", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-5.2.1-prediction",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1018, 1018),
+    paragraph=8,
+    severity=Severity.SLIP,
+)
 def prediction(known: Evidence) -> Record:
     _, stable = predicted(known)
     right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
-    yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"))
+    yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"), AMPLITUDE)
     yield text("""
-        With exact coefficients the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz.
-        The printed numbers come out with the coefficients that Listing A.9 has rounded to four digits; that
-        moves the amplitude by [[ shift | f2 ]] %, because the loop passes close to $-1$.
+        The printed numbers come out with the coefficients that Listing A.9 rounds to four digits. With exact
+        ones the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz. Rounding moves the
+        amplitude by as much as [[ shift | f2 ]] %, because the loop passes close to $-1$.
 
-        Every prediction of section 5.2.1 carries this shift. The velocity of the pin, which the loop leaves
-        out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] % less, at
-        [[ both.frequency | f2 ]] Hz.
+        Every prediction of section 5.2.1 carries this small shift. The velocity of the pin, which the loop
+        leaves out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] %
+        less, at [[ both.frequency | f2 ]] Hz.
     """).given(
         amplitude=1e6 * SMALL_GAP * right.amplitude,
         frequency=right.frequency,
@@ -100,17 +117,16 @@ def prediction(known: Evidence) -> Record:
     )
 
 
-@claim("txt-5.2.1-stable", source="trimmer/balance/stability.py")
+@claim("txt-5.2.1-stable", source="trimmer/balance/stability.py", lines=(1058, 1058), paragraph=14)
 def stability(known: Evidence) -> Record:
     cycle, orbit = known.cycles.friction.stable, known.orbits.friction.stable
     largest = abs(orbit.nontrivial_multipliers).max()
-    statement = "the limit cycle near 733 Hz is stable"
+    statement, item = "the predicted limit cycle is stable", "the limit cycle near 733 Hz is stable"
     criterion = f"Loeb's criterion at {cycle.frequency:.2f} Hz"
     outward = "a motion that starts 0.1 % outside the unstable orbit ends on it"
     floquet = by_floquet([orbit], stable=True)
-    yield assertion(
-        "by the describing function", statement, bool(cycle.stable), criterion, method=LOEB, second=floquet
-    )
+    label, holds = "by the describing function", bool(cycle.stable)
+    yield assertion(label, statement, holds, criterion, method=LOEB, second=floquet, item=item)
     yield assertion(
         "in the exact loop",
         statement,
@@ -122,19 +138,27 @@ def stability(known: Evidence) -> Record:
         numbers={"largest": largest, "orbit": orbit},
         method="Floquet multipliers of the exact orbit",
         second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
+        item=item,
     )
     yield text("""
-        A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again, and a smaller one
-        the other way. That is the thesis's own argument, a statement of the describing function; the
-        multipliers of the exact limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
+        A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again; a smaller one
+        grows. That is the thesis's own argument on the describing function, and the multipliers of the exact
+        limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
     """).given(decay=-math.log(largest) / orbit.period)
 
 
-@claim("txt-5.2.1-second-limit-cycle", source=SOURCE, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-5.2.1-second-limit-cycle",
+    source=SOURCE,
+    impact=Impact.DOWNSTREAM,
+    lines=(1077, 1077),
+    paragraph=19,
+    severity=Severity.SLIP,
+)
 def second_limit_cycle(known: Evidence) -> Record:
     unstable, _ = predicted(known)
     right, cycles = unstable.exact, known.cycles
-    yield amplitude_part("amplitude", "2.1089e-5", LARGE_GAP, unstable)
+    yield amplitude_part("amplitude", "2.1089e-5", LARGE_GAP, unstable, SECOND_AMPLITUDE)
     yield second_frequency("frequency", unstable)
     second = by_floquet([known.orbits.friction.unstable], stable=False)
     holds = not right.stable
@@ -146,53 +170,62 @@ def second_limit_cycle(known: Evidence) -> Record:
         rf"it has $A = {right.amplitude:.4f}\,b$ for every gap, since $N$ depends on $b/A$ alone",
         method=SCALING,
         second=at_the_tiny_gap(known, right),
+        item=SECOND_ONLY_LATER,
+        severity=Severity.RESULT,
+        certainty=Certainty.PROVEN,
     )
     yield text(r"""
         Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles exist
-        for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$. The
-        locus that Listing A.9 plots starts at $b/2 + 10^{-6}$ m and reaches it only for gaps above
-        [[ seen_from | power1 ]] m: that is why it is missing for $4\times10^{-6}$ m and there for
-        $4\times10^{-5}$ m.
+        for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$.
+        Listing A.9 plots the curve from $b/2 + 10^{-6}$ m on, and so shows it only for gaps above
+        [[ seen_from | power1 ]] m: for $4\times10^{-5}$ m, but not for $4\times10^{-6}$ m.
 
         A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
-        unstable one is the threshold: what starts below it decays.
+        unstable one is a threshold: what starts below it decays.
     """).given(seen_from=PLOT_OFFSET / (right.amplitude - 0.5))
 
 
-@claim("tab-5.1", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "tab-5.1", source=SOURCE, impact=Impact.LOCAL, lines=(1079, 1083), paragraph=19, severity=Severity.SLIP
+)
 def two_limit_cycles(known: Evidence) -> Record:
     unstable, stable = predicted(known)
     listed = stable.listing.frequency
     name = f"{ROUNDED}, and the {listed:.4f} Hz that follow are cut off, not rounded"
     slip = repeated(name, math.floor(100 * listed) / 100)
     second = close(NEWTON, stable.omega, stable.exact.omega)
-    yield amplitude_part("first: amplitude", "3.3138e-4", LARGE_GAP, stable)
-    yield digits("first: frequency", "733.33", stable.exact.frequency, "Hz", second=second, slip=slip)
-    yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable)
+    yield amplitude_part("first: amplitude", "3.3138e-4", LARGE_GAP, stable, AMPLITUDE)
+    label, derived = "first: frequency", stable.exact.frequency
+    yield digits(label, "733.33", derived, "Hz", second=second, slip=slip, item=FREQUENCY)
+    yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable, SECOND_AMPLITUDE)
     yield second_frequency("second: frequency", unstable)
     yield text("""
-        With exact coefficients the second limit cycle lies at [[ unstable.exact.frequency | f2 ]] Hz, with
-        those of Listing A.9 at [[ unstable.listing.frequency | f2 ]] Hz; the printed 533.22 Hz has one digit
-        wrong. The other cells come out with the rounded coefficients. Only 733.33 Hz takes a second slip, a
-        number cut off: the percent error of the section has it rounded, as 733.34 Hz.
+        With the coefficients of Listing A.9 the second limit cycle lies at
+        [[ unstable.listing.frequency | f2 ]] Hz, with exact ones at [[ unstable.exact.frequency | f2 ]] Hz;
+        the printed 533.22 Hz has one digit wrong, here and in the text. The other cells come out with the
+        rounded coefficients. For 733.33 Hz a number was cut off as well; the section's percent error has it
+        rounded, as 733.34 Hz.
 
-        The text repeats 533.22 Hz. The first limit cycle, on which the comparisons rest, is not touched.
+        None: the comparisons of the section rest on the first limit cycle.
     """).given(unstable=unstable)
 
 
-@claim("tab-5.2", source=SOURCE, impact=Impact.LOCAL)
+@claim(
+    "tab-5.2", source=SOURCE, impact=Impact.LOCAL, lines=(1098, 1110), paragraph=21, severity=Severity.SLIP
+)
 def ten_gaps(known: Evidence) -> Record:
     _, stable = predicted(known)
     for gap, printed in TABLE_5_2.items():
-        yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"))
+        item = f"{printed} m, amplitude for b = {gap} m in table 5.2"
+        yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"), item)
     yield text(r"""
         Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
         [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
-        [[ listing.amplitude | f4 ]] and [[ listing.frequency | f2 ]] Hz, which gives all printed cells; with
-        exact ones the rows for $5\times10^{-4}$ m and $8\times10^{-4}$ m and all frequencies round to another
-        last digit.
+        [[ listing.amplitude | f4 ]] gaps and [[ listing.frequency | f2 ]] Hz, which gives all printed cells.
+        With exact ones the amplitudes for $5\times10^{-4}$ m and $8\times10^{-4}$ m and the frequencies round
+        to another last digit.
 
-        None beyond the last digit. The ten rows hold one result, since nothing but the scale changes.
+        None beyond the last digit. The ten rows hold one result, since only the scale changes.
     """).given(exact=stable.exact, listing=stable.listing)
 
 
@@ -200,54 +233,3 @@ def at_the_tiny_gap(known: Evidence, cycle: LimitCycle) -> Confirmation:
     """Confirm that a limit cycle, scaled down, is one of a tiny gap: by the waveform, sampled there."""
     scaled = replace(cycle, amplitude=cycle.amplitude * TINY_GAP)
     return by_waveform(known.numbers.displacement_only, [(FrictionBacklash(TINY_GAP), scaled)])
-
-
-def stable_at_the_tiny_gap(cycles: LimitCycleNumbers) -> float:
-    """Return the stable amplitude over a tiny gap, with the coefficients of Listing A.9."""
-    (cycle,) = (each for each in limit_cycles(cycles.listing, FrictionBacklash(TINY_GAP)) if each.stable)
-    return cycle.amplitude / TINY_GAP
-
-
-def proportionality(known: Evidence) -> Record:
-    cycles, cycle = known.cycles, known.cycles.friction.stable
-    listed = cycles.friction_listing.stable.amplitude
-    yield assertion(
-        "",
-        "the predicted amplitude is proportional to the gap, the frequency does not depend on it",
-        math.isclose(stable_at_the_tiny_gap(cycles), listed, rel_tol=1e-9),
-        rf"$A = {cycle.amplitude:.4f}\,b$ at {cycle.frequency:.2f} Hz for every gap $b$",
-        method=SCALING,
-        second=at_the_tiny_gap(known, cycle),
-    )
-    yield text(r"""
-        $N$ depends on $b/A$ alone, so a solution $(A, \omega)$ for the gap $b$ gives the solution $(kA,
-        \omega)$ for $kb$. The same holds for every kind of backlash. Contrast the statement that there is a
-        smallest gap, which this excludes.
-    """)
-
-
-proportional = claim("txt-5.2.1-proportional", source=SOURCE)(proportionality)
-proportional_in_chapter_7 = claim("txt-7-proportional", source=SOURCE)(proportionality)
-
-
-def smallest_gap(known: Evidence) -> Record:
-    stable, listed = (
-        pair.stable.amplitude for pair in (known.cycles.friction, known.cycles.friction_listing)
-    )
-    means = "the scaling law, at a gap of a thousandth of that"
-    second = close(means, stable_at_the_tiny_gap(known.cycles), listed)
-    yield digits("smallest gap with a limit cycle", "2e-8", 0.0, "m", second=second)
-    yield text("""
-        There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle every gap has one,
-        with an amplitude in proportion: at $b = 10^{-8}$ m it is [[ at_1e_8 | power2 ]] m. A locus that is
-        plotted from an amplitude of $b/2 + 10^{-6}$ m on, as Listing A.9 does, meets $G$ only for gaps above
-        [[ seen_from | power1 ]] m; another start gives another apparent threshold.
-
-        Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small enough to
-        exclude the predicted limit cycle; what remains is its size, 8.3 times the gap, and whether friction
-        and drive let it start.
-    """).given(at_1e_8=stable * 1e-8, seen_from=PLOT_OFFSET / (stable - 0.5))
-
-
-threshold = claim("txt-5.2.1-threshold", source=SOURCE, impact=Impact.DOWNSTREAM)(smallest_gap)
-threshold_in_chapter_6 = claim("txt-6-threshold", source=SOURCE, impact=Impact.DOWNSTREAM)(smallest_gap)

@@ -9,10 +9,11 @@ from derivations.elements.backlash import GAMMA, limits, separation_angle
 from derivations.elements.proven_step import ProvenStep
 from derivations.elements.steps import contours, general_backlash, slopes
 from derivations.elements.steps.limits import step as limits_step
+from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
+from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.claim import Confirmation, Impact, Part
+from report.claim import Certainty, Confirmation, Impact, Part, Severity
 from report.comparisons.assertion import Assertion
-from report.comparisons.printed import total
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
 from report.numbers.independent.loci import lies_between_the_limits
@@ -23,6 +24,8 @@ from report.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
 SOLVER = "trimmer/balance/solve.py"
+UPPER_END = "815"
+"""Upper end of the band of equation 5.10, Hz."""
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
@@ -32,20 +35,37 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
     by_inertia = close(NEWTON, inertia_exactly(known.numbers, high)[1], high.omega)
     slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
+    of_friction, of_inertia = section_5_2_1_predictions.FREQUENCY, section_5_2_2.FREQUENCY
     return (
-        digits("lower end", "733", low.frequency, "Hz", second=by_friction, slip=slip),
-        digits("upper end", "815", high.frequency, "Hz", second=by_inertia),
+        digits(
+            "lower end",
+            "733",
+            low.frequency,
+            "Hz",
+            second=by_friction,
+            slip=slip,
+            item=of_friction,
+            severity=Severity.SLIP,
+        ),
+        digits("upper end", UPPER_END, high.frequency, "Hz", second=by_inertia, item=of_inertia),
     )
 
 
-@claim("eq-5.10", source=SOLVER, impact=Impact.DOWNSTREAM)
+@claim(
+    "eq-5.10",
+    source=SOLVER,
+    impact=Impact.DOWNSTREAM,
+    lines=(1188, 1188),
+    paragraph=4,
+    severity=Severity.RESULT,
+)
 def band(known: Evidence) -> Record:
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     yield from band_parts(known)
     yield text("""
         The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
-        [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong prediction of section
-        5.2.2.
+        [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong
+        [prediction](#txt-5.2.2-prediction) of section 5.2.2.
 
         The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
         from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
@@ -58,18 +78,17 @@ def band(known: Evidence) -> Record:
     )
 
 
-@claim("eq-5.11", source="report/chapters/chapter_5/claims/section_5_2_3.py")
+@claim("eq-5.11", source="report/chapters/chapter_5/claims/section_5_2_3.py", lines=(1199, 1199), paragraph=5)
 def harmonic_balance(_: Evidence) -> Record:
-    element, linear = sympy.symbols("N G")
-    yield expression("", total(element * linear, 1), sympy.expand(1 - linear * (-element)))
+    yield balance_part(r"N\left(\frac{b}{A}, \frac{M}{D}\omega\right)G(j\omega) + 1 = 0")
     yield text(r"""
-        For a measured frequency these are two real equations for $b/A$ and $M\omega/D$, as many as unknowns.
-        The driving frequency, which the text asks for, does not appear: the frequency in $\gamma$ is that of
-        the limit cycle.
+        The condition is that [of equation 5.7](#eq-5.7), with another describing function. For a measured
+        frequency it gives two real equations for $b/A$ and $M\omega/D$, as many as unknowns. The driving
+        frequency, which the text asks for, does not appear: the frequency in it is that of the limit cycle.
     """)
 
 
-@claim("txt-5.2.3-unstable-inner", source="trimmer/balance/stability.py")
+@claim("txt-5.2.3-unstable-inner", source="trimmer/balance/stability.py", lines=(1186, 1186), paragraph=4)
 def inner(known: Evidence) -> Record:
     unstable = [cycle for cycles in known.cycles.viscous for cycle in cycles if cycle.omega < 4000]
     loads, orbits = len(TIME_CONSTANTS), (known.orbits.friction.unstable, known.orbits.inertia.unstable)
@@ -82,13 +101,13 @@ def inner(known: Evidence) -> Record:
         second=by_floquet(orbits, stable=False),
     )
     yield text("""
-        True by Loeb's criterion. The text lets them merge with the stable ones; they do not: a motion that
-        starts near one either decays or grows to the stable one. For $M/D$ near 0.1 ms there is no inner one
-        at all.
+        It is so by Loeb's criterion, too. A motion that leaves one of them with a larger amplitude grows to
+        the stable one, as the text says; one that leaves it with a smaller amplitude dies out. For $M/D$ near
+        0.1 ms there is no inner one at all.
     """)
 
 
-@claim("txt-5.2.3-band", source=SOLVER)
+@claim("txt-5.2.3-band", source=SOLVER, lines=(1186, 1186), paragraph=4)
 def only_between(known: Evidence) -> Record:
     cycles, system = known.cycles, known.numbers.displacement_only
     low, high = cycles.friction.stable, cycles.inertia.stable
@@ -106,45 +125,60 @@ def only_between(known: Evidence) -> Record:
     )
     yield text("""
         For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies
-        between the limits, whose values in equation 5.10 are wrong. The amplitude is not bounded by them: it
-        reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and [[ inertia | f2 ]].
+        between the limits, of which [equation 5.10](#eq-5.10) has the upper one wrong. The amplitude is not
+        bounded by them: it reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and
+        [[ inertia | f2 ]].
     """).given(largest=cycles.largest_viscous.amplitude, friction=low.amplitude, inertia=high.amplitude)
 
 
-@claim("txt-5.2.3-identify-760", source=SOLVER, impact=Impact.LOCAL)
+@claim(
+    "txt-5.2.3-identify-760",
+    source=SOLVER,
+    impact=Impact.LOCAL,
+    lines=(1190, 1190),
+    paragraph=5,
+    severity=Severity.SLIP,
+)
 def identify(known: Evidence) -> Record:
     limit = known.cycles.inertia.stable
     highest = max(cycle.frequency for each in known.cycles.viscous for cycle in each if cycle.stable)
     by_newton = inertia_exactly(known.numbers, limit)[1]
-    yield digits("conversion", "4775", 760 * TURN, "rad/s", second=by_division_back(760 * TURN, 760))
+    example = 760
+    second = by_division_back(example * TURN, example)
+    yield digits("conversion", "4775", example * TURN, "rad/s", second=second)
     yield assertion(
         "a ratio M/D for 760 Hz",
         "a measured 760 Hz gives a ratio $M/D$",
-        highest >= 760,
+        highest >= example,
         f"no $M/D$ has a stable limit cycle above {limit.frequency:.2f} Hz",
         method=ALL_LOADS,
         second=close(f"{NEWTON}, for the limit without friction", by_newton, limit.omega),
+        slip=repeated(
+            "the band of equation 5.10 is taken, which ends at 815 Hz", float(UPPER_END) >= example
+        ),
     )
     yield text("""
-        The conversion is right. The example lies outside of what the model can give, for any load; in the
-        printed band of equation 5.10 it looks possible.
+        The conversion is right. The frequency is an example of the thesis, chosen within its own band of
+        [equation 5.10](#eq-5.10). With the right band no load gives it.
 
-        The proposed experiment keeps its sense, with a band less than a quarter as wide to resolve.
-    """)
+        The proposed experiment keeps its sense, but has [[ width | f0 ]] Hz to resolve instead of 82 Hz.
+    """).given(width=limit.frequency - known.cycles.friction.stable.frequency)
 
 
-@claim("eq-5.9", source="derivations/elements/backlash.py")
+@claim("eq-5.9", source="derivations/elements/backlash.py", lines=(1173, 1173), paragraph=1)
 def separation(_: Evidence) -> Record:
     mass, damping, omega = sympy.symbols("M D omega", positive=True)
     derived = separation_angle().subs(GAMMA, mass * omega / damping)
-    yield expression("", sympy.atan(damping / (mass * omega)), derived, left=sympy.Symbol("phi_s"))
+    angle = sympy.Symbol("phi_s")
+    yield expression("first line", sympy.atan(1 / GAMMA), separation_angle(), left=angle)
+    yield expression("second line", sympy.atan(damping / (mass * omega)), derived, left=angle)
     yield text(r"""
-        Equation 2.44 with $\gamma = M\omega/D$ put in. A higher frequency gives an earlier separation, as the
-        text says.
+        This is [equation 2.44](#eq-2.44) with $\gamma = M\omega/D$ put in. A higher frequency gives an
+        earlier separation, as the text says.
     """)
 
 
-@claim("txt-5.2.3-limits", source="derivations/elements/backlash.py")
+@claim("txt-5.2.3-limits", source="derivations/elements/backlash.py", lines=(1175, 1175), paragraph=2)
 def limits_of_the_load(_: Evidence) -> Record:
     delay, ratio = sympy.Symbol("tau", positive=True), r"\frac{b}{A}"
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
@@ -152,8 +186,8 @@ def limits_of_the_load(_: Evidence) -> Record:
     yield expression(r"$\gamma \to \infty$, contact", delay - sympy.sin(delay), inertia.ratio, ratio)
     yield text(r"""
         Separation, flight and contact of the general element tend to those of friction-controlled backlash
-        for $\gamma \to 0$ and of inertia-controlled for $\gamma \to \infty$; $\tau$ is the phase of flight.
-        The figure shows it, the limits prove it.
+        for $\gamma \to 0$ and of inertia-controlled for $\gamma \to \infty$. The text reads it from figure
+        5.16; the limits prove it. $\tau$ is the phase of flight.
     """)
 
 
@@ -167,7 +201,13 @@ def proven(*steps: ProvenStep) -> bool:
     return True
 
 
-@claim("txt-5.2.3-contours-bounded", source="derivations/elements/steps/contours.py")
+@claim(
+    "txt-5.2.3-contours-bounded",
+    source="derivations/elements/steps/contours.py",
+    lines=(1175, 1177),
+    paragraph=2,
+    certainty=Certainty.PROVEN,
+)
 def contours_bounded(_: Evidence) -> Record:
     statement = "every viscous contour lies between those of friction and inertia"
     computed = Assertion(
@@ -188,7 +228,7 @@ def contours_bounded(_: Evidence) -> Record:
         second=Confirmation(r"200 points of each of nine contours, $\gamma$ from 0.01 to 100", computed),
     )
     yield text(r"""
-        It is so for every $\gamma$, with the right contact equation. The contours that the thesis drew, for
-        $1 < \gamma < 3/2$, come from complex contact angles and could not show it. Besides, each point
-        between the two limits belongs to one $b/A$ and one $\gamma$ only.
+        With the right contact equation it is so for every $\gamma$, and each point between the two limits
+        belongs to one $b/A$ and one $\gamma$ only. The contours that the thesis drew, for $1 < \gamma < 3/2$,
+        come from [complex contact angles](#fig-5.16) and could not show it.
     """)

@@ -12,42 +12,60 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
-from report.claim import Confirmation, Impact, Part
+from report.claim import Certainty, Confirmation, Impact, Part, Severity
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
-from report.numbers.independent import relay_and_friction
+from report.numbers.independent import limit_cycles, relay_and_friction
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
 from report.numbers.time_stepping import FINE_STEP
 from report.parts import assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
-from report.thesis import RELAY_LEVEL
+from report.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
 from trimmer import real_axis_crossings
 
 SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
+OSCILLATION = "an oscillation of high frequency with Coulomb friction"
+"""Thing that the section and figure 5.19 state."""
+BOUND = 1.0
+"""Friction that the thesis takes for realistic, N; its upper bound."""
 STEADY = 1.0
 """Rate below which a frequency may be said to stay, 1/s."""
-PLACES_WITHOUT_UNIT = ("figure 5.18", "figure 5.19", "figure 5.20", "figures 5.22 and 5.23")
+PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
 
 
-@claim("eq-5.12", source="derivations/transfer_function.py")
+@claim("eq-5.12", source="derivations/transfer_function.py", lines=(1220, 1220), paragraph=3)
 def limit_of_response(known: Evidence) -> Record:
     above, below = relay_and_friction.fraction_of(known.numbers)
-    yield expression("", sympy.Integer(0), sympy.limit(above / below, s, sympy.oo), left=r"\lim G")
+    form = r"\lim_{\omega\to+\infty} G(j\omega) \to (0, 0j)"
+    derived = sympy.limit(above / below, s, sympy.oo)
+    yield expression("", sympy.Integer(0), derived, left=r"\lim G", printed_form=form)
     yield text("""
-        The transfer function has two poles more than zeros, so it tends to zero, and along the negative real
-        axis from below. It does not spiral: its phase tends to -180 degrees.
+        The transfer function has two poles more than zeros, so it tends to zero. The text lets it spiral into
+        that point. It does not: its phase tends to -180 degrees, so it comes in along the negative real axis.
     """)
 
 
-@claim("eq-5.13", source="derivations/elements/friction.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "eq-5.13",
+    source="derivations/elements/friction.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1224, 1224),
+    paragraph=4,
+    severity=Severity.RESULT,
+)
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
     for_friction, gain = sympy.simplify(-1 / FRICTION), quadrature_gain(friction_waveform(), A, VALUES)
-    yield expression("for a relay on the loop's signal", printed, -1 / RELAY, left)
+    form, item = (
+        r"-\frac{1}{N(A)} = -\frac{A\pi}{4F_c}",
+        "-A pi/(4 F_c), negative inverse of Coulomb friction",
+    )
+    label = "for a relay on the loop's signal"
+    yield expression(label, printed, -1 / RELAY, left, printed_form=form, item=item)
     yield expression(
         "for friction, in a loop whose signal is a displacement",
         printed,
@@ -55,26 +73,29 @@ def inverse(_: Evidence) -> Record:
         left,
         second=by_quadrature(for_friction, -1 / gain, VALUES),
         slip=made_here("the phase between velocity and displacement is dropped", -1 / RELAY),
+        printed_form=form,
+        item=item,
+        certainty=Certainty.READING,
     )
     yield text(r"""
-        The algebra is right for equation 2.52. In this loop the signal is a displacement, and for friction
-        $-1/N = j\,\pi A/(4F_c)$. A larger $F_c$ does not shorten the curve: amplitudes run to infinity, and
-        it is the same half axis for every force.
+        Read as the negative inverse of equation 2.52, for a relay on the loop's signal, the equation is
+        right. Read for friction it is not: friction acts on a velocity, as section 5.2.5 says itself, and the
+        loop's signal is a displacement, for which $-1/N = j\,\pi A/(4F_c)$. Over a given range of amplitudes
+        a larger $F_c$ shortens the curve, as the text says; as a whole it is the same half axis for every
+        force.
 
         The picture of the section, and the high-frequency limit cycle expected from it, concern a relay that
         no part of the trimmer is.
     """)
 
 
-@claim("txt-5.2.4-no-crossing", source="trimmer/linear/crossings.py")
+@claim("txt-5.2.4-no-crossing", source="trimmer/linear/crossings.py", lines=(1209, 1209), paragraph=2)
 def no_crossing(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     crossings = real_axis_crossings(system)
-    negative = sum(crossing.value < 0 for crossing in crossings)
     on_the_axis = relay_and_friction.on_the_imaginary_axis(known.numbers)
     highest = relay_and_friction.highest_phase(system)
-    second = by_grid(system, negative)
-    yield digits("crossings of the negative real axis", "0", negative, second=second)
+    yield crossings_part(known)
     means = f"the phase on a grid, which rises to {math.degrees(highest):.1f} degrees"
     yield assertion(
         "what follows for friction",
@@ -89,19 +110,34 @@ def no_crossing(known: Evidence) -> Record:
         second=so(means, highest < math.pi / 2),
     )
     yield text("""
-        $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The reason given
-        looks at the wrong axis, but the conclusion stands: friction between parts at rest otherwise only
-        takes energy, so it cannot keep anything moving.
+        $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The conclusion
+        stands, though for friction the axis to look at is another one. Friction
+        between parts that rub only takes energy, so it cannot keep anything moving.
     """).given(crossings=len(crossings))
 
 
-def relay_part(numbers: RelayNumbers, label: str) -> Part:
+def crossings_part(known: Evidence) -> Part:
+    """Return the part on crossings of the negative real axis, which figure 5.18 and the text share."""
+    system = known.numbers.displacement_only
+    negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
+    item = "G does not cross the negative real axis"
+    label = "crossings of the negative real axis"
+    return digits(label, "0", negative, second=by_grid(system, negative), item=item)
+
+
+def at_the_merger(known: Evidence) -> Confirmation:
+    """Confirm the solution with the largest force by solving the equations of motion at its frequency."""
+    loop = limit_cycles.loop_at_merger(known.numbers, known.cycles.equivalent.in_place.merger)
+    return close("both responses at the last solution, where the loop closes", loop, -1.0, 1e-6)
+
+
+def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
     """Return the part on the oscillation of the loop with an ideal relay."""
     growth = [run.growth for run in numbers.runs]
     means = "a third of the damping that G has at high frequency"
     return assertion(
         label,
-        "an oscillation of one high frequency remains",
+        "an oscillation of high frequency remains",
         min(growth) < STEADY,
         r"""
         the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
@@ -116,10 +152,11 @@ def relay_part(numbers: RelayNumbers, label: str) -> Part:
         },
         method="exact simulation of the loop with an ideal relay",
         second=close(means, numbers.damping / 3, growth[0], 1e-3),
+        item=item,
     )
 
 
-def friction_part(numbers: RelayNumbers, label: str) -> Part:
+def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
     """Return the part on the loop with friction and viscous friction of the output's velocity."""
     last = max(run.last_turn for run in numbers.friction)
     means = f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event"
@@ -134,10 +171,13 @@ def friction_part(numbers: RelayNumbers, label: str) -> Part:
         numbers={"last": 1e6 * last, "duration": 1e3 * DURATION},
         method="exact simulation with true stick, impulses over six decades",
         second=close(means, max(numbers.last_turn_in_steps), last, 0.02),
+        item=item,
     )
 
 
-def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation) -> Part:
+def candidates_part(
+    candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation, item: str = ""
+) -> Part:
     """Return the part on periodic motions with all harmonics."""
     method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
     derived = not all(candidates.in_phase)
@@ -146,11 +186,9 @@ def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, 
         statement,
         derived,
         """
-                                                from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave
-                                                returns with zeros at its jumps at [[ frequencies ]] Hz only,
-                                                and there in phase with itself, so the relay would work
-                                                against it
-                                                """,
+        from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave returns with zeros at its jumps at
+        [[ frequencies ]] Hz only, and there in phase with itself, so the relay would work against it
+        """,
         numbers={
             "low": 0.5 / HALF_PERIODS[-1],
             "high": 0.5 / HALF_PERIODS[0],
@@ -158,10 +196,18 @@ def candidates_part(candidates: PeriodicCandidates, label: str, statement: str, 
         },
         method=method,
         second=second,
+        item=item,
     )
 
 
-@claim("txt-5.2.4-high-frequency", source=SIMULATED, impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-5.2.4-high-frequency",
+    source=SIMULATED,
+    impact=Impact.DOWNSTREAM,
+    lines=(1218, 1222),
+    paragraph=3,
+    severity=Severity.RESULT,
+)
 def high_frequency(known: Evidence) -> Record:
     numbers = known.motion.closed.relay
     frequency, amplitude = numbers.sampled
@@ -169,23 +215,22 @@ def high_frequency(known: Evidence) -> Record:
     yield candidates_part(
         numbers.alone,
         "explanation by higher harmonics near the origin",
-        "with harmonics there is a periodic motion that the describing function misses",
+        "with harmonics there may be a periodic motion that the describing function misses",
         by_harmonics(known.numbers.displacement_only, numbers.alone.frequencies),
     )
     yield friction_part(numbers, "friction, which acts on velocity")
     yield text("""
-        What is seen is the end of a motion, not a limit cycle: near the origin $G$ is a double integrator
-        with a little damping, on which a relay oscillates ever faster and smaller. A simulation cannot follow
-        that; one that looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz with
-        [[ amplitude | f2 ]] times the relay's size, by its own delay. Harmonics do not help the explanation:
-        Tsypkin's condition contains them all. With friction in place of the relay the loop sticks.
+        Near the origin $G$ is a double integrator with a little damping, on which a relay oscillates ever
+        faster and smaller: the motion ends, and is no limit cycle. A simulation cannot follow that; one that
+        looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz by its own delay, with
+        [[ amplitude | f2 ]] times the relay's size. The text offers harmonics as a possible explanation.
+        Tsypkin's condition, which holds them all, finds no periodic motion with two switchings.
 
-        That Coulomb friction may be neglected because its limit cycles are small has no ground: there are
-        none, and in the trimmer friction decides whether backlash has one (chapter 7).
+        The small limit cycles for which the section neglects [friction](#txt-5.2.4-force-unit) do not exist.
     """).given(step=1e6 * STEP, frequency=frequency, amplitude=amplitude)
 
 
-@claim("txt-5.2.4-linear-in-fc", source=SIMULATED)
+@claim("txt-5.2.4-linear-in-fc", source=SIMULATED, lines=(1245, 1245), paragraph=6)
 def linear_in_force(known: Evidence) -> Record:
     factor, signal = sympy.Symbol("k", positive=True), sympy.Symbol("y", real=True)
     scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
@@ -201,33 +246,58 @@ def linear_in_force(known: Evidence) -> Record:
         second=so("the relay's law, which is of first degree in signal and level", of_scaled == of_signal),
     )
     yield text("""
-        The describing function depends on $F_c/A$ alone, so any solution scales with the force; so does the
-        exact loop, in which the switching force is the only scale. This holds for whatever is observed,
-        physical or numerical, and so does not show that there is a limit cycle.
+        The describing function depends on $F_c/A$ alone, so any solution scales with the force. So does the
+        exact loop, in which the switching force is the only scale. Whatever is observed scales so, a trace of
+        the solver too; it does not show that there is a limit cycle.
     """)
 
 
-@claim("txt-5.2.4-force-unit", source="derivations/dimensions.py", impact=Impact.DOWNSTREAM)
-def force_unit(_: Evidence) -> Record:
+@claim(
+    "txt-5.2.4-force-unit",
+    source="derivations/dimensions.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(1226, 1245),
+    paragraph=5,
+    severity=Severity.SLIP,
+)
+def force_unit(known: Evidence) -> Record:
     displacement, acceleration = sympy.symbols("u a")
     units = {**DIMENSIONS, displacement: LENGTH, acceleration: DIMENSION_OF_FORCE / DIMENSIONS[m2]}
     beside, inertia = (dimension_of(term, units) for term in (k2 * displacement, m2 * acceleration))
-    places = ", ".join(f"[-] in {place}" for place in PLACES_WITHOUT_UNIT)
-    means = rf"$m_2\ddot q_2$ in the same equation, in {inertia}"
+    newtons = str(beside).replace("^-2", "⁻²")
+    means = r"$m_2\ddot q_2$ in the same equation, which is a force"
     yield assertion(
-        "",
+        "unit",
         "$F_c$ is a number without unit, as behind 0.015, 1.5 and 0.6",
         beside == NUMBER,
-        f"in equation 3.2 it stands beside $k_2u$, in {beside}; {places}, [N] in the bound of 1.0",
+        f"""
+        in equation 3.2 it stands beside $k_2u$, in {newtons}; the thesis writes [-] at {PLACES_WITHOUT_UNIT},
+        and [N] at the bound of 1.0
+        """,
         method="dimension check of equation 3.2",
         second=so(means, inertia == DIMENSION_OF_FORCE),
     )
+    per_gap = known.cycles.equivalent.in_place.merger.force_per_gap
+    yield assertion(
+        "what the section concludes",
+        "friction below 1.0 N may be neglected when limit cycles are predicted",
+        per_gap * SMALL_GAP > BOUND,
+        """
+        between cutter and guard [[ small | f3 ]] N end the limit cycle for a gap of 4 µm, [[ large | f2 ]] N
+        for 40 µm
+        """,
+        numbers={"small": per_gap * SMALL_GAP, "large": per_gap * LARGE_GAP},
+        method="all solutions of harmonic balance, friction between cutter and guard",
+        second=at_the_merger(known),
+        severity=Severity.CONCLUSION,
+    )
     yield text("""
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
-        sections 5.2.4 and 5.2.5 write [-]. Neither is what a loop with $G$ as its linear part holds: the
-        relay's output enters it as a displacement of the pin, so 0.015 is 15 mm of pin travel, ten times the
-        eccentricity.
+        sections 5.2.4 and 5.2.5 write [-]. In a loop with $G$ as its linear part it is neither: the relay's
+        output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
+        eccentricity. The small amplitude for which the section neglects friction was found with that relay.
+        Friction in newtons, between cutter and guard, ends the limit cycle of a small gap.
 
-        The advice that friction below 1.0 N may be neglected compares newtons with an amplitude that was
-        found for metres at the pin.
-    """)
+        The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
+        to [[ gap | f0 ]] µm; for a larger gap a limit cycle is left.
+    """).given(gap=1e6 * BOUND / per_gap)

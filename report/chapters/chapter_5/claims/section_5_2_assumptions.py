@@ -12,7 +12,7 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.claim import Impact
+from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
@@ -30,7 +30,14 @@ GAP = 0.5
 """Gap at which python-control's backlash is run, in any unit."""
 
 
-@claim("txt-5.2-assumptions", source="trimmer/balance/leakage.py", impact=Impact.DOWNSTREAM)
+@claim(
+    "txt-5.2-assumptions",
+    source="trimmer/balance/leakage.py",
+    impact=Impact.DOWNSTREAM,
+    lines=(967, 980),
+    paragraph=1,
+    severity=Severity.RESULT,
+)
 def assumptions(known: Evidence) -> Record:
     yield from _single(known)
     yield from _static_and_time_invariant()
@@ -38,9 +45,10 @@ def assumptions(known: Evidence) -> Record:
     yield from _odd()
     yield text("""
         Each backlash by itself, and friction by itself, is one element; the two together are not, since they
-        act at different places. Backlash has a memory, so $y = f(x)$ does not hold, but it is the same at all
-        times, which is what the method needs; the block of Listing A.8 is not. Oddness holds, and filtering
-        holds at every predicted limit cycle.
+        act at different places. Backlash is time-invariant, which is what the method needs. It is no function
+        of the present input, since it has a memory; as an operator on the whole input it is $f(x)$. The block
+        of Listing A.8, if it is one of the models, is not time-invariant. Oddness holds, and filtering holds
+        at every predicted limit cycle.
 
         Predictions for one kind of backlash rest on good ground. Those for the equivalent nonlinearity
         (section 5.2.5) do not, and the block of Listing A.8 can only be driven.
@@ -90,6 +98,8 @@ def _static_and_time_invariant() -> Record:
         numbers={"gap": difference},
         method="two pieces of the derived waveform at one value of the input",
         second=close(means, from_above - from_below, GAP),
+        severity=Severity.SLIP,
+        certainty=Certainty.READING,
     )
     period = 1 / DRIVE_FREQUENCY
     time = np.linspace(0, period, 97, endpoint=False) + period / 1000
@@ -106,6 +116,7 @@ def _static_and_time_invariant() -> Record:
         f"for a delay of a quarter period the output is off by up to {off} mm at a stroke of 1.5 mm",
         method=REPEATED,
         second=so(means, at_rest > DRIVE_AMPLITUDE),
+        certainty=Certainty.READING,
     )
 
 
@@ -141,6 +152,7 @@ def _filtered(known: Evidence) -> Record:
         },
         method="the element's third harmonic with the response of $G$",
         second=so(means, exact < LITTLE),
+        item="the filtering hypothesis is satisfied",
     )
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
+from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
+from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
-from report.claim import Impact, Part
+from report.claim import Impact, Part, Severity
 from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
 from report.inventory import read_inventory
@@ -36,7 +38,14 @@ def refers(label: str, named: str, meant: str, what: str) -> Part:
     )
 
 
-@claim("txt-5.2.1-references", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "txt-5.2.1-references",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1003, 1003),
+    paragraph=4,
+    severity=Severity.SLIP,
+)
 def to_the_models(_: Evidence) -> Record:
     place = next(section for section in read_sections() if "fig-3.6" in section.figures)
     named = next(section for section in read_sections() if section.number == "3.1")
@@ -52,28 +61,41 @@ def to_the_models(_: Evidence) -> Record:
         method="read in the headings of the sections and the places of their figures",
     )
     yield text("""
-        Section 3.1 describes the camera and the trial; the models that are compared with it, in open and in
-        closed loop, are those of section 3.3.
+        Section 3.1 describes the camera and the trial. The models that are compared with them, in open and in
+        closed loop, stand in section 3.3.
 
         None: the configuration is named in words.
     """)
 
 
-@claim("txt-5.2.2-references", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "txt-5.2.2-references",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1140, 1140),
+    paragraph=4,
+    severity=Severity.SLIP,
+)
 def of_inertia(_: Evidence) -> Record:
     yield refers("figure", "fig-5.16", "fig-5.14", "the open loop of inertia-controlled backlash")
     yield refers("listing of appendix A.11", "lst-A.10", "lst-A.8", "the block that Simulink needs")
     yield text("""
         Two references miss their place. The time response and the spectrum are figure 5.14, as the next
-        sentences have it; the block over time is Listing A.8 of appendix A.9, while A.11 holds the describing
+        sentences have it. The block over time is Listing A.8 of appendix A.9; A.11 holds the describing
         function. Section 4.2.2 names the two appendices rightly.
 
-        A describing function put where the text says, in the place of a block over time, would give a gain
-        for an output.
+        None on numbers. Whoever takes the listing that is named puts a gain where an output belongs.
     """)
 
 
-@claim("txt-5.2.5-references", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "txt-5.2.5-references",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1290, 1290),
+    paragraph=8,
+    severity=Severity.SLIP,
+)
 def of_zero_force(_: Evidence) -> Record:
     yield refers("figure", "fig-5.8", "fig-5.22", "the equivalent nonlinearity for $F_c = 0$")
     yield text("""
@@ -84,7 +106,14 @@ def of_zero_force(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.5-quoted-prediction", source="report/numbers/limit_cycle_numbers.py", impact=Impact.LOCAL)
+@claim(
+    "txt-5.2.5-quoted-prediction",
+    source="report/numbers/limit_cycle_numbers.py",
+    impact=Impact.LOCAL,
+    lines=(1290, 1301),
+    paragraph=8,
+    severity=Severity.SLIP,
+)
 def quoted_prediction(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.frequency
@@ -100,24 +129,32 @@ def quoted_prediction(known: Evidence) -> Record:
         + f"; {cut_off[0]} is {predicted:.4f} cut off" * bool(cut_off),
         method="each quoted number against the listing's coefficients",
         second=close(NEWTON, omega / TURN, predicted),
+        item="733.3, 733.34 and 733.33 Hz, one prediction in three roundings",
     )
     compared, rounded = 737.514, float(f"{predicted:.2f}")
     difference, from_cut_off = (100 * (compared / each - 1) for each in (rounded, 733.33))
     by_logarithms = 100 * math.expm1(math.log(compared) - math.log(rounded))
     second = close("the difference of logarithms", by_logarithms, difference)
     slip = repeated("733.33 Hz, cut off, is used for the rounded 733.34 Hz", from_cut_off)
-    yield digits("the difference to 737.514 Hz", "0.5705", difference, "%", second=second, slip=slip)
+    label = "the difference to 737.514 Hz"
+    yield digits(label, "0.5705", difference, "%", second=second, slip=slip, item=DIFFERENCE)
     yield text(r"""
-        Listing A.9's coefficients give [[ predicted | f4 ]] Hz, so 733.3 and 733.34 Hz are right roundings of
-        one number and 733.33 Hz is not. The amplitude fares alike: $3.3138\times10^{-5}$ m becomes
-        $3.313\times10^{-5}$ m in section 5.2.5. The percentage of that section follows from the number that
-        is cut off.
+        The coefficients of Listing A.9 give [[ predicted | f4 ]] Hz. 733.3 and 733.34 Hz are right roundings
+        of it; 733.33 Hz is cut off. So is the amplitude of section 5.2.5, where $3.3138\times10^{-5}$ m has
+        become $3.313\times10^{-5}$ m. The percentage of that section follows from the number that is cut off.
 
-        The difference is 0.5692 % from the rounded number; it compares with a wrong term in any case.
-    """).given(predicted=predicted)
+        None beyond a last digit: from the rounded number the difference is [[ difference | f4 ]] %.
+    """).given(predicted=predicted, difference=difference)
 
 
-@claim("txt-5.2.1-amplitude-symbols", source=SOURCE, impact=Impact.NOTATION)
+@claim(
+    "txt-5.2.1-amplitude-symbols",
+    source=SOURCE,
+    impact=Impact.NOTATION,
+    lines=(1018, 1028),
+    paragraph=8,
+    severity=Severity.SLIP,
+)
 def amplitude_symbols(known: Evidence) -> Record:
     under_the_symbol, simulated = "3.2995e-5", 3.2995e-5
     cycle = known.cycles.friction_listing.stable
@@ -137,12 +174,13 @@ def amplitude_symbols(known: Evidence) -> Record:
         second=close("half of the distance of the two readings", readings, simulated, 2e-5),
     )
     second = close(NEWTON, SMALL_GAP * ratio, predicted)
-    yield digits("footnote 4: $A_{lch}$ is the predicted one", "3.3138e-5", predicted, "m", second=second)
+    label = "footnote 4: $A_{lch}$ is the predicted one"
+    yield digits(label, "3.3138e-5", predicted, "m", second=second, item=AMPLITUDE)
     yield text("""
-        The nomenclature gives $A_{lcs}$ as the amplitude predicted by the condition for harmonic balance.
-        Footnotes 4 and 5 and the numbers of section 5.2.1 have it the other way round: s stands for the
-        simulation, h for harmonic balance. Section 5.2.5 writes $f_{lcs}$ for both, a frequency read from an
-        intersection and one from a spectrum.
+        The nomenclature gives $A_{lcs}$ as the predicted amplitude. Footnotes 4 and 5 and the numbers of
+        section 5.2.1 have it the other way round: s stands for the simulation, h for harmonic balance.
+        Section 5.2.5 writes $f_{lcs}$ for both, a frequency read from an intersection and one from a
+        spectrum.
 
         Read with the nomenclature, the error of section 5.2.1 would be relative to the prediction,
         [[ of_predicted | f4 ]] % instead of [[ of_simulated | f4 ]] %.
