@@ -16,7 +16,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
-from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.settings import FollowSettings
 from trimmer.mechanism.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism

@@ -14,11 +14,11 @@ from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
 from .branches.branch import BranchEnd as BranchEnd
-from .branches.follow import BalancedOrbit as BalancedOrbit
-from .branches.follow import FollowedBranch as FollowedBranch
-from .branches.follow import FollowedOrbit as FollowedOrbit
 from .branches.follow import follow as follow
 from .branches.follow_special import follow_special as follow_special
+from .branches.followed import BalancedOrbit as BalancedOrbit
+from .branches.followed import FollowedBranch as FollowedBranch
+from .branches.followed import FollowedOrbit as FollowedOrbit
 from .branches.locus import Locus as Locus
 from .branches.locus import LocusEnd as LocusEnd
 from .branches.locus import LocusRanges as LocusRanges
@@ -98,8 +98,8 @@ from .maps.result import MotionMap as MotionMap
 from .maps.runner import ProcessRunner as ProcessRunner
 from .maps.runner import Runner as Runner
 from .maps.runner import SerialRunner as SerialRunner
-from .maps.special_curves import SpecialCurve as SpecialCurve
-from .maps.special_curves import SpecialCurves as SpecialCurves
+from .maps.special_curve import SpecialCurve as SpecialCurve
+from .maps.special_curve import SpecialCurves as SpecialCurves
 from .maps.special_curves import special_curves as special_curves
 from .mechanism.matrices import LinearMatrices as LinearMatrices
 from .mechanism.matrices import linear_matrices as linear_matrices

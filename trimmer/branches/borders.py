@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.branches.arc import Arc
+from trimmer.branches.narrowing import narrowed
 from trimmer.branches.orbit import Place
 from trimmer.branches.period_map import Phase
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 MOST_BORDERS = 12
 """Changes of phases on one step, beyond which the step is shortened."""
-MOST_BISECTIONS = 60
 CONTINUOUS = 1e-9
 """Distance of the orbits on both sides of a border, beyond which the branch is torn."""
 
@@ -52,30 +52,12 @@ def borders(arc: Arc, near: Place, far: Place) -> list[Border] | None:
     found: list[Border] = []
     left = near
     while left.signature != far.signature:
-        border = _first(arc, left, far) if len(found) < MOST_BORDERS else None
-        if border is None:
+        nearest = narrowed(arc, left, far) if len(found) < MOST_BORDERS else None
+        if nearest is None or abs(nearest[0].position - nearest[1].position).max() > CONTINUOUS:
             return None
-        found.append(border)
-        left = border.after
+        found.append(Border(*nearest))
+        left = nearest[1]
     return found
-
-
-def _first(arc: Arc, left: Place, right: Place) -> Border | None:
-    """Find an orbit that leaves the phases of the left one, by bisection."""
-    signature = left.signature
-    for _ in range(MOST_BISECTIONS):
-        first, last = arc.distance(left), arc.distance(right)
-        if last - first <= arc.narrowest:
-            break
-        middle = arc.between(0.5 * (first + last), left, right)
-        if middle is None:
-            return None
-        if middle.signature == signature:
-            left = middle
-        else:
-            right = middle
-    torn = bool(abs(left.position - right.position).max() > CONTINUOUS)
-    return None if torn else Border(left, right)
 
 
 def special_points(arc: Arc, border: Border) -> list[SpecialPoint]:

@@ -23,7 +23,8 @@ class BranchEnd(Choice):
     REJOINED = "it joins the branch with half the period, or the symmetric one"
     TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
     NOT_ISOLATED = (
-        "a multiplier is 1: what sticks all the time could do so anywhere, so no single orbit goes on"
+        "a multiplier is 1, so that no single orbit goes on: as where something sticks all the time, which "
+        "it could do anywhere, or where nothing is lost"
     )
     STEP_TOO_SMALL = "no orbit was found near the last one"
     MOST_POINTS = "it has as many points as were asked for at most"

@@ -95,6 +95,7 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     guess = problem.place(problem.position(begin, state))
     if guess is None:
         return None
+    map, state = map.restarted(begin, state)
     problem = Problem(map, interval.span, scales(guess, None))
     across = np.append(np.zeros(len(state)), 1.0)
     position = problem.position(begin, state)

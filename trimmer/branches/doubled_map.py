@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_map import Passage, PeriodMap, Signature
+from trimmer.branches.period_map import Passage, PeriodMap, Phase, Signature
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +34,11 @@ class DoubledPassage:
         return self.second.jacobian @ self.first.jacobian
 
     @property
+    def monodromy(self) -> Reals:
+        """The matrix whose eigenvalues are the multipliers, n x n."""
+        return self.second.monodromy @ self.first.monodromy
+
+    @property
     def sizes(self) -> Reals:
         """Magnitude of each entry over both passages, shape (n,)."""
         return np.maximum(self.first.sizes, self.second.sizes)
@@ -52,6 +57,10 @@ class DoubledPassage:
     def middle(self) -> Reals:
         """End of the first passage, shape (n,)."""
         return self.first.end
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, s."""
+        return min(self.first.shortest(part, phase), self.second.shortest(part, phase))
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,)."""
@@ -91,3 +100,11 @@ class DoubledMap:
         """
         first = self.single.passage(value, state)
         return DoubledPassage(first, self.single.passage(value, first.end))
+
+    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:
+        """Return the map and the state to go on with from an orbit: both as they are."""
+        return self, state
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:
+        """Return the states of an orbit at which a passage may begin: the one that is known."""
+        return [state]

@@ -2,172 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import real_array, require_instance, whole_number
-from trimmer.arrays import Complexes, Reals
-from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
-from trimmer.branches.mirror import is_mirror_symmetric
-from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
+from trimmer.branches.fitting import fitting
+from trimmer.branches.followed import FollowedBranch, FollowedOrbit
+from trimmer.branches.mechanism_map import MechanismMap
+from trimmer.branches.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
-from trimmer.branches.special import SpecialPoint
-from trimmer.errors import MechanismError, OrbitNotFoundError, UnsupportedMotionError
-from trimmer.harmonics.balance import harmonic_balance_of
+from trimmer.contact.flow import ExactFlow
+from trimmer.errors import MechanismError, OrbitNotFoundError
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.place_text import parse_place, place_text
-from trimmer.response.forced_orbit import mechanism_orbit
-from trimmer.response.orbit import MechanismOrbit
+from trimmer.mechanism.place_text import parse_place
+from trimmer.messages import listed
+from trimmer.response.forced_orbit import mechanism_orbit, require_repeating
+from trimmer.response.orbit import NEUTRAL, MechanismOrbit
+from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import orbit_from_rest
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-SYMMETRIC = 1e-6
-"""Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
-
-
-@dataclass(frozen=True, eq=False)
-class BalancedOrbit:
-    """The same orbit by multi-harmonic balance.
-
-    Attributes:
-        distance: Root mean square of the difference from the exact displacements, relative to those, of the
-            body where it is largest; a number.
-        converged: Whether the forces balance.
-    """
-
-    distance: float
-    converged: bool
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedOrbit:
-    """An exact periodic motion on a branch.
-
-    Attributes:
-        point: The orbit on the branch: value, state, multipliers, stability.
-        map: The map of its whole period.
-    """
-
-    point: BranchPoint
-    map: MechanismMap
-
-    @property
-    def value(self) -> float:
-        """Value of the number that is varied, in its unit."""
-        return self.point.value
-
-    @property
-    def state(self) -> Reals:
-        """State at the start of a drive period, shape (n,)."""
-        return self.point.state
-
-    @property
-    def stable(self) -> bool:
-        """Whether neighbouring motions approach it."""
-        return self.point.stable
-
-    @property
-    def multipliers(self) -> Complexes:
-        """Floquet multipliers by falling modulus, (n,)."""
-        return self.point.multipliers
-
-    @property
-    def periods(self) -> int:
-        """Drive periods after which it repeats."""
-        return self.map.periods
-
-    @property
-    def events_per_period(self) -> float:
-        """Events in a drive period, the mean over the orbit."""
-        return self.point.events / self.periods
-
-    @cached_property
-    def passage(self) -> MechanismPassage:
-        """The motion over its period."""
-        return self.map.passage(self.point.value, self.point.state)
-
-    @cached_property
-    def outputs(self) -> Mapping[str, OutputMeasure]:
-        """Peak to peak and harmonics of each output."""
-        return output_measures(self.map.mechanism, self.passage.course)
-
-    def balanced(self, harmonics: int) -> BalancedOrbit:
-        """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
-
-        Args:
-            harmonics: Harmonics of the drive up to which the forces balance.
-
-        Raises:
-            UnsupportedMotionError: if a spring leans on a pin that moves on.
-        """
-        course = self.passage.course
-        exact = body_coefficients(course, self.periods, self.periods * harmonics)
-        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
-        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
-        power = course.nodes.weights @ moved**2 / course.duration
-        # What the exact motion has beyond the last harmonic is a part of the difference.
-        beyond = np.maximum(power - _power(exact), 0.0)
-        apart = _power(balance.coefficients - exact) + beyond
-        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
-        return BalancedOrbit(distance, balance.converged)
-
-
-def _power(harmonics: Complexes) -> Reals:
-    """Return the mean square of displacements without their mean, (bodies,)."""
-    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
-    return power
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedBranch:
-    """A branch of exact periodic motions of a mechanism over one of its numbers.
-
-    Attributes:
-        map: The map of the whole period of its motions, with the mechanism and the place of the number.
-        points: The motions, in the order in which they were followed.
-        special: The special points, in the same order.
-        reason: Why the branch ends.
-        message: The same as a sentence.
-        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
-            it joins there.
-        parted: The special point at which this one parts from another; None if it was begun by itself.
-    """
-
-    map: MechanismMap
-    points: tuple[FollowedOrbit, ...]
-    special: tuple[SpecialPoint, ...]
-    reason: BranchEnd
-    message: str
-    branches: tuple[FollowedBranch, ...] = ()
-    parted: SpecialPoint | None = None
-
-    @property
-    def periods(self) -> int:
-        """Drive periods after which the motions repeat."""
-        return self.map.periods
-
-    @property
-    def unit(self) -> str:
-        """SI unit of the number that is varied; Hz for a frequency."""
-        return self.map.mechanism.places[place_text(parse_place(self.map.place))]
-
-    def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
-        """Return peak to peak and harmonics of each output at a special point of the branch."""
-        course = self.map.passage(special.value, special.state).course
-        return output_measures(self.map.mechanism, course)
-
-    @property
-    def success(self) -> bool:
-        """Whether it was followed to an end of the interval, around, or to one that it joins."""
-        return self.reason.is_success
 
 
 def follow(
@@ -180,7 +39,7 @@ def follow(
     state: ArrayLike | None = None,
     settings: FollowSettings = DEFAULT,
 ) -> FollowedBranch:
-    """Follow a branch of exact periodic motions of a driven mechanism over one of its numbers.
+    """Follow a branch of exact periodic motions of a mechanism over one of its numbers.
 
     It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
     leaving the interval at either end. A motion that is its own mirror image half a period later is followed
@@ -188,14 +47,18 @@ def follow(
     a branch of asymmetric motions joins the symmetric one, it goes on along that towards ``stop``, and the
     other side of the symmetric one is followed as a branch that parts.
 
+    A mechanism without a frequency moves by itself. Then the period is an unknown of each orbit; the
+    multiplier that is 1, since the motion may be shifted in time, has no say in stability and special points.
+
     Args:
-        mechanism: The mechanism; it has a frequency.
+        mechanism: The mechanism.
         place: Dotted place of the number, such as ``frequency`` or ``plays.bridge.gap``.
         start: First value in SI units (Hz for a frequency), or text with its unit.
         stop: The other end of the interval.
         periods: Drive periods after which the motion repeats; by default those after which it does.
         state: State at the start of a drive period from which to begin instead, shape (n,); see
-            ``trimmer.contact.flow.ExactFlow.names`` for its entries.
+            ``trimmer.contact.flow.ExactFlow.names`` for its entries. Without a drive a state anywhere on the
+            motion and its period, s, shape (n + 1,), as ``FollowedOrbit.state``.
         settings: How to follow it.
 
     Returns:
@@ -203,9 +66,10 @@ def follow(
 
     Raises:
         MechanismError: if there is no such number, or it cannot have these values.
-        UnsupportedMotionError: if the mechanism has no frequency.
+        UnsupportedMotionError: if the mechanism never repeats, because a pin goes on for ever and pulls.
         WrongTypeError: if an argument has another type.
-        ValueError: if start and stop are equal, or a number is out of its range.
+        ValueError: if start and stop are equal, a number is out of its range, or ``periods`` is given without
+            a drive.
 
     Sources:
         Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer,
@@ -214,18 +78,16 @@ def follow(
     require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
     if periods is not None:
         whole_number("periods", periods, 1)
-    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
-    if begin == end:
-        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {begin:.10g}")
-    if place.endswith(".order"):
-        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+    begin, end = _interval(mechanism, place, start, stop)
     at_start = mechanism.with_value(place, begin)
+    scale = max(abs(begin), abs(end))
     if at_start.frequency is None:
-        raise UnsupportedMotionError(
-            "the mechanism has no frequency, so that nothing says after which time its motion repeats; "
-            "give it a frequency, or simulate it"
-        )
-    map = MechanismMap(at_start, place, max(abs(begin), abs(end)), periods or 1)
+        if periods is not None:
+            raise ValueError(
+                f"periods is {periods}, but the mechanism has no drive whose periods could count"
+            )
+        return _self_excited(SelfExcitedMap(at_start, place, scale), begin, end, state, settings)
+    map = MechanismMap(at_start, place, scale, periods or 1)
     if state is None:
         orbit = _orbit_at_start(at_start, settings.most_periods, periods)
         if orbit is None:
@@ -234,7 +96,7 @@ def follow(
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
         first = real_array("state", state)
-    map = _fitting(map, begin, first)
+    map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
         branch = replace(branch, message=_unsettled(begin, settings.most_periods))
@@ -242,6 +104,49 @@ def follow(
     while base.single is not None:
         base = base.single
     return _followed(branch, base)
+
+
+def _interval(mechanism: Mechanism, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
+    """Return both ends of an interval of a number, in SI units, once they were checked."""
+    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
+    if begin == end:
+        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {begin:.10g}")
+    if place.endswith(".order"):
+        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+    if mechanism.frequency is None and parse_place(place) == ("frequency",):
+        mechanism.value(place)
+    for each in (begin, end):
+        require_repeating(ExactFlow(mechanism.with_value(place, each)))
+    return begin, end
+
+
+def _self_excited(
+    map: SelfExcitedMap, begin: float, end: float, state: ArrayLike | None, settings: FollowSettings
+) -> FollowedBranch:
+    """Follow a mechanism that moves by itself, from what it settles to, or from a state and period."""
+    flow = map.flow(begin)
+    if state is None:
+        try:
+            orbit = self_excited_orbit(flow, flow.rest())
+        except OrbitNotFoundError as error:
+            message = f"at {begin:.10g} there is no motion to begin with: {error}"
+            return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
+        first = np.append(orbit.instant.state, orbit.period)
+    else:
+        first = real_array("state", state)
+        if first.shape != (map.size,):
+            raise MechanismError(
+                f"the start has the shape {first.shape}, but without a drive it is {map.size - 1} states "
+                f"and the period: {listed((*flow.names, 'period'))}"
+            )
+    passage = map.passage(begin, first)
+    if abs(np.linalg.eigvals(passage.monodromy) - 1.0).min() <= NEUTRAL:
+        reason = BranchEnd.NOT_ISOLATED
+        return FollowedBranch(map, (), (), reason, f"{reason.value}, at {begin:.10g}")
+    doubled: MechanismMap = map
+    for _ in range(passage.halvings):
+        doubled, first = doubled.doubled(), np.append(first[:-1], 0.5 * first[-1])
+    return _followed(continuation(doubled, first, begin, end, settings), map)
 
 
 def _orbit_at_start(mechanism: Mechanism, most_periods: int, periods: int | None) -> MechanismOrbit | None:
@@ -260,43 +165,6 @@ def _unsettled(begin: float, most_periods: int) -> str:
         f"from rest at {begin:.10g} the motion has not settled within {most_periods} drive periods; begin at "
         "another value, give the number of periods after which it shall repeat, or wait longer"
     )
-
-
-def _fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
-    """Return the map whose orbits a motion can join and leave, doubled so often that the motion is its orbit.
-
-    A motion that is its own mirror image is an orbit of half a period already. Where the number of periods
-    was given, and the motion repeats after half of it, nothing is doubled.
-    """
-    if map.periods % 2 == 0:
-        half = replace(map, periods=map.periods // 2)
-        return map if _repeats(half, map, value, state) else _asymmetric(half).doubled()
-    if not is_mirror_symmetric(map.mechanism):
-        return map
-    mirrored = replace(map, mirrored=True)
-    return mirrored if _repeats(mirrored, map, value, state) else mirrored.doubled()
-
-
-def is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
-    """Say whether a motion is its own mirror image half a period later, as far as it is known."""
-    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
-        return False
-    return _repeats(replace(map, mirrored=True), map, value, state)
-
-
-def _asymmetric(map: MechanismMap) -> MechanismMap:
-    """Return the map of an asymmetric motion, doubled from that of the simplest motion there can be."""
-    if map.periods % 2 == 0:
-        return _asymmetric(replace(map, periods=map.periods // 2)).doubled()
-    return replace(map, mirrored=True).doubled() if is_mirror_symmetric(map.mechanism) else map
-
-
-def _repeats(half: MechanismMap, map: MechanismMap, value: float, state: Reals) -> bool:
-    """Say whether a motion, as far as it is known, is an orbit of half of the map already."""
-    passage, whole = half.passage(value, state), map.passage(value, state)
-    sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)
-    unsettled = float(abs((whole.end - state) / sizes).max())
-    return float(abs((passage.end - state) / sizes).max()) <= SYMMETRIC + 10.0 * unsettled
 
 
 def _followed(branch: Branch, base: MechanismMap) -> FollowedBranch:

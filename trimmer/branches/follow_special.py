@@ -16,13 +16,15 @@ from tqdm import tqdm
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
 from trimmer.branches.continuation import SILENCE
-from trimmer.branches.follow import FollowedBranch, is_symmetric
+from trimmer.branches.fitting import is_symmetric, shortest_map
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.mechanism_map import MechanismMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.relocation import Sought, relocated
+from trimmer.branches.self_excited_map import SelfExcitedMap
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MechanismError
+from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.place_text import parse_place, place_text
 
 DEFAULT = LocusSettings()
@@ -110,12 +112,18 @@ def follow_special(
         settings: How to follow it.
 
     Raises:
+        UnsupportedMotionError: if the mechanism has no drive.
         MechanismError: if there is no such number, it is that of the branch, or it cannot have that value.
         ValueError: if the number has the value of stop already, or the ranges do not hold the point.
         WrongTypeError: if an argument has another type.
     """
     require_instance("branch", branch, FollowedBranch, "a trimmer.FollowedBranch")
     require_instance("special", special, SpecialPoint, "a special point of the branch")
+    if isinstance(branch.map, SelfExcitedMap):
+        raise UnsupportedMotionError(
+            "special points are followed over two numbers for driven motions only, and the mechanism has no "
+            "frequency; follow branches at several values of the second number"
+        )
     mechanism, first = branch.map.mechanism, place_text(parse_place(branch.map.place))
     second = place_text(parse_place(place))
     if second == first or second.endswith(".order"):
@@ -141,7 +149,7 @@ def _ranges_of(branch: FollowedBranch, special: SpecialPoint, begin: float, end:
 
 def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: LocusRanges) -> _Search:
     mechanism = branch.map.mechanism.with_value(branch.map.place, special.value)
-    map = replace(branch.map, mechanism=mechanism, single=None)
+    map = shortest_map(replace(branch.map, mechanism=mechanism, single=None), special.value, special.state)
     map = replace(map, mirrored=is_symmetric(map, special.value, special.state))
     scales = [max(abs(lowest), abs(highest)) for lowest, highest in ranges.both]
     maps = replace(map, scale=scales[0]), replace(map, place=second, scale=scales[1])

@@ -40,10 +40,14 @@ class Known:
             largest_step: Largest distance of the value, relative to the span.
         """
         doublings = problem.map.doublings + 1
+        value = problem.value(bifurcation.place.position)
         for known, point in self.rejoined:
-            away = abs(problem.position(point.value, point.state) - bifurcation.place.position)
-            if known == doublings and away[-1] <= largest_step and away.max() <= FARTHEST:
-                return True
+            if known != doublings or abs(value - point.value) > largest_step * problem.span:
+                continue
+            for phase in problem.map.phases(point.value, point.state):
+                away = abs(problem.position(point.value, phase) - bifurcation.place.position)
+                if away.max() <= FARTHEST:
+                    return True
         return False
 
     def holds(self, problem: Problem, end: BranchPoint) -> bool:
@@ -58,9 +62,10 @@ class Known:
         """
         images = [problem.position(end.value, state) for state in _images(problem.map, end)]
         known = [
-            problem.position(point.value, point.state)
+            problem.position(point.value, state)
             for doublings, point in self.ends
-            if doublings == problem.map.doublings
+            if doublings == problem.map.doublings and abs(point.value - end.value) <= SAME * problem.span
+            for state in problem.map.phases(point.value, point.state)
         ]
         return any(abs(image - each).max() <= SAME for image in images for each in known)
 
@@ -86,7 +91,7 @@ def _images(map: PeriodMap, point: BranchPoint) -> list[np.ndarray]:
     single, count = map, 1
     while single.single is not None:
         single, count = single.single, 2 * count
-    states = [point.state]
-    for _ in range(count - 1):
+    states = map.phases(point.value, point.state) or [point.state]
+    while len(states) < count:
         states.append(single.passage(point.value, states[-1]).end)
     return states

@@ -22,6 +22,7 @@ from trimmer.contact.statuses import (
     PLUS,
     RELEASED_MINUS,
     RELEASED_PLUS,
+    STICK,
     STICK_BEGUN,
 )
 from trimmer.errors import MechanismError, UnsupportedMotionError
@@ -31,6 +32,13 @@ DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
 MOST_STEPS = 200_000
 """Steps of a passage, after which it counts as one that cannot be followed."""
+STATUSES = {
+    Phase.UPPER: (PLUS,),
+    Phase.LOWER: (MINUS,),
+    Phase.EITHER: (PLUS, MINUS),
+    Phase.STICK: (STICK,),
+}
+"""Statuses of a part in each phase."""
 MIRRORED_CONTACT = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
 MIRRORED_FRICTION = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
@@ -98,21 +106,39 @@ class MechanismMap:
             MechanismError: if the number cannot have that value.
         """
         flow = self.flow(value)
-        begin = flow.at(state)
-        course = self.course(flow, begin)
-        final = self.returned(flow, course.end)
-        if final.statuses != begin.statuses:
-            begin, course = self._repeated(flow, state, final) or (begin, course)
-        return MechanismPassage(self, value, flow, begin, course)
+        return MechanismPassage(self, value, flow, *self.followed(flow, state))
 
-    def _repeated(self, flow: ExactFlow, state: Reals, final: Instant) -> tuple[Instant, Course] | None:
+    def followed(self, flow: ExactFlow, state: Reals, duration: float = 0.0) -> tuple[Instant, Course]:
+        """Return the motion from a state, for a duration, s, if that is given, and the instant it begins at.
+
+        Raises:
+            UnsupportedMotionError: if the motion cannot be followed.
+        """
+        begin = flow.at(state)
+        course = self.course(flow, begin, duration)
+        final = self.returned(flow, course.end)
+        if final.statuses == begin.statuses:
+            return begin, course
+        return self._repeated(flow, state, final, duration) or (begin, course)
+
+    def _repeated(
+        self, flow: ExactFlow, state: Reals, final: Instant, duration: float
+    ) -> tuple[Instant, Course] | None:
         """Return the motion that begins with the statuses of an end, if it ends with them again."""
         begin = flow.at(state, like=final)
         try:
-            course = self.course(flow, begin)
+            course = self.course(flow, begin, duration)
         except UnsupportedMotionError:
             return None
         return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
+
+    def restarted(self, value: float, state: Reals) -> tuple[MechanismMap, Reals]:
+        """Return the map and the state to go on with from an orbit: the drive says where it begins."""
+        return self, state
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:
+        """Return the states of an orbit at which a passage may begin: the one that is known."""
+        return [state]
 
     def neighbour(self, value: float) -> tuple[float, Mechanism]:
         """Return a value a little off, and the mechanism with that value.
@@ -126,13 +152,15 @@ class MechanismMap:
         except MechanismError:
             return value - step, self.mechanism.with_value(self.place, value - step)
 
-    def course(self, flow: ExactFlow, begin: Instant) -> Course:
-        """Follow the motion from an instant over the periods.
+    def course(self, flow: ExactFlow, begin: Instant, duration: float = 0.0) -> Course:
+        """Follow the motion from an instant over the periods, or for a duration, s, where one is given.
 
         Raises:
             UnsupportedMotionError: if the motion cannot be followed.
         """
-        if self.mirrored:
+        if duration:
+            course = flow.timed(begin, duration, MOST_STEPS)
+        elif self.mirrored:
             course = flow.timed(begin, 0.5 * self.periods * flow.period, MOST_STEPS)
         else:
             course = flow.course(begin, self.periods, MOST_STEPS)
@@ -187,6 +215,11 @@ class MechanismPassage:
         """Derivative of the end by the state, n x n."""
         return self.sign * self.course.monodromy
 
+    @property
+    def monodromy(self) -> Reals:
+        """The matrix whose eigenvalues are the multipliers, n x n."""
+        return self.jacobian
+
     @cached_property
     def sizes(self) -> Reals:
         """Largest magnitude of each entry at events and at equal times, shape (n,)."""
@@ -219,6 +252,18 @@ class MechanismPassage:
         status = self.flow.modes[int(log.mode[row])].statuses[part]
         return Phase.UPPER if status == PLUS else Phase.LOWER
 
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, or pauses, s.
+
+        Only what begins and ends within the passage counts, and what lasts longer than rounding can tell.
+        """
+        layout, log = self.flow.modes.layout, self.course.log
+        number = (*layout.contacts, *layout.frictions).index(part)
+        statuses = self.course.modes.tables.statuses[log.mode, number]
+        inside = np.isin(statuses, STATUSES[phase]).astype(np.int64)
+        lengths = np.diff(log.start[np.flatnonzero(np.diff(inside)) + 1])
+        return float(lengths[lengths > 0.0].min(initial=np.inf))
+
     @property
     def events(self) -> int:
         """Number of events."""
@@ -231,7 +276,7 @@ class MechanismPassage:
             return None
         (state,) = self.course.states(np.array([0.5 * self.course.duration]))
         sign = -1.0 if self.map.single.mirrored else 1.0
-        return np.asarray(sign * state[: len(self.end)])
+        return np.asarray(sign * state[: self.flow.size])
 
     @cached_property
     def _rate(self) -> Reals:
@@ -241,14 +286,15 @@ class MechanismPassage:
         own = self.flow.modes.layout
         if (layout.size, layout.contacts, layout.frictions) != (own.size, own.contacts, own.frictions):
             return self._difference(neighbour[1], step)
-        longer = self.course.duration * (layout.period / own.period - 1.0) / step
+        longer = self.course.duration * (layout.period / own.period - 1.0) / step if own.period else 0.0
         return self.sign * ValueChange(self.course, machine, step, longer).rate()
 
     def _difference(self, mechanism: Mechanism, step: float) -> Reals:
         """Return the derivative by a difference, where a part appears or vanishes with the number."""
         flow = ExactFlow(mechanism)
-        end = self.map.course(flow, flow.at(self.begin.state)).end
-        return np.asarray((self.sign * end.state - self.end) / step)
+        duration = 0.0 if flow.period else self.course.duration
+        end = self.map.course(flow, flow.at(self.begin.state), duration).end
+        return np.asarray(self.sign * (end.state - self.course.end.state) / step)
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,).

@@ -65,9 +65,16 @@ class Place:
         return np.column_stack([self.jacobian - np.eye(len(self.miss)), rate])
 
     @cached_property
+    def monodromy(self) -> Reals:
+        """The matrix whose eigenvalues are the multipliers, n x n."""
+        sizes = self.problem.sizes
+        monodromy: Reals = self.passage.monodromy * sizes / sizes[:, None]
+        return monodromy
+
+    @cached_property
     def multipliers(self) -> Complexes:
-        """Eigenvalues of the derivative of the passage's end by its state, shape (n,)."""
-        return np.asarray(np.linalg.eigvals(self.jacobian), dtype=np.complex128)
+        """Multipliers of the passage, shape (n,)."""
+        return np.asarray(np.linalg.eigvals(self.monodromy), dtype=np.complex128)
 
     @cached_property
     def signature(self) -> frozenset[tuple[tuple[str, Phase], int]]:

@@ -25,7 +25,8 @@ class OutputMeasure:
 
     Attributes:
         peak_to_peak: m.
-        harmonics: Amplitudes a_n, m, of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive.
+        harmonics: Amplitudes a_n, m, of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive, or
+            of the motion without a drive.
     """
 
     peak_to_peak: float
@@ -37,12 +38,14 @@ def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMea
 
     Args:
         mechanism: The mechanism.
-        course: Its motion over a whole number of drive periods, after which it repeats.
+        course: Its motion over a whole number of drive periods, after which it repeats; without a drive over
+            its own period.
     """
     layout, found = course.modes.layout, {}
+    omega = layout.omega or 2.0 * np.pi / course.duration
     for name, row in output_rows(mechanism, layout).items():
         lowest, highest = extremes(course, steady(row))
-        amplitudes = fourier(course, (course.nodes.states @ row)[:, None], layout.omega, HARMONICS)
+        amplitudes = fourier(course, (course.nodes.states @ row)[:, None], omega, HARMONICS)
         found[name] = OutputMeasure(highest - lowest, np.abs(amplitudes[:, 0]))
     return found
 

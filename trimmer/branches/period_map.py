@@ -28,6 +28,8 @@ class Passage(Protocol):
     Attributes:
         end: State at the end, shape (n,).
         jacobian: Derivative of ``end`` by the state, all changes of phase included, n x n.
+        monodromy: The matrix whose eigenvalues are the multipliers, n x n: ``jacobian``, unless the period is
+            a part of the state.
         sizes: Magnitude of each entry over the passage, positive where the entry ever moves, shape (n,).
         signature: The phases that begin in it.
         events: Number of events.
@@ -41,6 +43,9 @@ class Passage(Protocol):
     def jacobian(self) -> Reals: ...  # noqa: D102
 
     @property
+    def monodromy(self) -> Reals: ...  # noqa: D102
+
+    @property
     def sizes(self) -> Reals: ...  # noqa: D102
 
     @property
@@ -51,6 +56,10 @@ class Passage(Protocol):
 
     @property
     def middle(self) -> Reals | None: ...  # noqa: D102
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if it is not known."""
+        ...
 
     def rate(self) -> Reals:
         """Return the derivative of ``end`` by the number that is varied, shape (n,)."""
@@ -89,5 +98,21 @@ class PeriodMap(Protocol):
 
         Raises:
             TrimmerError: if the motion cannot be followed.
+        """
+        ...
+
+    def restarted(self, value: float, state: Reals) -> tuple[PeriodMap, Reals]:
+        """Return the map, and a state of the same orbit, with which to go on from an orbit.
+
+        Both stay as they are, unless the orbit must begin elsewhere.
+        """
+        ...
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:
+        """Return the states of an orbit at which a passage of this map may begin.
+
+        Args:
+            value: Value of the number that is varied.
+            state: Any state of the orbit, shape (n,).
         """
         ...

@@ -124,7 +124,8 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
     others: list[SpecialPoint] = []
     # Only what has parts may lie in a corner, to which steps must shorten until they reach it.
     smallest = SMALLEST if sought.parts else SHORT * reach
-    for point in _special_points(begun(problem, place, tangent), centre.position, reach, smallest):
+    front, smooth = begun(problem, place, tangent), not sought.parts
+    for point in _special_points(front, centre.position, reach, (smallest, smooth)):
         near = (
             np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
         )
@@ -134,12 +135,22 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
     return Relocated(None, tuple(others), problem)
 
 
-def _special_points(front: Front, centre: Reals, reach: float, smallest: float) -> Iterator[SpecialPoint]:
-    """Yield the special points of a branch from a front until it leaves the neighbourhood of a centre."""
+def _special_points(
+    front: Front, centre: Reals, reach: float, look: tuple[float, bool]
+) -> Iterator[SpecialPoint]:
+    """Yield the special points of a branch from a front until it leaves the neighbourhood of a centre.
+
+    Args:
+        front: Where it begins.
+        centre: Coordinates, (n + 1,).
+        reach: Distance from there within which it stays.
+        look: Length of the shortest step, and whether bifurcations are looked for.
+    """
+    smallest, smooth = look
     value = front.problem.value(front.place.position)
     half = 0.5 * front.problem.span  # positions are in spans, and ends of an interval in its length
     interval = Interval(value - half, value + half)
-    limits = Limits(interval, FollowSettings(largest_step=1.0))
+    limits = Limits(interval, FollowSettings(largest_step=1.0), smooth)
     length = ACROSS * reach
     for _ in range(MOST_STEPS):
         made, length = longest_step(front, min(length, ACROSS * reach), limits, smallest)

@@ -87,18 +87,19 @@ class Step:
     beyond: Place | None = None
 
 
-def step(front: Front, length: float, start: float, stop: float) -> Step | None:
+def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool = True) -> Step | None:
     """Follow the branch over a length, or to the end of the interval of values if that comes first.
 
     Args:
         front: Where it has got to.
         length: In coordinates without units.
-        start: The end of the interval where the branch began, in the same coordinates.
-        stop: The other end.
+        ends: The end of the interval where the branch began, and the other one, in the same coordinates.
+        smooth: Whether bifurcations are looked for too, and not only where phases change.
 
     Returns:
         The step; None if it does not succeed, or could have come upon another branch.
     """
+    start, stop = ends
     arc = Arc(front.problem, front.place.position, front.direction)
     predicted = front.place.position + length * front.tangent
     end = _end_passed(predicted, start, stop)
@@ -115,7 +116,7 @@ def step(front: Front, length: float, start: float, stop: float) -> Step | None:
         close = np.linalg.norm(far.position - front.place.position) <= CLOSE_TO_JOINT
         return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
-        made = _examined(front, arc, far)
+        made = _examined(front, arc, far, smooth)
     except LostError:
         return None
     if made is None or end is None:
@@ -169,8 +170,8 @@ def halves(problem: Problem, place: Place) -> Reals | None:
     return None if middle is None else middle / problem.sizes - place.position[:-1]
 
 
-def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
-    """Find all that is special between the front and an orbit; None if they cannot be on one branch.
+def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> Step | None:
+    """Find what is special between the front and an orbit; None if they cannot be on one branch.
 
     Raises:
         LostError: if an orbit between them is not found.
@@ -186,10 +187,11 @@ def _examined(front: Front, arc: Arc, far: Place) -> Step | None:
     special: list[SpecialPoint] = []
     switches: list[Bifurcation] = []
     for number, piece in enumerate(pieces):
-        border = (number > 0, number < len(crossed))
-        found = bifurcations(arc, _between(front, arc, piece, border))
-        special += [each.point for each in found]
-        switches += [each for each in found if each.switches]
+        if smooth:
+            border = (number > 0, number < len(crossed))
+            found = bifurcations(arc, _between(front, arc, piece, border))
+            special += [each.point for each in found]
+            switches += [each for each in found if each.switches]
         if number < len(crossed):
             special += at_border(arc, crossed[number])
     tangent = far.tangent(arc.direction)

@@ -13,7 +13,7 @@ from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.known import SAME
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
-from trimmer.branches.step import Front, Step, step
+from trimmer.branches.step import Front, Step, begun, step
 
 FIRST = 1e-3
 """Length of the first step."""
@@ -62,10 +62,17 @@ class Interval:
 
 @dataclass(frozen=True)
 class Limits:
-    """The interval of a branch, and how it is followed."""
+    """The interval of a branch, and how it is followed.
+
+    Attributes:
+        interval: The values.
+        settings: How it is followed.
+        smooth: Whether bifurcations are looked for too, and not only where phases change.
+    """
 
     interval: Interval
     settings: FollowSettings
+    smooth: bool = True
 
 
 def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:
@@ -100,6 +107,7 @@ def _obstacle(front: Front) -> BranchEnd:
 
 def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     """Return the front in the scale of its orbit, and the largest sizes so far."""
+    front = _restarted(front)
     sizes = scales(front.place, largest)
     largest = np.maximum(largest, abs(front.place.passage.sizes))
     problem = replace(front.problem, sizes=sizes)
@@ -110,13 +118,33 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
 
 
+def _restarted(front: Front) -> Front:
+    """Return the front with an orbit that begins where the map says it should, as far as it is found."""
+    problem = front.problem
+    value, state = problem.value(front.place.position), problem.state(front.place.position)
+    map, other = problem.map.restarted(value, state)
+    if map is problem.map:
+        return front
+    problem = replace(problem, map=map)
+    place = problem.place(problem.position(value, other))
+    if place is None:
+        return front
+    tangent = np.asarray(np.linalg.svd(place.slope)[2][-1])
+    place = problem.correct(place.position, tangent, float(tangent @ place.position))
+    # Neither period nor value depend on where an orbit begins.
+    ahead = None if place is None else place.tangent(tangent)
+    if place is None or ahead is None:
+        return front
+    return begun(problem, place, ahead * np.sign(ahead[-2:] @ front.tangent[-2:]))
+
+
 def longest_step(
     front: Front, length: float, limits: Limits, smallest: float = SMALLEST
 ) -> tuple[Step | None, float]:
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
     length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
     while length >= smallest:
-        made = step(front, length, *limits.interval.ends)
+        made = step(front, length, limits.interval.ends, smooth=limits.smooth)
         if made is not None:
             return made, length * float(np.clip(BEND / max(made.bend, 1e-9), 0.5, LENGTHENED))
         length *= 0.5
@@ -125,19 +153,25 @@ def longest_step(
 
 def _closed(first: Front, before: Front, after: Front) -> bool:
     """Say whether the branch passes its first orbit between two fronts, in its first direction."""
-    place = before.problem.adopted(first.place)
-    chord = after.place.position - before.place.position
-    share = float(chord @ (place.position - before.place.position)) / float(chord @ chord)
-    if not 0.0 < share <= 1.0 or place.signature not in (before.place.signature, after.place.signature):
+    if first.place.signature not in (before.place.signature, after.place.signature):
         return False
-    away = float(np.linalg.norm(before.place.position + share * chord - place.position))
-    if away > 0.1 * float(np.linalg.norm(chord)):
+    value, state = first.problem.value(first.place.position), first.problem.state(first.place.position)
+    phases = before.problem.map.phases(value, state)
+    return any(_passed(before.problem.position(value, each), before, after) for each in phases)
+
+
+def _passed(position: Reals, before: Front, after: Front) -> bool:
+    """Say whether a branch passes the orbit at a position between two fronts."""
+    chord = after.place.position - before.place.position
+    share = float(chord @ (position - before.place.position)) / float(chord @ chord)
+    if not 0.0 < share <= 1.0:
+        return False
+    guess = before.place.position + share * chord
+    if float(np.linalg.norm(guess - position)) > 0.1 * float(np.linalg.norm(chord)):
         return False
     normal = chord / np.linalg.norm(chord)
-    found = before.problem.correct(
-        before.place.position + share * chord, normal, float(normal @ place.position)
-    )
-    return found is not None and bool(abs(found.position - place.position).max() < SAME)
+    found = before.problem.correct(guess, normal, float(normal @ position))
+    return found is not None and bool(abs(found.position - position).max() < SAME)
 
 
 def scales(place: Place, before: Reals | None) -> Reals:

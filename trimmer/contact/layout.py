@@ -6,7 +6,8 @@ of each order of the drive, the time if a pin that something leans on moves on f
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -48,22 +49,22 @@ class Layout:
     pins: tuple[str, ...]
     pin_rows: Reals
 
-    @property
+    @cached_property
     def state_count(self) -> int:
         """Number of states: displacements, velocities, relaxing springs."""
         return 2 * len(self.bodies) + len(self.relaxing)
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Number of entries of the extended state."""
         return self.state_count + 2 * len(self.orders) + int(self.ramp) + 1
 
-    @property
+    @cached_property
     def period(self) -> float:
         """Period of the drive, s; 0 without one."""
         return 2 * np.pi / self.omega if self.omega else 0.0
 
-    @property
+    @cached_property
     def forcing(self) -> int:
         """Number of entries that force the states and are not forced by them."""
         return self.size - self.state_count
@@ -120,7 +121,7 @@ def layout_of(
     )
     rows = Rows(mechanism, layout)
     pin_rows = np.array([rows.displacement(name) for name in mechanism.pins]).reshape(-1, layout.size)
-    return Layout(**{**layout.__dict__, "pin_rows": pin_rows})
+    return replace(layout, pin_rows=pin_rows)
 
 
 def moves(part: Pin | Force) -> bool:

@@ -18,7 +18,7 @@ from trimmer.drawing.units import name_axis
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from trimmer.branches.follow import FollowedBranch
+    from trimmer.branches.followed import FollowedBranch
 
 _WIDTH, _HEIGHT = 6.4, 3.2
 _MARKERS = {
@@ -73,8 +73,14 @@ def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> No
             "-" if stable else "--",
             color=colour,
             linewidth=1.2 if stable else 0.8,
-            label=f"{'stable' if stable else 'unstable'}, period {branch.periods}",
+            label=f"{'stable' if stable else 'unstable'}, {_period(branch)}",
         )
+
+
+def _period(branch: FollowedBranch) -> str:
+    if branch.map.mechanism.frequency is None:
+        return "own period" if branch.periods == 1 else f"period doubled to {branch.periods}"
+    return f"period {branch.periods}"
 
 
 def _draw_special(axes: Axes, branch: FollowedBranch, name: str) -> None:

@@ -10,7 +10,7 @@ from trimmer.drawing.content import content_of
 
 if TYPE_CHECKING:
     from trimmer.maps.result import MotionMap
-    from trimmer.maps.special_curves import SpecialCurves
+    from trimmer.maps.special_curve import SpecialCurves
 
 _SIZE = (7.2, 4.4)
 

@@ -14,9 +14,9 @@ from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_orbit, of_window
-from trimmer.maps.same import same_orbit
-from trimmer.maps.settle import Settled, orbit_near, settle
+from trimmer.maps.settle import Settled, orbit_near, settle, strobed_sizes
 from trimmer.response.response import MotionKind
+from trimmer.response.same import SAME, same_states
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -233,5 +233,13 @@ def same_motion(first: CellMotion, second: CellMotion) -> bool:
     if first.kind is not second.kind:
         return False
     if first.kind is MotionKind.PERIODIC:
-        return same_orbit(np.array(first.states), np.array(second.states))
+        return alike(first, second)
     return first.failure == second.failure
+
+
+def alike(first: CellMotion, second: CellMotion, apart: float = SAME) -> bool:
+    """Return whether the orbits of two periodic motions differ by no more than a share of their sizes."""
+    ours, theirs = np.array(first.states), np.array(second.states)
+    if ours.shape != theirs.shape:
+        return False
+    return same_states(ours, theirs, apart * np.maximum(strobed_sizes(ours), strobed_sizes(theirs)))

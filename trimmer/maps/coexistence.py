@@ -13,11 +13,10 @@ import numpy as np
 from tqdm import tqdm
 
 from trimmer.arguments import require_instance, whole_number
-from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, same_motion
+from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, same_motion
 from trimmer.maps.motion_map import FEW, SILENCE
 from trimmer.maps.result import MotionMap
 from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
-from trimmer.maps.same import same_orbit
 from trimmer.response.response import MotionKind
 
 CONTINUED = 0.1
@@ -140,7 +139,7 @@ def _is_carried_on(orbit: CellMotion, other: CellMotion) -> bool:
     """Return whether two orbits of neighbouring cells look like one that is carried on."""
     if other.kind is not MotionKind.PERIODIC or other.period_count != orbit.period_count:
         return False
-    return same_orbit(np.array(orbit.states), np.array(other.states), CONTINUED)
+    return alike(orbit, other, CONTINUED)
 
 
 def _new(known: tuple[CellMotion, ...], found: tuple[CellMotion, ...]) -> tuple[CellMotion, ...]:

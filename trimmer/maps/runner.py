@@ -16,6 +16,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from itertools import islice
+from multiprocessing.synchronize import Event
 from typing import Any, Protocol, TypeVar
 
 from tqdm import TMonitor
@@ -60,16 +61,24 @@ class ProcessRunner:
 
     Attributes:
         processes: How many; by default as many as there are cores for this process.
+        chunk: Cells that go to a process at once.
 
     Raises:
-        ValueError: if it is not a whole number from 1 on.
+        ValueError: if one is not a whole number from 1 on.
     """
 
     processes: int | None = None
+    chunk: int = CHUNK
 
     def __post_init__(self) -> None:
         if self.processes is not None:
             whole_number("processes", self.processes, 1)
+        whole_number("chunk", self.chunk, 1)
+
+    @property
+    def count(self) -> int:
+        """How many processes there are."""
+        return self.processes or cores()
 
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
         """Yield the results of the cells as they come.
@@ -77,12 +86,13 @@ class ProcessRunner:
         Raises:
             WorkerError: if a process ended at once.
         """
-        remaining, count = iter(cells), self.processes or cores()
-        pool = ProcessPoolExecutor(count, _context(), _begin, (work,))
+        remaining, count, context = iter(cells), self.count, _context()
+        ended = context.Event()
+        pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
         pending: set[Future[list[Result]]] = set()
         try:
             while True:
-                while len(pending) < AHEAD * count and (chunk := list(islice(remaining, CHUNK))):
+                while len(pending) < AHEAD * count and (chunk := list(islice(remaining, self.chunk))):
                     pending.add(pool.submit(_done, chunk))
                 if not pending:
                     return
@@ -95,6 +105,9 @@ class ProcessRunner:
                 "go on with fewer processes"
             ) from error
         finally:
+            if pending:
+                # Nobody waits for what is under way, after an interrupt for example.
+                ended.set()
             pool.shutdown(wait=True, cancel_futures=True)
 
 
@@ -124,10 +137,11 @@ class _Worker:
     work: Callable[[Any], Any]
 
 
-def _begin(work: Callable[[Any], Any]) -> None:
-    """Prepare a process: it leaves interrupts to the one that began it, and ends when that one does."""
+def _begin(work: Callable[[Any], Any], ended: Event) -> None:
+    """Prepare a process: it leaves interrupts to the one that began it, and ends with it or when told."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
+    threading.Thread(target=_end_when, args=(ended,), daemon=True).start()
     _Worker.work = staticmethod(work)
 
 
@@ -136,6 +150,11 @@ def _end_with_parent() -> None:
     if parent is not None:
         parent.join()
         os._exit(1)
+
+
+def _end_when(ended: Event) -> None:
+    ended.wait()
+    os._exit(0)
 
 
 def _done(chunk: list[Any]) -> list[Any]:

@@ -163,7 +163,7 @@ def orbit_near(flow: ExactFlow, instant: Instant, periods: int) -> MechanismOrbi
 def _recurrence(states: Reals) -> tuple[int, float]:
     """Return after how many periods the last state nearly repeats, and how nearly, relative to sizes."""
     back = states[-2 : -2 - MOST_REPEATS : -1]
-    differences = (abs(back - states[-1]) / sizes_of(states[-2 * MOST_REPEATS :])).max(axis=1)
+    differences = (abs(back - states[-1]) / strobed_sizes(states[-2 * MOST_REPEATS :])).max(axis=1)
     good = max(CLOSER * float(differences.min()), REPEATED)
     count = int(np.flatnonzero(differences <= good)[0])
     return count + 1, float(differences[count])
@@ -173,7 +173,7 @@ def _beside(following: _Following, before: Instant, compared: int) -> Settled:
     """Follow a neighbour over the last drive periods of a motion, and say what can be said."""
     flow, periods, end = following.flow, len(following.states) - 1, following.instant
     states = following.states[-1 - compared :]
-    sizes = sizes_of(states)
+    sizes = strobed_sizes(states)
     neighbour = flow.strobe(flow.at(before.state + APART * sizes, like=before), compared)
     if neighbour.ending is not Ending.REACHED_END:
         return Settled(MotionKind.UNDECIDED, periods, end)
@@ -181,7 +181,7 @@ def _beside(following: _Following, before: Instant, compared: int) -> Settled:
     return Settled(kind, periods, end, lyapunov=exponent)
 
 
-def sizes_of(states: Reals) -> Reals:
+def strobed_sizes(states: Reals) -> Reals:
     """Return how large each state becomes, (n,); what hardly moves is measured by the others.
 
     Args:

@@ -14,7 +14,7 @@ from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Out
 from trimmer.mechanism.problems import as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.sense import problems_of_sense
+from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 
 if TYPE_CHECKING:
     from trimmer.mechanism.problems import Problem
@@ -144,6 +144,25 @@ class Mechanism:
         from trimmer.mechanism.places import with_value_at
 
         return with_value_at(self, place, value)
+
+
+def changed(mechanism: Mechanism, field_name: str, content: object) -> Mechanism:
+    """Return a mechanism in which one number has changed, without checking again what has not.
+
+    Args:
+        mechanism: The mechanism, which was checked.
+        field_name: The field with the number.
+        content: What stands there now; the number itself has been checked, and is what the parts hold.
+
+    Raises:
+        MechanismError: if the number does not go together with others.
+    """
+    contents = {**vars(mechanism), field_name: content}
+    if problems := list(problems_of_numbers(contents)):
+        raise MechanismError(as_message(problems))
+    made = object.__new__(Mechanism)
+    vars(made).update(contents)
+    return made
 
 
 def problems_with(content: Mapping[str, Any]) -> list[Problem]:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
+from trimmer.mechanism.mechanism import changed
 from trimmer.mechanism.parts import Friction, Output
 from trimmer.mechanism.place_text import key_text, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
@@ -19,6 +21,7 @@ from trimmer.mechanism.quantities import (
     WEIGHT,
     Quantity,
 )
+from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match, shown_value
 
@@ -82,10 +85,10 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
     number = _number(names, value, wanted)
     match names:
         case ("frequency",):
-            return replace(mechanism, frequency=number)
+            return changed(mechanism, "frequency", number)
         case ("outputs", name, body):
             weights = {**mechanism.outputs[name].weights, body: number}
-            return _with_entry(mechanism, "outputs", name, Output(weights))
+            return _with_entry(mechanism, "outputs", name, Output(ReadOnly(weights)))
         case ("start", name, key):
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[list(STATE).index(key)] = number
@@ -119,8 +122,7 @@ def assignment(text: str) -> tuple[str, float | str]:
 
 
 def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) -> Mechanism:
-    changed: dict[str, Any] = {section: {**getattr(mechanism, section), name: entry}}
-    return replace(mechanism, **changed)
+    return changed(mechanism, section, ReadOnly({**getattr(mechanism, section), name: entry}))
 
 
 def _number(names: Place, value: float | str, wanted: Quantity) -> float:
@@ -137,11 +139,30 @@ def _number(names: Place, value: float | str, wanted: Quantity) -> float:
 
 def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
     require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
-    names = parse_place(place)
+    names = _parsed(place)
+    if (quantity := _quantity(mechanism, names)) is not None:
+        return names, quantity
     known = quantities(mechanism)
-    if names in known:
-        return names, known[names]
     raise MechanismError(f"there is no number at {place_text(names)}; {_advice(names, known)}")
+
+
+_parsed = lru_cache(maxsize=256)(parse_place)
+"""The same few places are asked for over and over."""
+
+
+def _quantity(mechanism: Mechanism, names: Place) -> Quantity | None:
+    """Return what the number at a place measures, as ``quantities`` says; None if there is none."""
+    match names:
+        case ("frequency",):
+            return FREQUENCY
+        case ("outputs", name, body):
+            output = mechanism.outputs.get(name)
+            return None if output is None or body not in output.weights else WEIGHT
+        case ("start", name, key):
+            return STATE.get(key) if name in mechanism.bodies else None
+        case (section, name, key) if section in PARTS and name in getattr(mechanism, section):
+            return QUANTITIES[PARTS[section]].get(key)
+    return None
 
 
 def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:

@@ -40,14 +40,19 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from problems or _untouched(content)
 
 
+def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
+    """Find numbers that do not go together; whether each can stand in its place is not asked."""
+    yield from _contacts(content)
+    yield from _frictions(content["frictions"])
+    yield from _drive(content)
+
+
 def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from _carriers(content)
     for section in COUPLINGS:
         for name, part in content[section].items():
             yield from _ends((section, name, "between"), part.between, content)
-    yield from _contacts(content)
-    yield from _frictions(content["frictions"])
-    yield from _drive(content)
+    yield from problems_of_numbers(content)
     yield from _outputs(content)
     yield from _start(content)
     yield from _symbols(content)

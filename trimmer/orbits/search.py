@@ -193,7 +193,7 @@ class OrbitSearched:
     def _not_searched(self) -> list[str]:
         others = ["other unstable orbits"]
         if self.simulations is None:
-            others = ["other orbits, for which OrbitSearch(simulations=Simulations.ALWAYS) simulates"]
+            others = ["other orbits, which simulations look for if they are asked for (--simulate)"]
         else:
             others.append("stable orbits that none of these initial states leads to")
         return others

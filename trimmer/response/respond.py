@@ -114,7 +114,7 @@ class _Search:
 
     def _by_itself(self, instant: Instant) -> SettledMotion:
         try:
-            orbit = self_excited_orbit(self.flow, instant)
+            orbit = self_excited_orbit(self.flow, instant, settled=True)
         except OrbitNotFoundError as error:
             return SettledMotion(
                 MotionKind.UNDECIDED, None, None, 0, None, 1, 1.0, False, f"{str(error).capitalize()}."

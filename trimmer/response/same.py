@@ -18,19 +18,19 @@ SAME = 1e-6
 
 def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     """Return whether one orbit is the other, shifted by whole drive periods."""
-    return orbit.periods == other.periods and _visited(orbit, other.strobed)
+    return orbit.periods == other.periods and same_states(orbit.strobed, other.strobed, SAME * orbit.sizes)
 
 
 def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     """Return whether an orbit is the mirror image of another one, half a drive period later."""
-    if orbit.periods != other.periods or not is_symmetric(orbit.mechanism):
+    if orbit.periods != other.periods or not is_mirror_symmetric(orbit.mechanism):
         return False
-    return _visited(orbit, mirrored(other))
+    return same_states(orbit.strobed, mirrored(other), SAME * orbit.sizes)
 
 
 def keeps_symmetry(orbit: MechanismOrbit) -> bool | None:
     """Return whether an orbit is its own mirror image; None if the mechanism has none."""
-    return twins(orbit, orbit) if orbit.periods and is_symmetric(orbit.mechanism) else None
+    return twins(orbit, orbit) if orbit.periods and is_mirror_symmetric(orbit.mechanism) else None
 
 
 def mirrored(orbit: MechanismOrbit) -> Reals:
@@ -39,8 +39,12 @@ def mirrored(orbit: MechanismOrbit) -> Reals:
     return -orbit.course.states(times)[:, : orbit.flow.size]
 
 
-def is_symmetric(mechanism: Mechanism) -> bool:
-    """Return whether with each motion its mirror image, half a drive period later, is a motion too."""
+def is_mirror_symmetric(mechanism: Mechanism) -> bool:
+    """Say whether with x(t) also -x(t + T/2) is a motion, T the period of the drive.
+
+    Plays and frictions act on both sides alike; stops do not, nor do constant forces, offsets and velocities
+    of pins, and even orders.
+    """
     moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
     odd = all(part.order % 2 == 1 for part in moving)
     centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
@@ -48,7 +52,16 @@ def is_symmetric(mechanism: Mechanism) -> bool:
     return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
 
 
-def _visited(orbit: MechanismOrbit, states: Reals) -> bool:
-    apart = abs((states[:, None] - orbit.strobed[None]) / orbit.sizes).max(axis=2)
-    shifts = [np.roll(apart, shift, axis=1).diagonal() for shift in range(len(states))]
-    return any((each < SAME).all() for each in shifts)
+def same_states(ours: Reals, theirs: Reals, allowed: Reals) -> bool:
+    """Return whether the states of two orbits agree, wherever in their period they begin.
+
+    Args:
+        ours: States at the start of each drive period, (k, n).
+        theirs: Those of the other orbit.
+        allowed: Difference that is allowed of each state, (n,).
+    """
+    if ours.shape != theirs.shape:
+        return False
+    return any(
+        bool((abs(np.roll(ours, turns, axis=0) - theirs) <= allowed).all()) for turns in range(len(ours))
+    )

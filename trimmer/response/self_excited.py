@@ -22,34 +22,54 @@ if TYPE_CHECKING:
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.shooting import Shot
 
 STRETCHES = (20, 80, 320, 1280)
 """Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""
 NEAR = 0.1
 """Distance of two states as a share of their sizes at which Newton's method is tried."""
+RESTING = 1e-9
+"""Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
+ALIKE = 1e-6
+"""Distance of two states as a share of their sizes at which a motion has returned before its time."""
 MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
 
 
-def self_excited_orbit(flow: ExactFlow, instant: Instant) -> MechanismOrbit:
+def self_excited_orbit(flow: ExactFlow, instant: Instant, *, settled: bool = False) -> MechanismOrbit:
     """Find a periodic motion without a drive, from what a start settles to.
+
+    Args:
+        flow: The motion of the mechanism.
+        instant: The start.
+        settled: Whether it must be one that a motion can settle to; otherwise an unstable one that the motion
+            passes will do where it settles to none.
 
     Raises:
         OrbitNotFoundError: if nothing repeats in the time that was waited; the message says what was seen.
     """
-    unit, waited = time_scale(flow, instant), 0.0
+    unit, waited, unstable = time_scale(flow, instant), 0.0, None
     for stretch in STRETCHES:
         course = flow.timed(instant, stretch * unit)
         if course.ending is not Ending.REACHED_END:
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         waited += course.duration
-        if at_rest(course):
+        if at_rest(course, unit):
             raise OrbitNotFoundError(f"it comes to rest within {waited:.6g} s, and nothing sets it in motion")
-        orbit = _recurring(flow, course)
+        orbits = _recurring(flow, course)
+        orbit = next((each for each in orbits if each.stable or each.neutral), None)
         if orbit is not None:
             return orbit
+        unstable = orbits[0] if orbits and unstable is None else unstable
         instant = replace(course.end, phase=0.0)
-    raise OrbitNotFoundError(f"nothing repeats within {waited:.6g} s; another start may settle")
+    if unstable is None:
+        raise OrbitNotFoundError(f"nothing repeats within {waited:.6g} s; another start may settle")
+    if settled:
+        raise OrbitNotFoundError(
+            f"within {waited:.6g} s it settles to nothing that repeats; it passes an unstable motion with a "
+            f"period of {unstable.period:.9g} s"
+        )
+    return unstable
 
 
 def time_scale(flow: ExactFlow, instant: Instant) -> float:
@@ -60,17 +80,28 @@ def time_scale(flow: ExactFlow, instant: Instant) -> float:
     return float(2 * np.pi / moving.min()) if len(moving) else 1.0
 
 
-def at_rest(course: Course) -> bool:
-    """Return whether a motion has come to rest at its end."""
-    layout, sizes = course.modes.layout, sizes_of(course)
+def at_rest(course: Course, unit: float) -> bool:
+    """Return whether a motion has come to rest at its end.
+
+    Args:
+        course: The motion.
+        unit: A time in which it would move, s.
+    """
+    layout, count = course.modes.layout, len(course.modes.layout.bodies)
+    states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
+    sizes = abs(states).max(axis=0)
+    longest = sizes[:count].max(initial=0.0)
+    sizes[:count], sizes[count : 2 * count] = longest, 2 * np.pi * longest / unit
     flow = course.modes[course.modes.number(course.end.statuses)].flow
     extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
-    rates = abs((flow @ extended)[: layout.state_count]) * course.duration
-    return bool((rates <= 1e-9 * sizes).all())
+    rates = abs((flow @ extended)[: layout.state_count]) * unit
+    return bool((rates <= RESTING * sizes).all())
 
 
-def _recurring(flow: ExactFlow, course: Course) -> MechanismOrbit | None:
+def _recurring(flow: ExactFlow, course: Course) -> list[MechanismOrbit]:
+    """Return the orbits that recurrences of a motion lead to, up to the first that is stable."""
     sizes = sizes_of(course)
+    found: list[MechanismOrbit] = []
     for first, last in _recurrences(course, sizes)[:MOST_TRIED]:
         log = course.log
         begin = log.start[first]
@@ -84,9 +115,26 @@ def _recurring(flow: ExactFlow, course: Course) -> MechanismOrbit | None:
             known_action=np.full_like(course.end.known_action, -1),
         )
         shot = solve(Return(flow, 0), flow.at(state, like=quiet), float(log.start[last] - begin))
-        if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course):
-            return orbit_of(flow, shot, 0)
-    return None
+        if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course, shot.duration):
+            found.append(orbit_of(flow, _once(flow, shot), 0))
+            if found[-1].stable:
+                break
+    return found
+
+
+def _once(flow: ExactFlow, shot: Shot) -> Shot:
+    """Return a motion that repeats over its smallest period."""
+    course = shot.course
+    for count in range(len(course.events), 1, -1):
+        if len(course.events) % count:
+            continue
+        (state,) = course.states(np.array([course.duration / count]))
+        if (abs(state[: flow.size] - course.begin.state) > ALIKE * shot.sizes).any():
+            continue
+        shorter = solve(Return(flow, 0), course.begin, course.duration / count)
+        if shorter is not None and shorter.miss <= CLOSED and not at_rest(shorter.course, shorter.duration):
+            return shorter
+    return shot
 
 
 def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -24,6 +25,13 @@ class Given:
     events: int = 0
     middle: None = None
 
+    @property
+    def monodromy(self) -> np.ndarray:
+        return self.jacobian
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        return math.inf
+
     def rate(self) -> np.ndarray:
         return self.by_value
 
@@ -36,6 +44,12 @@ class Single:
 
     def doubled(self) -> DoubledMap:
         return DoubledMap(self)
+
+    def restarted(self, value: float, state: np.ndarray) -> tuple[Single, np.ndarray]:
+        return self, state
+
+    def phases(self, value: float, state: np.ndarray) -> list[np.ndarray]:
+        return [state]
 
 
 @dataclass(frozen=True)

@@ -11,14 +11,15 @@ import pytest
 
 from tests.trimmer.branches.published import DEAD_ZONE, OSCILLATOR_WITH_STOP
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.follow import FollowedBranch, follow
-from trimmer.branches.mirror import is_mirror_symmetric
+from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
 from trimmer.response.forced_orbit import forced_orbit
+from trimmer.response.same import is_mirror_symmetric
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TURN = 2.0 * math.pi
@@ -38,7 +39,8 @@ def assert_special(
 
 
 def test_two_masses_and_a_stop() -> None:
-    # Published example of NLvib, rad/s. The fold 6e-9 below the first grazing is our own finding.
+    # Published example of NLvib, rad/s. The fold 6e-9 below the first grazing is in no published list;
+    # test_fold_beside_a_grazing.py finds it in another way.
     mechanism = Mechanism.from_toml(EXAMPLES / "two-mass-stop.toml")
     branch = follow(mechanism, "frequency", 0.85 / TURN, 0.5 / TURN, settings=ALONE)
     expected = [
@@ -190,9 +192,9 @@ def test_what_cannot_be_followed() -> None:
         follow(mechanism, "pins.pin.order", 1.0, 3.0)
     with pytest.raises(ValueError, match="interval"):
         follow(mechanism, "frequency", 110.0, 110.0)
-    free = Mechanism(bodies={"body": Body(1.0)}, links={"spring": Link(("ground", "body"), 1.0)})
-    with pytest.raises(UnsupportedMotionError, match="frequency"):
-        follow(free, "bodies.body.mass", 1.0, 2.0)
+    leaning = replace(mechanism, pins={"pin": replace(mechanism.pins["pin"], velocity=1.0)})
+    with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
+        follow(leaning, "frequency", 110.0, 120.0)
 
 
 def test_a_motion_that_does_not_settle_is_said() -> None:

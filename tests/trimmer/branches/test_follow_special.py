@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.branches.test_follow import dead_zone
-from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow import follow
 from trimmer.branches.follow_special import follow_special
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -107,6 +108,45 @@ def test_both_grazings_of_the_dead_zone_lie_where_the_linear_motion_is_as_wide_a
         assert locus.reason is LocusEnd.LEFT
         omega = TURN * locus.first
         assert locus.second == pytest.approx(0.05 * omega**2 / abs(1.0 - omega**2 + 0.1j * omega), rel=1e-9)
+
+
+def onset_of_stick(ratio: np.ndarray) -> np.ndarray:
+    """Friction, relative to the force, at which Den Hartog's motion begins to stick where it turns.
+
+    There the displacement times stiffness less the force of the drive is the friction: x k/P r² = b, with
+    x k/P = sqrt(V² - b² U²) from his formula.
+    """
+    v = 1.0 / (1.0 - ratio**2)
+    u = np.sin(np.pi / ratio) / (ratio * (1.0 + np.cos(np.pi / ratio)))
+    return np.asarray(ratio**2 * abs(v) / np.sqrt(1.0 + ratio**4 * u**2))
+
+
+@pytest.mark.parametrize("stop", [0.75, 1.9])
+def test_stick_begins_where_den_hartogs_formula_says(stop: float) -> None:
+    mechanism = Mechanism.from_toml(EXAMPLES / "den-hartog.toml").with_value("frequency", 1.2 / TURN)
+    branch = follow(mechanism, "frictions.floor.force", 0.6, 0.8, settings=ALONE)
+    (stick,) = branch.special
+    assert (stick.kind, stick.parts) == (SpecialKind.STICK, ("floor",))
+    ranges = LocusRanges((0.2, 1.4), (0.75 / TURN, 1.9 / TURN))
+    locus = follow_special(branch, stick, "frequency", stop / TURN, ranges=ranges)
+    assert locus.reason is LocusEnd.LEFT
+    assert locus.second[-1] * TURN == pytest.approx(stop, rel=1e-12)
+    assert locus.first == pytest.approx(onset_of_stick(TURN * locus.second), rel=1e-11)
+
+
+def test_a_doubling_at_which_a_branch_joins_is_followed_as_one_of_the_single_motion(
+    branch: FollowedBranch,
+) -> None:
+    doubled = branch.map.mechanism.with_value("frequency", 0.886)
+    joined = follow(doubled, "frequency", 0.886, 0.87, settings=ALONE)
+    assert joined.periods == 2
+    (joint,) = [each for each in joined.special if each.kind is SpecialKind.PERIOD_DOUBLING]
+    ranges = LocusRanges((0.85, 0.95), (9.95, 10.05))
+    locus = follow_special(joined, joint, GAP, 10.05, ranges=ranges)
+    assert locus.periods == 1
+    single = follow_special(branch, of_kind(branch, SpecialKind.PERIOD_DOUBLING), GAP, 10.05, ranges=ranges)
+    assert locus.reason is single.reason is LocusEnd.LEFT
+    assert locus.values[-1] == pytest.approx(single.values[-1], rel=1e-9)
 
 
 def test_a_locus_ends_at_most_points_and_says_where(branch: FollowedBranch) -> None:

@@ -10,7 +10,8 @@ import pytest
 from tests.trimmer.branches.maps import Cubic, Logistic
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.branches.follow import FollowedBranch, follow
+from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.joining import joint
 from trimmer.branches.orbit import Problem
 from trimmer.branches.settings import FollowSettings

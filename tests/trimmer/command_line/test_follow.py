@@ -71,6 +71,11 @@ def test_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         (["--vary", "plays.bridge.gap", "--from", "3 kg", "--to", "1"], "kg"),
         (["--vary", "plays.bridge.gap", "--from", "-1e-6", "--to", "1e-4"], "plays.bridge.gap"),
         (["--vary", "frequency", "--from", "110", "--to", "110"], "interval"),
+        (["--vary", "plays.bridge.gap=1", "--from", "1", "--to", "2"], "'plays.bridge.gap=1' is no place"),
+        (
+            ["--vary", "frequency", "--from", "110", "--to", "120", "--points", "1"],
+            "--points 1: give a whole",
+        ),
     ],
 )
 def test_wrong_use(options: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -86,3 +91,41 @@ def test_what_does_not_settle_ends_with_a_sentence(capsys: pytest.CaptureFixture
     code = main(["follow", file, *smooth, "--vary", "frequency", "--from", "110", "--to", "120"])
     assert code == 3
     assert "has not settled within" in capsys.readouterr().err
+
+
+BELT = ["follow", str(EXAMPLES / "block-on-belt.toml"), "--vary", "pins.belt.velocity"]
+
+
+def test_what_moves_by_itself_tells_its_period(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*BELT, "--from", "200 mm/s", "--to", "0.25"]) == 0
+    shown = capsys.readouterr().out
+    assert "orbits with a period of their own" in shown
+    assert "period, s" in shown
+    assert main([*BELT, "--from", "200 mm/s", "--to", "0.25", "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["period_count"] == 1
+    first = content["points"][0]
+    assert first["period"] == pytest.approx(8.902605407815, rel=1e-12)
+    assert sorted(abs(complex(*each)) for each in first["multipliers"]) == pytest.approx(
+        [0.0, 1.0], abs=1e-12
+    )
+    assert first["stable"] is True
+    assert first["outputs"]["block"]["peak_to_peak"] == pytest.approx(2 * 0.538516480713, rel=1e-11)
+
+
+def test_what_moves_by_itself_is_drawn(tmp_path: Path) -> None:
+    file = tmp_path / "belt.svg"
+    assert main([*BELT, "--from", "0.2", "--to", "0.25", "--plot", str(file)]) == 0
+    assert b"<svg" in file.read_bytes()
+
+
+@pytest.mark.parametrize("option", ["--periods", "--harmonics", "--wait"])
+def test_options_of_a_drive_are_refused_without_one(option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*BELT, "--from", "0.2", "--to", "0.25", option, "2"]) == 2
+    assert f"{option} has no effect without a frequency in the file" in capsys.readouterr().err
+
+
+def test_a_frequency_that_is_not_there_is_not_varied(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["follow", str(EXAMPLES / "block-on-belt.toml"), "--vary", "frequency"]
+    assert main([*arguments, "--from", "1", "--to", "2"]) == 2
+    assert "frequency: the mechanism has none; it moves by itself" in capsys.readouterr().err

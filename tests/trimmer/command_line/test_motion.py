@@ -99,6 +99,16 @@ def test_orbits_stand_beside_their_predictions(capsys: pytest.CaptureFixture[str
     assert orbits[0]["amplitude"] == pytest.approx(8.28949 * 4e-6, rel=1e-6)
 
 
+def test_orbits_name_the_option_that_looks_for_more(capsys: pytest.CaptureFixture[str]) -> None:
+    chosen = ["orbits", "--element", "friction", "--gap", "4e-6", "--channels", "displacement"]
+    assert main(chosen) == 0
+    shown = capsys.readouterr().out
+    assert "(--simulate)" in shown
+    assert "OrbitSearch" not in shown
+    assert main([*chosen, "--simulate"]) == 0
+    assert "stable orbits by simulation from 32 initial states" in capsys.readouterr().out
+
+
 def test_orbits_say_what_was_searched(capsys: pytest.CaptureFixture[str]) -> None:
     chosen = ["orbits", "--element", "coulomb", "--force", "0.5", "--channels", "displacement"]
     assert main(chosen) == 0

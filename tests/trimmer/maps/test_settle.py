@@ -7,10 +7,10 @@ import pytest
 
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer.contact.flow import ExactFlow
-from trimmer.maps.same import same_orbit
 from trimmer.maps.settle import _looks, settle
 from trimmer.mechanism import Mechanism
 from trimmer.response.response import MotionKind
+from trimmer.response.same import same_states
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 
@@ -78,6 +78,6 @@ def test_looks_add_up_to_the_periods_that_are_given(periods: int) -> None:
 
 def test_an_orbit_is_the_same_wherever_it_begins_and_another_one_is_not() -> None:
     states = np.array([[1.0, 0.0], [0.5, 2.0], [-1.0, 1.0]])
-    assert same_orbit(states, np.roll(states, 1, axis=0))
-    assert not same_orbit(states, states[::-1])
-    assert not same_orbit(states, states[:1])
+    assert same_states(states, np.roll(states, 1, axis=0), np.full(2, 1e-6))
+    assert not same_states(states, states[::-1], np.full(2, 1e-6))
+    assert not same_states(states, states[:1], np.full(2, 1e-6))

@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -25,6 +28,42 @@ TRIMMER = Mechanism(
     forces={"rotor": Force("motor", unbalance=1e-5)},
     outputs={"stroke": Output({"cutter": 1.0, "2. guard": -1.0})},
 )
+
+
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+
+
+@pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)
+def test_a_changed_mechanism_is_the_one_that_is_checked_as_a_whole(file: Path) -> None:
+    mechanism = Mechanism.from_toml(file)
+    before = hash(mechanism)
+    for place in mechanism.places:
+        if mechanism.frequency is None and place.endswith(("frequency", ".amplitude", ".unbalance")):
+            continue
+        factor = 1.1 if place.endswith(".static") else 0.9
+        value = 2 if place.endswith(".order") else factor * mechanism.value(place) or 0.25
+        changed = mechanism.with_value(place, value)
+        whole = replace(changed)
+        assert changed == whole
+        assert hash(changed) == hash(whole)
+        assert changed.to_toml() == whole.to_toml()
+        assert changed.value(place) == value
+        assert type(changed.value(place)) is type(whole.value(place))
+    assert hash(mechanism) == before
+
+
+def test_numbers_that_do_not_go_together_are_refused_one_by_one_too() -> None:
+    with pytest.raises(MechanismError, match=r"frictions\.blade\.static.*less than the kinetic one"):
+        TRIMMER.with_value("frictions.blade.static", 0.2)
+    with pytest.raises(MechanismError, match=r"plays\.bridge\.stiffness.*needs a stiffness"):
+        TRIMMER.with_value("plays.bridge.stiffness", 0.0)
+    block = Mechanism(
+        {"block": Body(1.0)}, pins={"belt": Pin("ground")}, links={"spring": Link(("belt", "block"), 1.0)}
+    )
+    with pytest.raises(MechanismError, match=r"pins\.belt\.amplitude.*no frequency"):
+        block.with_value("pins.belt.amplitude", 1.0)
+    with pytest.raises(MechanismError, match="must be finite"):
+        TRIMMER.with_value("plays.bridge.gap", float("nan"))
 
 
 def test_all_numbers_have_places() -> None:

@@ -19,6 +19,11 @@ from trimmer.command_line.parser import INTERRUPTED, tell
 def _configure(parser: ArgumentParser) -> None:
     add_element_options(parser)
     add_loop_options(parser)
+    parser.add_argument(
+        "--simulate",
+        action="store_true",
+        help="look for more stable orbits by simulation from 32 initial states",
+    )
     add_json_option(parser)
 
 
@@ -27,7 +32,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.loops.orbits_text import as_json, as_text
     from trimmer.errors import OrbitNotFoundWarning
     from trimmer.orbits.periodic_orbits import periodic_orbits
-    from trimmer.orbits.search import OrbitSearchInterrupted
+    from trimmer.orbits.search import OrbitSearch, OrbitSearchInterrupted, Simulations
 
     loop = closed_loop(arguments)
     predictions = harmonic_balance(loop)
@@ -36,7 +41,8 @@ def _run(arguments: Namespace) -> int:
         # The table says it too, beside the prediction.
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
-            orbits = periodic_orbits(loop, predictions)
+            search = OrbitSearch(simulations=Simulations.ALWAYS) if arguments.simulate else None
+            orbits = periodic_orbits(loop, predictions, search=search)
         except OrbitSearchInterrupted as interrupt:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:

@@ -16,10 +16,11 @@ from trimmer.command_line.file_options import (
 from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
-from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
+from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
 
 if TYPE_CHECKING:
-    from trimmer.branches.follow import FollowedBranch
+    from trimmer.branches.followed import FollowedBranch
+    from trimmer.mechanism.mechanism import Mechanism
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -52,6 +53,13 @@ def _configure(parser: ArgumentParser) -> None:
         help="most motions on each branch (default: 2000)",
     )
     parser.add_argument(
+        "--wait",
+        type=positive_whole,
+        default=2000,
+        metavar="N",
+        help="drive periods to wait at A until it has settled (default: 2000)",
+    )
+    parser.add_argument(
         "--switches",
         type=int,
         choices=(0, 1, 2, 3, 4),
@@ -73,7 +81,12 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.follow_text import as_json, as_text
 
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
-    branch = _branch(arguments)
+    if arguments.points < 2:
+        raise OptionError(f"--points {arguments.points}: give a whole number from 2 on")
+    mechanism = chosen_mechanism(arguments)
+    if mechanism.frequency is None:
+        refuse_unused(arguments, ["periods", "harmonics", "wait"], "a frequency in the file")
+    branch = _branch(arguments, mechanism)
     _draw(arguments, branch)
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
     show(text, arguments.plot)
@@ -83,17 +96,20 @@ def _run(arguments: Namespace) -> int:
     return ENDED_EARLY
 
 
-def _branch(arguments: Namespace) -> FollowedBranch:
+def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
     from trimmer.branches.follow import follow
     from trimmer.branches.settings import FollowSettings
+    from trimmer.mechanism.place_text import parse_place
     from trimmer.mechanism.places import assignment
 
+    parse_place(arguments.vary)
     (place, start), (_, stop) = (
         assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
     )
-    mechanism = chosen_mechanism(arguments)
     try:
-        settings = FollowSettings(most_points=arguments.points, switches=arguments.switches)
+        settings = FollowSettings(
+            most_points=arguments.points, switches=arguments.switches, most_periods=arguments.wait
+        )
         return follow(mechanism, place, start, stop, periods=arguments.periods, settings=settings)
     except ValueError as error:
         raise OptionError(str(error)) from error

@@ -10,7 +10,7 @@ from trimmer.command_line.json_values import pair
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
-    from trimmer.branches.follow import FollowedBranch, FollowedOrbit
+    from trimmer.branches.followed import FollowedBranch, FollowedOrbit
     from trimmer.branches.special import SpecialPoint
 
 
@@ -33,12 +33,14 @@ def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[s
     begun = "Periodic motions" if branch.parted is None else f"From {branch.parted.kind.word} at"
     at = "" if branch.parted is None else f" {branch.parted.value:.10g}"
     lines = [f"{begun}{at} over {branch.map.place} ({branch.unit}): {_many(branch)}"]
-    lines += table(("from", "to", "orbits", "stable", *_output_heads(branch)), _stretches(branch))
+    lines += table(("from", "to", "orbits", "stable", *_heads(branch)), _stretches(branch))
     if branch.special:
         heads = ("special", "value", "parts and what happens")
         lines += ["Special points, in their order:", *table(heads, [_row(each) for each in branch.special])]
     if harmonics is not None:
         lines.append(_balance(branch, harmonics))
+    if branch.points:
+        lines.append(f"Searched: {branch.searched}")
     lines = [indent + line for line in [*lines, f"End: {branch.message}"]]
     for other in branch.branches:
         lines += _lines(other, harmonics, indent + "    ")
@@ -49,22 +51,26 @@ def _many(branch: FollowedBranch) -> str:
     """Say how many orbits a branch has, and how long they are."""
     count, periods = len(branch.points), branch.periods
     orbits = f"{count} orbit" if count == 1 else f"{count} orbits"
+    if branch.map.mechanism.frequency is None:
+        return f"{orbits} with a period of their own" + (", which has doubled" if periods > 1 else "")
     return f"{orbits} with " + ("the drive's period" if periods == 1 else f"{periods} drive periods")
 
 
-def _output_heads(branch: FollowedBranch) -> list[str]:
-    return [f"{name}, peak to peak, m" for name in branch.map.mechanism.outputs]
+def _heads(branch: FollowedBranch) -> list[str]:
+    """Return the headings of the ranges: of the period, unless a drive gives it, and of each output."""
+    own = ["period, s"] if branch.map.mechanism.frequency is None else []
+    return [*own, *(f"{name}, peak to peak, m" for name in branch.map.mechanism.outputs)]
 
 
 def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
-    """Return the stretches on which stability does not change, their orbits, and the range of each output."""
+    """Return the stretches on which stability does not change, their orbits, and the ranges of measures."""
     rows = []
     for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
         points = list(group)
-        ranges = []
+        columns = [[point.period for point in points]] if branch.map.mechanism.frequency is None else []
         for name in branch.map.mechanism.outputs:
-            values = [point.outputs[name].peak_to_peak for point in points]
-            ranges.append(f"{min(values):.6g} to {max(values):.6g}")
+            columns.append([point.outputs[name].peak_to_peak for point in points])
+        ranges = [f"{min(values):.6g} to {max(values):.6g}" for values in columns]
         ends = (f"{points[0].value:.8g}", f"{points[-1].value:.8g}")
         rows.append((*ends, str(len(points)), "yes" if stable else "no", *ranges))
     return rows
@@ -93,6 +99,7 @@ def _content(branch: FollowedBranch, harmonics: int | None) -> dict[str, object]
         "reason": branch.reason.word,
         "success": branch.success,
         "message": branch.message,
+        "searched": branch.searched,
         "parted": None if branch.parted is None else _special(branch.parted),
         "points": [_point(point, harmonics) for point in branch.points],
         "special": [_special(each) for each in branch.special],
@@ -113,6 +120,7 @@ def _point(point: FollowedOrbit, harmonics: int | None) -> dict[str, object]:
     balance = None if harmonics is None else point.balanced(harmonics)
     return {
         "value": point.value,
+        "period": point.period,
         "stable": point.stable,
         "multipliers": [pair(value) for value in point.multipliers.tolist()],
         "events_per_period": point.events_per_period,

@@ -15,7 +15,7 @@ from trimmer.maps.cells import described
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.maps.result import MotionMap
-    from trimmer.maps.special_curves import SpecialCurve, SpecialCurves
+    from trimmer.maps.special_curve import Meeting, SpecialCurve, SpecialCurves
 
 _MOST_FAILURES = 5
 """Failures that the text lists; the JSON has all."""
@@ -51,7 +51,16 @@ def _curves(special: SpecialCurves) -> list[str]:
         repeats = "" if curve.periods == 1 else f", of motions of {curve.periods} drive periods"
         lines.append(f"{curve.name}{repeats}: {len(curve.values)} points")
         lines += [f"  {side.message}" for side in curve.ends]
+    lines += [_told_meeting(special, each) for each in special.meetings]
     return [*lines, f"special points: {special.searched}"]
+
+
+def _told_meeting(special: SpecialCurves, meeting: Meeting) -> str:
+    first, second = (special.curves[number] for number in meeting.curves)
+    place, other = first.sides[0].places
+    at = f"{place} = {meeting.values[0]:.6g} and {other} = {meeting.values[1]:.6g}"
+    how = f"meets {second.name}, where one of them ends" if meeting.ends else f"crosses {second.name}"
+    return f"{first.name} {how}, near {at}"
 
 
 def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
@@ -100,7 +109,19 @@ def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = No
 
 
 def _special(special: SpecialCurves) -> dict[str, Any]:
-    return {"curves": [_curve(each) for each in special.curves], "searched": special.searched}
+    return {
+        "curves": [_curve(each) for each in special.curves],
+        "meetings": [
+            {
+                "curves": list(each.curves),
+                "values": each.values.tolist(),
+                "ends": each.ends,
+                "distance": each.distance,
+            }
+            for each in special.meetings
+        ],
+        "searched": special.searched,
+    }
 
 
 def _curve(curve: SpecialCurve) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from trimmer.files import MAP
 
 if TYPE_CHECKING:
     from trimmer.maps.result import MotionMap
-    from trimmer.maps.special_curves import SpecialCurves
+    from trimmer.maps.special_curve import SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
 
 
@@ -152,10 +152,12 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
     if arguments.special is None:
         return None
     from trimmer.maps.motion_map import MapInterruptedError
+    from trimmer.maps.runner import ProcessRunner, SerialRunner
     from trimmer.maps.special_curves import special_curves
 
+    runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs, chunk=1)
     try:
-        return special_curves(result, lines=arguments.special, quiet=arguments.quiet)
+        return special_curves(result, lines=arguments.special, runner=runner, quiet=arguments.quiet)
     except KeyboardInterrupt:
         kept = (
             "is lost; name a file (--output) to keep it"

@@ -1,0 +1,230 @@
+"""Branches of motions without a drive: against closed forms, and against brute force by SciPy."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from tests.mechanisms.brute_force import BruteForce, extend, settle
+from tests.mechanisms.decision import Judge
+from tests.mechanisms.dynamics import System
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.follow import follow
+from trimmer.branches.follow_special import follow_special
+from trimmer.branches.followed import FollowedBranch
+from trimmer.branches.settings import FollowSettings
+from trimmer.branches.special import SpecialKind
+from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Body, Friction, Link, Output, Pin, Stop
+from trimmer.response.respond import respond
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+SPEED = "pins.belt.velocity"
+ALONE = FollowSettings(switches=0, quiet=True)
+QUIET = FollowSettings(quiet=True)
+
+
+def block() -> Mechanism:
+    return Mechanism.from_toml(EXAMPLES / "block-on-belt.toml")
+
+
+def two_blocks(speed: float) -> Mechanism:
+    """Two blocks on one belt with a spring between them; static friction is twice the kinetic one."""
+    return Mechanism(
+        bodies={"left": Body(1.0), "right": Body(1.0)},
+        pins={"belt": Pin("ground", velocity=speed)},
+        links={
+            "left spring": Link(("ground", "left"), 1.0, 0.02),
+            "right spring": Link(("ground", "right"), 1.0, 0.02),
+            "coupling": Link(("left", "right"), 1.2, 0.02),
+        },
+        frictions={
+            "left rubbing": Friction(("belt", "left"), force=0.5, static=1.0),
+            "right rubbing": Friction(("belt", "right"), force=0.65, static=1.3),
+        },
+        outputs={"left": Output({"left": 1})},
+    )
+
+
+@pytest.fixture(scope="module")
+def blocks() -> FollowedBranch:
+    return follow(two_blocks(0.1), SPEED, 0.1, 0.8, settings=QUIET)
+
+
+def period(speed: float, mass: float = 1.0, stiffness: float = 1.0, drop: float = 0.5) -> float:
+    """Period of the block: half a turn and more of free vibration, then the belt carries it back."""
+    omega = math.sqrt(stiffness / mass)
+    slip = 2.0 * (math.pi - math.atan(drop * omega / (stiffness * speed))) / omega
+    return slip + 2.0 * drop / (stiffness * speed)
+
+
+def test_period_and_width_over_the_speed_of_the_belt() -> None:
+    branch = follow(block(), SPEED, 0.05, 3.0, settings=QUIET)
+    assert branch.reason is BranchEnd.LEFT_AT_STOP
+    assert branch.special == ()
+    for orbit in branch.points:
+        assert orbit.period == pytest.approx(period(orbit.value), rel=1e-11)
+        measure = orbit.outputs["block"]
+        assert measure.peak_to_peak == pytest.approx(2.0 * math.hypot(0.5, orbit.value), rel=1e-11)
+        assert measure.harmonics[0] > measure.harmonics[1] > 0.0
+        assert orbit.stable
+        assert sorted(abs(orbit.multipliers)) == pytest.approx([0.0, 1.0], abs=1e-12)
+        assert orbit.events_per_period == 2.0
+
+
+@pytest.mark.parametrize(
+    ("place", "stop", "expected"),
+    [
+        ("bodies.block.mass", 4.0, lambda value: period(0.2, mass=value)),
+        ("links.spring.stiffness", 3.0, lambda value: period(0.2, stiffness=value)),
+        ("frictions.rubbing.static", 1.9, lambda value: period(0.2, drop=value - 0.5)),
+    ],
+)
+def test_period_over_other_numbers(place: str, stop: float, expected: object) -> None:
+    branch = follow(block(), place, 1.0, stop, settings=ALONE)
+    assert branch.reason is BranchEnd.LEFT_AT_STOP
+    found = [orbit.period for orbit in branch.points]
+    assert found == pytest.approx([expected(orbit.value) for orbit in branch.points], rel=1e-11)  # type: ignore[operator]
+
+
+def fastest(speed: float, damping: float) -> float:
+    """Highest velocity that the damped block has again after it has begun to slip at that of the belt."""
+    decay = 0.5 * damping
+    omega = math.sqrt(1.0 - decay**2)
+    start, rate = 0.5 - damping * speed, speed
+    # y = exp(-decay t) (start cos + c sin); the acceleration -y - damping y' is zero again after one turn.
+    c = (rate + decay * start) / omega
+
+    def motion(time: float) -> tuple[float, float]:
+        shrunk = math.exp(-decay * time)
+        y = shrunk * (start * math.cos(omega * time) + c * math.sin(omega * time))
+        ahead = shrunk * omega * (c * math.cos(omega * time) - start * math.sin(omega * time))
+        return y, ahead - decay * y
+
+    def acceleration(time: float) -> float:
+        y, velocity = motion(time)
+        return -y - damping * velocity
+
+    top = brentq(acceleration, 1.1 * math.pi / omega, 2.2 * math.pi / omega, xtol=1e-14)
+    return motion(top)[1]
+
+
+def test_the_branch_ends_where_the_damped_block_does_not_reach_the_belt_again() -> None:
+    damped = block().with_value("links.spring.damping", 0.1)
+    branch = follow(damped, SPEED, 0.3, 1.0, settings=ALONE)
+    assert branch.reason is BranchEnd.TORN
+    last = brentq(lambda speed: fastest(speed, 0.1) - speed, 0.4, 0.8, xtol=1e-15)
+    assert branch.points[-1].value == pytest.approx(last, rel=1e-8)
+
+
+def brute_multipliers(mechanism: Mechanism, state: np.ndarray, duration: float) -> np.ndarray:
+    """Return the eigenvalues of the derivative over a period, by differences of brute-force motions."""
+    force, system = BruteForce(), System(mechanism)
+    mode = Judge(system).decide(extend(system, state, 0.0)).mode
+    step, columns = 1e-6, []
+    for place in range(len(state)):
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = state.copy()
+            moved[place] += sign * step
+            ends.append(force.run(system, settle(system, mode, moved, 0.0), 0.0, duration).final)
+        columns.append((ends[0] - ends[1]) / (2.0 * step))
+    values = np.linalg.eigvals(np.array(columns).T)
+    return values[np.argsort(-abs(values))]
+
+
+def test_period_doublings_of_two_blocks_against_brute_force(blocks: FollowedBranch) -> None:
+    doublings = [each for each in blocks.special if each.kind is SpecialKind.PERIOD_DOUBLING]
+    assert [each.value for each in doublings] == pytest.approx([0.131882753578, 0.697486236508], rel=1e-9)
+    assert len(doublings) == len(blocks.special)
+    for special in doublings:
+        mechanism = two_blocks(special.value)
+        found = brute_multipliers(mechanism, special.state[:-1], float(special.state[-1]))
+        assert sorted(found[:2].real) == pytest.approx([-1.0, 1.0], abs=1e-5)
+        assert abs(found[2:]).max() < 1e-5
+
+
+def test_orbits_of_two_blocks_return_by_brute_force_with_the_same_multipliers(blocks: FollowedBranch) -> None:
+    for orbit in (blocks.points[3], blocks.points[len(blocks.points) // 2]):
+        mechanism = two_blocks(orbit.value)
+        state = orbit.state[:-1]
+        motion = BruteForce().run(System(mechanism), state, 0.0, orbit.period)
+        assert motion.final == pytest.approx(state, abs=1e-9)
+        assert len(motion.events) == orbit.events_per_period
+        found = brute_multipliers(mechanism, state, orbit.period)
+        assert abs(found[:2]) == pytest.approx(abs(orbit.multipliers[:2]), abs=1e-5)
+        assert min(abs(orbit.multipliers - 1.0)) == 0.0
+        assert orbit.stable == (abs(found).max() < 1.0 + 1e-4)
+
+
+def test_doubled_periods_part_and_join_again(blocks: FollowedBranch) -> None:
+    doubled = blocks.branches[-1]
+    assert doubled.parted is blocks.special[-1]
+    assert doubled.periods == 2
+    orbit = doubled.points[10]
+    assert orbit.period == pytest.approx(2.0 * orbit.state[-1], rel=1e-15)
+    # The same orbit alone, with its whole period, leads back to where it parted.
+    state = np.append(orbit.state[:-1], orbit.period)
+    again = follow(two_blocks(orbit.value), SPEED, orbit.value, 0.72, state=state, settings=QUIET)
+    assert again.reason is BranchEnd.REJOINED
+    assert again.special[-1].value == pytest.approx(blocks.special[-1].value, rel=1e-11)
+    assert again.branches[0].points[-1].period == pytest.approx(0.5 * again.points[-1].period, rel=1e-2)
+
+
+def test_both_directions_find_the_same_points(blocks: FollowedBranch) -> None:
+    last = blocks.points[-1]
+    back = follow(two_blocks(0.8), SPEED, 0.8, 0.12, state=last.state, settings=ALONE)
+    assert [each.kind for each in back.special] == [each.kind for each in blocks.special[::-1]]
+    found = [each.value for each in back.special]
+    assert found == pytest.approx([each.value for each in blocks.special[::-1]], rel=1e-10)
+
+
+def test_respond_does_not_settle_to_an_unstable_motion() -> None:
+    # At this speed the simple motion is unstable, but what passes it comes near to it at first.
+    response = respond(two_blocks(0.15))
+    assert response.motion.orbit is not None
+    assert response.motion.orbit.stable
+    assert len(response.motion.orbit.course.events) == 8
+
+
+def test_what_nothing_is_lost_in_is_not_isolated() -> None:
+    mechanism = Mechanism(
+        bodies={"body": Body(1.0)},
+        links={"spring": Link(("ground", "body"), 1.0)},
+        stops={"wall": Stop(("ground", "body"), 10.0, gap=0.2)},
+        start={"body": (1.0, 0.0)},
+    )
+    branch = follow(mechanism, "bodies.body.mass", 1.0, 2.0)
+    assert branch.reason is BranchEnd.NOT_ISOLATED
+    assert branch.points == ()
+    assert "nothing is lost" in branch.message
+
+
+def test_what_comes_to_rest_has_no_branch() -> None:
+    branch = follow(two_blocks(3.0), SPEED, 3.0, 2.0)
+    assert branch.reason is BranchEnd.NO_START
+    assert "at 3 there is no motion to begin with: it comes to rest within" in branch.message
+
+
+def test_special_points_are_not_followed_over_two_numbers(blocks: FollowedBranch) -> None:
+    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
+        follow_special(blocks, blocks.special[0], "links.coupling.stiffness", 1.3)
+
+
+def test_wrong_use_is_told() -> None:
+    with pytest.raises(ValueError, match="no drive whose periods could count"):
+        follow(block(), SPEED, 0.1, 0.2, periods=2)
+    with pytest.raises(MechanismError, match="2 states and the period"):
+        follow(block(), SPEED, 0.1, 0.2, state=[1.0, 0.1])
+    leaning = replace(block(), links={**block().links, "rope": Link(("belt", "block"), 1.0)})
+    with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
+        follow(leaning, SPEED, 0.1, 0.2)
+    branch = follow(block(), SPEED, 0.1, 0.2, settings=ALONE)
+    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
+        branch.points[0].balanced(3)

@@ -1,0 +1,182 @@
+"""A branch of exact periodic motions of a mechanism: what ``follow`` gives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.branch import BranchEnd, BranchPoint
+from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
+from trimmer.branches.self_excited_map import SelfExcitedMap, with_trivial
+from trimmer.branches.special import SpecialPoint
+from trimmer.errors import UnsupportedMotionError
+from trimmer.harmonics.balance import harmonic_balance_of
+from trimmer.mechanism.place_text import parse_place, place_text
+
+
+@dataclass(frozen=True, eq=False)
+class BalancedOrbit:
+    """The same orbit by multi-harmonic balance.
+
+    Attributes:
+        distance: Root mean square of the difference from the exact displacements, relative to those, of the
+            body where it is largest; a number.
+        converged: Whether the forces balance.
+    """
+
+    distance: float
+    converged: bool
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedOrbit:
+    """An exact periodic motion on a branch.
+
+    Attributes:
+        point: The orbit on the branch: value, state, multipliers, stability.
+        map: The map of its whole period.
+    """
+
+    point: BranchPoint
+    map: MechanismMap
+
+    @property
+    def value(self) -> float:
+        """Value of the number that is varied, in its unit."""
+        return self.point.value
+
+    @property
+    def state(self) -> Reals:
+        """State at the start of a drive period, (n,); without a drive any, and the period last, (n + 1,).
+
+        The period is that before it doubled, if it did.
+        """
+        return self.point.state
+
+    @property
+    def stable(self) -> bool:
+        """Whether neighbouring motions approach it."""
+        return self.point.stable
+
+    @property
+    def multipliers(self) -> Complexes:
+        """Floquet multipliers by falling modulus, (n,).
+
+        Without a drive one of them is 1, since the motion may be shifted in time; ``stable`` leaves it out.
+        """
+        multipliers = self.point.multipliers
+        return with_trivial(multipliers) if isinstance(self.map, SelfExcitedMap) else multipliers
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which it repeats; without a drive 1, and 2, 4, … where periods have doubled."""
+        return self.map.periods
+
+    @property
+    def period(self) -> float:
+        """Time after which it repeats, s."""
+        if isinstance(self.map, SelfExcitedMap):
+            return self.periods * float(self.point.state[-1])
+        return self.periods * self.map.flow(self.value).period
+
+    @property
+    def events_per_period(self) -> float:
+        """Events in a drive period, the mean over the orbit; without a drive over its period."""
+        return self.point.events / (1 if isinstance(self.map, SelfExcitedMap) else self.periods)
+
+    @cached_property
+    def passage(self) -> MechanismPassage:
+        """The motion over its period."""
+        return self.map.passage(self.point.value, self.point.state)
+
+    @cached_property
+    def outputs(self) -> Mapping[str, OutputMeasure]:
+        """Peak to peak and harmonics of each output."""
+        return output_measures(self.map.mechanism, self.passage.course)
+
+    def balanced(self, harmonics: int) -> BalancedOrbit:
+        """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
+
+        Args:
+            harmonics: Harmonics of the drive up to which the forces balance.
+
+        Raises:
+            UnsupportedMotionError: if a spring leans on a pin that moves on, or there is no drive.
+        """
+        if isinstance(self.map, SelfExcitedMap):
+            raise UnsupportedMotionError(
+                "harmonic balance runs beside driven motions only, and the mechanism has no frequency"
+            )
+        course = self.passage.course
+        exact = body_coefficients(course, self.periods, self.periods * harmonics)
+        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
+        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
+        power = course.nodes.weights @ moved**2 / course.duration
+        # What the exact motion has beyond the last harmonic is a part of the difference.
+        beyond = np.maximum(power - _power(exact), 0.0)
+        apart = _power(balance.coefficients - exact) + beyond
+        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
+        return BalancedOrbit(distance, balance.converged)
+
+
+def _power(harmonics: Complexes) -> Reals:
+    """Return the mean square of displacements without their mean, (bodies,)."""
+    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
+    return power
+
+
+@dataclass(frozen=True, eq=False)
+class FollowedBranch:
+    """A branch of exact periodic motions of a mechanism over one of its numbers.
+
+    Attributes:
+        map: The map of the whole period of its motions, with the mechanism and the place of the number.
+        points: The motions, in the order in which they were followed.
+        special: The special points, in the same order.
+        reason: Why the branch ends.
+        message: The same as a sentence.
+        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
+            it joins there.
+        parted: The special point at which this one parts from another; None if it was begun by itself.
+    """
+
+    map: MechanismMap
+    points: tuple[FollowedOrbit, ...]
+    special: tuple[SpecialPoint, ...]
+    reason: BranchEnd
+    message: str
+    branches: tuple[FollowedBranch, ...] = ()
+    parted: SpecialPoint | None = None
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which the motions repeat."""
+        return self.map.periods
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the number that is varied; Hz for a frequency."""
+        return self.map.mechanism.places[place_text(parse_place(self.map.place))]
+
+    def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
+        """Return peak to peak and harmonics of each output at a special point of the branch."""
+        course = self.map.passage(special.value, special.state).course
+        return output_measures(self.map.mechanism, course)
+
+    @property
+    def searched(self) -> str:
+        """Where special points were looked for, and where not, in a sentence."""
+        return (
+            f"special points were looked for between neighbours of {len(self.points)} orbits; a contact or a "
+            "phase of stick that comes and goes between the same two is not seen"
+        )
+
+    @property
+    def success(self) -> bool:
+        """Whether it was followed to an end of the interval, around, or to one that it joins."""
+        return self.reason.is_success

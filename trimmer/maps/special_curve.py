@@ -1,0 +1,134 @@
+"""Curves over a map, on which folds, period doublings, grazings and their like lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.branches.locus import Locus
+from trimmer.branches.special import SpecialKind, SpecialPoint
+
+SAME = 5e-3
+"""Distance in shares of the ranges within which a special point lies on a curve that is known."""
+SAME_STATE = 5e-2
+"""Distance of the states then, relative to their sizes on the curve."""
+
+
+@dataclass(frozen=True, eq=False)
+class SpecialCurve:
+    """A curve on which a special point lies.
+
+    Attributes:
+        sides: The locus from where it was found, on either side; one if it closes.
+    """
+
+    sides: tuple[Locus, ...]
+
+    @property
+    def kind(self) -> SpecialKind:
+        """What happens there."""
+        return self.sides[0].kind
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of the parts whose phases change there."""
+        return self.sides[0].parts
+
+    @property
+    def periods(self) -> int:
+        """Drive periods after which the orbits repeat."""
+        return self.sides[0].periods
+
+    @cached_property
+    def values(self) -> Reals:
+        """Values of both numbers along the curve, SI units, (points, 2)."""
+        return np.concatenate([self.sides[-1].values[:0:-1], self.sides[0].values][-len(self.sides) :])
+
+    @cached_property
+    def states(self) -> Reals:
+        """States at the start of a drive period, (points, n)."""
+        return np.concatenate([self.sides[-1].states[:0:-1], self.sides[0].states][-len(self.sides) :])
+
+    @property
+    def residual(self) -> float:
+        """Largest difference of an orbit's end and start, relative to the sizes of the states."""
+        return float(max(np.nanmax(side.residual) for side in self.sides))
+
+    @property
+    def ends(self) -> tuple[Locus, ...]:
+        """The sides in the order of the curve's ends; one that closes has one."""
+        return self.sides[::-1]
+
+    @property
+    def name(self) -> str:
+        """What it is, with the parts, for a legend."""
+        parts = f", {' and '.join(self.parts)}" if self.parts else ""
+        return f"{self.kind.word}{parts}"
+
+    def holds(self, point: SpecialPoint, second: float, spans: Reals) -> bool:
+        """Say whether it passes a special point at a value of the second number, as near as can be told."""
+        if (point.kind, point.parts) != (self.kind, self.parts):
+            return False
+        sizes = abs(self.states).max(axis=0)
+        sizes = np.where(sizes > 0.0, sizes, 1.0)
+        target = np.array([point.value, second]) / spans
+        return any(
+            _passes(values / spans, states / sizes, target, point.state / sizes)
+            for values, states in zip(_pairs(self.values), _pairs(self.states), strict=True)
+        )
+
+
+def _pairs(rows: Reals) -> Iterator[Reals]:
+    """Yield each two rows that follow one another, (2, n)."""
+    return (np.array(pair) for pair in pairwise(rows))
+
+
+def _passes(values: Reals, states: Reals, target: Reals, state: Reals) -> bool:
+    chord = values[1] - values[0]
+    length = float(chord @ chord)
+    share = float(np.clip(chord @ (target - values[0]) / length, 0.0, 1.0)) if length else 0.0
+    near = np.linalg.norm(values[0] + share * chord - target) <= SAME
+    between = states[0] + share * (states[1] - states[0])
+    return bool(near and abs(between - state).max() <= SAME_STATE)
+
+
+@dataclass(frozen=True, eq=False)
+class Meeting:
+    """Where two curves meet with the same orbit, as near as the points of the curves tell.
+
+    Attributes:
+        curves: Numbers of the two curves, the lower first.
+        values: Values of both numbers, SI units, (2,).
+        ends: Whether one of them ends there; otherwise they cross.
+        distance: How far apart they are, as a share of the ranges; 0 where they cross.
+    """
+
+    curves: tuple[int, int]
+    values: Reals
+    ends: bool
+    distance: float
+
+
+@dataclass(frozen=True, eq=False)
+class SpecialCurves:
+    """The curves over a map.
+
+    Attributes:
+        curves: The curves, in the order in which they were found.
+        searched: What was looked for and where, in a sentence.
+        meetings: Where two of them meet.
+    """
+
+    curves: tuple[SpecialCurve, ...]
+    searched: str
+    meetings: tuple[Meeting, ...] = ()
+
+    @property
+    def drawn(self) -> list[tuple[str, Reals]]:
+        """The curves as ``MotionMap.plot`` takes them, ordered by their names."""
+        return sorted(((curve.name, curve.values) for curve in self.curves), key=lambda each: each[0])
