@@ -125,6 +125,9 @@ def test_certainty_is_that_of_the_least_sure_part_and_none_where_nothing_was_che
     finding = judge(proven, ENTRY)
     assert [part.certainty for part in finding.parts] == [Certainty.PROVEN, Certainty.READING]
     assert finding.certainty is Certainty.READING
+    sure = judge(claim(RIGHT, replace(WRONG, certainty=Certainty.PROVEN)), ENTRY)
+    assert [part.certainty for part in sure.parts] == [Certainty.COMPUTED, Certainty.PROVEN]
+    assert sure.certainty is Certainty.PROVEN
 
 
 def test_a_part_names_what_it_judges_by_itself_unless_it_shares_it():
