@@ -26,8 +26,9 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             """
             The proportion is exact, and holds for every play: the amplitude is [[ amplitude | f2 ]] times the
             gap in the thesis's loop, [[ both | f2 ]] times with the pin's velocity, at a frequency that does
-            not depend on the gap. There is no smallest play. A trimmer that is driven by its pin does not
-            have this limit cycle, which belongs to the closed loop; its vibration repeats with the drive.
+            not depend on the gap. There is no smallest play. The limit cycle belongs to a loop that feeds the
+            output back to the pin. In a trimmer the motor moves the pin, and where play only passes the pin's
+            displacement on, as in the thesis, the vibration repeats with the drive.
             """,
             ("txt-7-proportional", "txt-6-threshold", "txt-5.2.1-proportional", "lst-A.1"),
             amplitude=stable.amplitude,
@@ -48,13 +49,13 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
         _answer(
             "How does play influence stability and performance?",
             """
-            Stability is not altered; unstable limit cycles, which appear with larger play, shift to the
-            stable ones.
+            Stability is not altered; unstable limit cycles, predicted for certain sizes of play, shift to the
+            stable ones. Performance is: play adds oscillations, in proportion to its size.
             """,
             """
             Rest stays stable, but only nearby: the unstable limit cycle is the boundary. In the closed loop a
             disturbance well below [[ unstable | f2 ]] gaps dies out, a larger one grows to the oscillation of
-            [[ stable | f2 ]] gaps. Both exist for every gap.
+            [[ stable | f2 ]] gaps. Both exist for every gap, in proportion to it.
             """,
             ("txt-5.2.1-second-limit-cycle", "txt-5.2.3-unstable-inner", "txt-5.2.1-stable"),
             unstable=unstable.amplitude,
@@ -81,9 +82,9 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "How do input amplitude and play influence stability and performance?",
             "The input amplitude does not change the limit cycle.",
             """
-            In open loop there is no limit cycle to change. What is seen are harmonics of the drive: they
-            depend on the ratio of the input amplitude to the gap, and tend to a multiple of the gap when the
-            input is much larger.
+            In the thesis's open loop there is no limit cycle to change. What is seen are harmonics of the
+            drive: they depend on the ratio of the input amplitude to the gap, and tend to a multiple of the
+            gap when the input is much larger. For wide strokes it therefore nearly holds.
             """,
             ("txt-7-input-amplitude", "txt-5.2.1-drive-amplitude"),
         ),
@@ -91,9 +92,9 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "How does the input frequency influence stability and performance?",
             "Hardly, since stable limit cycles can only lie in the band from 733 to 815 Hz.",
             """
-            In open loop it decides which harmonics of the drive meet a resonance, which matters more than any
-            limit cycle: near 110 Hz the fifth meets the mode at 549.6 Hz. The band is [[ low | f1 ]] to
-            [[ high | f1 ]] Hz.
+            For the limit cycle, not at all or hardly, as said; the band is [[ low | f1 ]] to
+            [[ high | f1 ]] Hz. In open loop it decides which harmonics of the drive meet a resonance: near
+            110 Hz the fifth meets the mode of Listing A.1 at 549.6 Hz.
             """,
             ("txt-7-input-frequency", "txt-5.2.3-band", "txt-5.1.3-first-resonance"),
             low=stable.frequency,
@@ -104,9 +105,10 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "As an oscillation on top of the driven one in open loop, and alone in the closed loop.",
             """
             In the closed loop alone, as said; harmonic balance predicts its amplitude to
-            [[ error | percent1 ]]. In open loop not at all: a stable linear system behind play settles to the
-            period of the drive. The peaks read as limit cycles are harmonics of the drive, or natural modes
-            that have not yet decayed.
+            [[ error | percent1 ]]. In open loop not at all: a stable linear system behind play that only
+            passes the pin's displacement on settles to the period of the drive. The peaks read as limit
+            cycles are harmonics of the drive, natural modes that have not yet decayed, or, by their numbers,
+            those of a loop that was closed.
             """,
             ("txt-5.2.1-open-loop-peak", "txt-7-subharmonics", "txt-3.3-peak-550", "txt-3.3-peak-366"),
             error=error,

@@ -83,14 +83,31 @@ def _inertia(known: Evidence) -> Iterator[CorrectedResult]:
 
 def _errors(known: Evidence) -> Iterator[CorrectedResult]:
     friction, inertia = known.orbits.friction.stable, known.orbits.inertia.stable
-    against = "error of harmonic balance against the exact orbit"
-    for claim, quantity, printed, error in (
-        ("txt-5.2.1-amplitude-error", "amplitude, friction-controlled", "0.4334", friction.amplitude_error),
-        ("txt-5.2.1-frequency-error", "frequency, friction-controlled", "0.046", friction.frequency_error),
-        ("txt-5.2.2-error", "frequency, inertia-controlled", "23.47", inertia.frequency_error),
+    for claim, quantity, printed, error, remark in (
+        (
+            "txt-5.2.1-amplitude-error",
+            "amplitude, friction-controlled",
+            "0.4334",
+            friction.amplitude_error,
+            "printed: right, against the simulation of section 5.2.1; here: against the exact orbit",
+        ),
+        (
+            "txt-5.2.1-frequency-error",
+            "frequency, friction-controlled",
+            "0.046",
+            friction.frequency_error,
+            "printed: another number than its own quotient gives; here: against the exact orbit",
+        ),
+        (
+            "txt-5.2.2-error",
+            "frequency, inertia-controlled",
+            "23.47",
+            inertia.frequency_error,
+            "printed: right, against a peak that is no limit cycle; here: against the exact orbit",
+        ),
     ):
         predicted = f"error of the predicted {quantity}"
-        yield CorrectedResult(claim, predicted, printed, f"{100 * abs(error):.2g}", "0", "%", against)
+        yield CorrectedResult(claim, predicted, printed, f"{100 * abs(error):.2g}", "0", "%", remark)
 
 
 def _with_friction(force_per_gap: float) -> CorrectedResult:

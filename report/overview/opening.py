@@ -28,8 +28,8 @@ def opening(known: Evidence, findings: Sequence[Finding], figure: Figure) -> Ope
         sentences=filled(
             """
             The derivations hold but for slips: [[ reproduced ]] of [[ total ]] printed things follow as
-            printed. The predictions do not: their loop is in no trimmer. So the trimmer with contact both
-            ways was computed.
+            printed. The predictions do not carry over: no trimmer has their loop. So the trimmer with contact
+            both ways was computed.
             """,
             reproduced=reproduced,
             total=len(judged),
@@ -46,7 +46,10 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
     return (
         _highlight(
             "txt-3.1-output-sign",
-            "No trimmer has the loop with the limit cycles; with section 3.1's output even it has none.",
+            """
+            No trimmer feeds its output back to the pin, as the loop with the limit cycles does; with section
+            3.1's output as printed even that loop has none.
+            """,
             "Do not look for [[ frequency | f0 ]] Hz.",
             frequency=known.cycles.friction.stable.frequency,
         ),
@@ -61,12 +64,12 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         ),
         _highlight(
             "txt-3.3-open-loop-odd",
-            "Measured spectra have even harmonics; the model has none for any parameters.",
+            "Spectra measured with play have even harmonics; the model has none for any parameters.",
             "Compute without symmetry.",
         ),
         _highlight(
             "txt-6.3-friction-dominates",
-            "Friction does not dominate the cutter's inertia.",
+            "By the thesis's own numbers friction does not dominate the cutter's inertia.",
             "Let it fly in the gap.",
         ),
         _highlight(

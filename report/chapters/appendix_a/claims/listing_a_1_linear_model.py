@@ -186,7 +186,7 @@ def linear_listing(known: Evidence) -> Record:
     lines=(1428, 1428),
     paragraph=1,
     severity=Severity.SLIP,
-    certainty=Certainty.PROVEN,
+    certainty=Certainty.READING,
 )
 def two_columns(known: Evidence) -> Record:
     velocity = known.derivation.space.b[:, 1].subs(c2, 0)
@@ -202,9 +202,10 @@ def two_columns(known: Evidence) -> Record:
         second=small("the numeric model without $c_2$", largest),
     )
     yield text("""
-        Dissipation in general is not the reason: one damper alone brings the pin's velocity in, $c_2$ between
-        pin and bridge. The two columns belong to displacement and velocity of the pin, which are one motion,
-        not to relative motions of the trimmer, as the text calls them.
+        Read as said of any dissipation, the reason is wrong: one damper alone brings the pin's velocity in,
+        $c_2$ between pin and bridge. Read as said of that damper it is right. The two columns belong to
+        displacement and velocity of the pin, which are one motion, not to relative motions of the trimmer, as
+        the text calls them.
 
         None by itself. [Line 58 of Listing A.1](#lst-A.1), which drops the second column, leaves out $c_2$ at
         the pin.

@@ -56,7 +56,7 @@ def search(known: Evidence) -> Record:
         [[ omega | f1 ]] rad/s. Run from an empty workspace it stops, because the start is defined after the
         search. It finds one solution for each start, and nothing tells whether there are more.
 
-        None once the lines are exchanged. Two starts gave the two limit cycles of table 5.1; a search for all
+        None once the lines are exchanged. Two starts give the two limit cycles of table 5.1; a search for all
         of them finds no third.
     """).given(omega=omega)
 

@@ -27,7 +27,7 @@ from report.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.listed_functions import friction_listing, inertia_formula, inertia_listing
-from report.parts import assertion, close, expression, made_here, same
+from report.parts import assertion, close, expression, made_here, repeated, same
 from report.record import Record, claim, text
 
 BACKLASH = "derivations/elements/backlash.py"
@@ -199,7 +199,7 @@ def viscous_controlled(_: Evidence) -> Record:
         printed_form=rf"\sqrt{{1 - \gamma^2}} - \beta = \sin\phi_c + {FLIGHT_FORM}",
         derived_form=rf"\sqrt{{1 + \gamma^2}} - \beta = \sin\phi_c + {FLIGHT_FORM}",
         second=same("the right form", root - sympy.sin(CONTACT) - flight, derived),
-        slip=made_here("the sign under the root is minus instead of plus", derived - root + wrong_root),
+        slip=repeated("equation 2.46 has minus instead of plus under the root", derived - root + wrong_root),
         item="sqrt(1 - gamma^2), contact angle of viscous-controlled backlash",
     )
     yield viscous.in_phase_part("lines 11 to 14, np", general)
@@ -219,7 +219,7 @@ def viscous_controlled(_: Evidence) -> Record:
     source="derivations/elements/friction.py",
     impact=Impact.DOWNSTREAM,
     lines=(1604, 1627),
-    severity=Severity.RESULT,
+    severity=Severity.CONCLUSION,
 )
 def equivalent(_: Evidence) -> Record:
     b_1, a_1 = 4 * FORCE / sympy.pi, 0
@@ -250,7 +250,8 @@ def equivalent(_: Evidence) -> Record:
         multiplied by it, and takes the amplitude of the displacement for that of the velocity. The right term
         is $j\,4F_c/(\pi A)$: with the other sign, without a frequency, and in N/m.
 
-        All contours of section 5.2.5 contain it. The caption, which calls the listing viscous-controlled, is
+        All contours of section 5.2.5 contain it, and with them the limit cycle that chapter 7 gives the model
+        with friction. The caption, which calls the listing viscous-controlled, is
         [judged apart](#txt-A.7-captions).
     """)
 

@@ -43,7 +43,7 @@ LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 def three_panels(known: Evidence) -> Record:
     found, system = known.cycles.equivalent.other_gap, known.numbers.displacement_only
     inner, outer = found
-    yield coulomb_part()
+    yield coulomb_part(made=repeated)
     yield assertion(
         rf"for $F_c$ = {OTHER_FORCE}, $b$ = $200\times10^{{-5}}$ and the drive's frequency",
         "there is more than one intersection",
@@ -81,8 +81,9 @@ def without_force(known: Evidence) -> Record:
     yield text(r"""
         Without force the listing's function is that of backlash, and the intersections are those of figure
         5.8, as the text says. The amplitude and the frequency are those of the [rounded
-        coefficients](#txt-5.2.1-prediction). The shorter path is the range of amplitudes that was drawn: the
-        second intersection, at [[ inner | f2 ]] µm, lies below $b/2 + [[ offset | f0 ]]$ µm.
+        coefficients](#txt-5.2.1-prediction). A shorter path is a shorter range of amplitudes, as the text
+        says too. The second intersection, at [[ inner | f2 ]] µm, would be missing on both curves if they
+        begin as in Listing A.9, at $b/2 + [[ offset | f0 ]]$ µm.
 
         None beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks
         the factor $A/\pi$.

@@ -83,13 +83,15 @@ def second_implementation(known: Evidence) -> Record:
     """).given(steps=LIBRARY_GRID.size, error=100 * error, inner=1e3 * second)
 
 
-def intersections_part(known: Evidence, gap: str, printed: str, item: str, slip: Slip | None = None) -> Part:
+def intersections_part(
+    known: Evidence, gap: str, printed: str, item: str, slip: Slip | None = None, what: str = "intersections"
+) -> Part:
     """Return the part on how often the locus for a gap meets G."""
     element = FrictionBacklash(float(gap))
     found = limit_cycles(known.cycles.listing, element)
     exact = limit_cycles(known.numbers.displacement_only, element)
     return digits(
-        f"intersections for $b$ = {power(gap)} m",
+        f"{what} for $b$ = {power(gap)} m",
         printed,
         len(found),
         second=equal("the exact coefficients", len(exact), len(found)),
@@ -108,7 +110,7 @@ def intersections_part(known: Evidence, gap: str, printed: str, item: str, slip:
 )
 def tiny_gaps(known: Evidence) -> Record:
     for gap in ("1e-8", "2e-8"):
-        yield intersections_part(known, gap, "0", SMALLEST_GAP)
+        yield intersections_part(known, gap, "0", SMALLEST_GAP, what="limit cycles")
     found, listed = (
         limit_cycles(system, FrictionBacklash(3e-8))
         for system in (known.numbers.displacement_only, known.cycles.listing)

@@ -125,11 +125,13 @@ def driven_response(known: Evidence) -> Record:
     closed = known.motion.closed.reference.from_rest
     yield size_part(known, "output of the linear block")
     yield text("""
-        The text describes ±1 mm with a strong faster oscillation. That is the loop with the drive as its
-        reference: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at [[ frequency | f1 ]] Hz. Behind an
-        open loop the output is the drive, with harmonics of [[ ripple | f0 ]] µm.
+        The text describes ±1 mm with an oscillation on top. The whole output of the loop with the drive as
+        its reference is of that size: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at
+        [[ frequency | f1 ]] Hz. Behind an open loop the output is the drive, with harmonics of
+        [[ ripple | f0 ]] µm. Read as a rough 1.5 mm, which the text says it corresponds to, the base is that
+        of the open loop; see the [text on this figure](#txt-5.2.1-open-loop-output).
 
-        It is no picture of the driven trimmer, whose output is not fed back to the pin.
+        In the first reading it is no picture of the driven trimmer, whose output is not fed back to the pin.
     """).given(
         base=1e3 * closed.base,
         line=1e3 * closed.line,

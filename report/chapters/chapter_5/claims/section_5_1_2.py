@@ -86,8 +86,8 @@ def nyquist(known: Evidence) -> Record:
 def nyquist_locus(known: Evidence) -> Record:
     yield no_encirclement_part(known.numbers)
     yield text("""
-        The redrawn locus stays clear of $-1$, as the text reads from it. It meets the real axis on the
-        positive side only, so every positive gain would leave the loop stable.
+        The redrawn locus passes close by $-1$ and does not go round it, as the text reads from it. It meets
+        the real axis on the positive side only, so every positive gain would leave the loop stable.
     """)
 
 

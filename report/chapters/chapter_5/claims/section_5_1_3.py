@@ -21,9 +21,11 @@ PRINTED_EIGENVALUES = (
     ("5,6", "-41.8148", "2229.5063"),
     ("7,8", "-24.9984", "1397.0567"),
 )
-READING_ACCURACY = 0.01
-"""Share to which a plot can be read."""
-PLOT_READ = f"a plot is read to {100 * READING_ACCURACY:.0f} %"
+DECADE, READ_TO = 50.0, 0.5
+"""Width of a decade in a plot over three of them on a page, and what can be told apart on it, mm."""
+READING_ACCURACY = 10 ** (READ_TO / DECADE) - 1
+"""Share to which a frequency can be read in a Bode plot."""
+PLOT_READ = f"a plot with {DECADE:.0f} mm a decade is read to {READ_TO} mm, {100 * READING_ACCURACY:.1f} %"
 EXACT_ROOTS, EXACT_SLOPE = "the roots of the exact polynomial", "the slope of the exact gain"
 
 
@@ -66,10 +68,8 @@ def nearest(peaks: Sequence[Extremum], omega: float) -> Extremum:
 @claim(
     "txt-5.1.3-hidden-peak",
     source="trimmer/linear/extrema.py",
-    impact=Impact.LOCAL,
     lines=(944, 944),
     paragraph=3,
-    severity=Severity.SLIP,
 )
 def hidden_peak(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
@@ -98,13 +98,10 @@ def hidden_peak(known: Evidence) -> Record:
     *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
     yield text("""
-        One resonance is hidden, as the text says, because zeros all but cancel its poles. The text lets the
-        peaks correspond to the imaginary parts. As modes they do. As places, two stand within
-        [[ others | f1 ]] %, and the faint one next to a valley stands [[ last | f1 ]] % above its
-        [[ mode | f0 ]] rad/s.
-
-        Hold frequencies in a spectrum against peaks of the gain, not against eigenvalues. A further faint
-        maximum, at [[ stray | f1 ]] rad/s, belongs to no eigenvalue at all.
+        One resonance is hidden, as the text says, because zeros all but cancel its poles. The other peaks
+        stand at the imaginary parts, two of them within [[ others | f1 ]] %. The faint one next to a valley
+        stands [[ last | f1 ]] % above its [[ mode | f0 ]] rad/s, less than half a millimetre in a plot. A
+        further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no eigenvalue.
     """).given(others=max(map(abs, others)), last=last, stray=stray, mode=numbers.modes[0].omega_damped)
 
 

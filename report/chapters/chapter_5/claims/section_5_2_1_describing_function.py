@@ -176,9 +176,9 @@ def library(_: Evidence) -> Record:
     )
     yield text("""
         The two implementations agree, with the total gap as parameter in both. If the text means that of its
-        own elements only friction-controlled backlash is in the library, that is nearly so: a relay with
-        hysteresis, taken with none, is its Coulomb friction. If it means the library as a whole, there are
-        three.
+        own elements only friction-controlled backlash is in the library, that is nearly so: the library's
+        relay, taken without hysteresis, is the text's Coulomb friction. If it means the library as a whole,
+        there are three.
 
         The function for Coulomb friction could have been checked against the library too.
     """)

@@ -141,11 +141,14 @@ def output(known: Evidence) -> Record:
     yield text("""
         Behind backlash of 40 µm the open loop passes a drive of 1.5 mm nearly unchanged, with harmonics of
         [[ ripple | f0 ]] µm that hardly show in it. The loop with the output fed back has [[ base | f2 ]] mm
-        at 100 Hz and on it the limit cycle with [[ line | f2 ]] mm, which is the output that the text
-        describes. By its numbers, what is called open loop is the closed loop with a reference. Figure C.5,
-        which would show it, was not at hand.
+        at 100 Hz and on it the limit cycle with [[ line | f2 ]] mm, so its whole output goes to the printed
+        ±1 mm. But the text takes ±1 mm for the base and says that it corresponds to the drive; read as a
+        rough 1.5 mm, it is that of the open loop. For the loop with a reference speaks the second line of its
+        spectrum, [at the limit cycle](#txt-5.2.1-open-loop-peak). Figure C.5, which would decide it, was not
+        at hand.
 
-        Figures 5.11 and 5.12b then say nothing on the open loop, nor on the experiment.
+        If the loop has a reference, figures 5.11 and 5.12b say nothing on the open loop, nor on the
+        experiment.
     """).given(ripple=1e6 * opened.ripple, base=1e3 * closed.base, line=1e3 * closed.line)
 
 

@@ -21,6 +21,8 @@ from trimmer import InertiaBacklash, harmonic_leakage
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
 ISOLATED = 1e-6
 """Distance of a Floquet multiplier from one below which orbits may stand side by side."""
+PRINTED_OMEGA = 5.12e3
+"""Printed angular frequency of the limit cycle, rad/s."""
 FREQUENCY = "815 Hz, limit cycle predicted for inertia-controlled backlash"
 BAND = "732 to 856 Hz, band of stable limit cycles with higher harmonics"
 """Things that are printed in more than one place, or are judged in more than one reading."""
@@ -151,8 +153,8 @@ def beta_range(known: Evidence) -> Record:
         The text gives the gap as $2b$, so that the bound would be $\pi/2$; in the derivation and the listing
         $b$ is the whole gap, and it is $\pi$. With $b$ the whole gap, 2 is where the pin no longer reaches a
         bridge that stays put. A bridge with inertia flies on, and meets the other side within half a period
-        as long as $\phi - \sin\phi = \beta$ has a root below $\pi$. Footnote 8 has the two conventions
-        exchanged: half of the gap is used for friction, all of it for inertia.
+        as long as $\phi - \sin\phi = \beta$ has a root below $\pi$. Footnote 8 has the conventions of section
+        2.3.4 exchanged: there $b$ is half of the gap for friction and all of it for inertia.
 
         The range from 2 to $\pi$ is left out, and with it a second, unstable limit cycle at $\beta =
         [[ beta | f1 ]]$ that the section does not mention.
@@ -173,7 +175,7 @@ def prediction(known: Evidence) -> Record:
     second = close(NEWTON, inertia_exactly(known.numbers, cycle)[1], cycle.omega)
     yield digits("angular frequency", "5.12e3", cycle.omega, "rad/s", second=second, item=FREQUENCY)
     yield digits("frequency", "814.9", cycle.frequency, "Hz", second=second, item=FREQUENCY)
-    yield converted("conversion of 5120 rad/s", "814.9", 5.12e3, FREQUENCY)
+    yield converted("conversion of 5120 rad/s", "814.9", PRINTED_OMEGA, FREQUENCY)
     yield text(r"""
         With the thesis's own loop and its own describing function the stable solution lies at
         [[ cycle.omega | f1 ]] rad/s, [[ cycle.frequency | f2 ]] Hz, with $A = [[ cycle.amplitude | f3 ]]\,b$.

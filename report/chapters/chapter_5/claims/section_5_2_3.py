@@ -35,6 +35,9 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
     by_inertia = close(NEWTON, inertia_exactly(known.numbers, high)[1], high.omega)
     slip = repeated(ROUNDED, known.cycles.friction_listing.stable.frequency)
+    wrong = repeated(
+        "the prediction of section 5.2.2 is taken, 5120 rad/s", section_5_2_2.PRINTED_OMEGA / TURN
+    )
     of_friction, of_inertia = section_5_2_1_predictions.FREQUENCY, section_5_2_2.FREQUENCY
     return (
         digits(
@@ -47,7 +50,7 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
             item=of_friction,
             severity=Severity.SLIP,
         ),
-        digits("upper end", UPPER_END, high.frequency, "Hz", second=by_inertia, item=of_inertia),
+        digits("upper end", UPPER_END, high.frequency, "Hz", second=by_inertia, slip=wrong, item=of_inertia),
     )
 
 

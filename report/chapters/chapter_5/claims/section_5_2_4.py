@@ -279,7 +279,7 @@ def force_unit(known: Evidence) -> Record:
     )
     per_gap = known.cycles.equivalent.in_place.merger.force_per_gap
     yield assertion(
-        "what the section concludes",
+        "what the section concludes, read as said of the limit cycles of backlash",
         "friction below 1.0 N may be neglected when limit cycles are predicted",
         per_gap * SMALL_GAP > BOUND,
         """
@@ -290,13 +290,16 @@ def force_unit(known: Evidence) -> Record:
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         severity=Severity.CONCLUSION,
+        certainty=Certainty.READING,
     )
     yield text("""
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
         sections 5.2.4 and 5.2.5 write [-]. In a loop with $G$ as its linear part it is neither: the relay's
         output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
         eccentricity. The small amplitude for which the section neglects friction was found with that relay.
-        Friction in newtons, between cutter and guard, ends the limit cycle of a small gap.
+        Read as said of limit cycles that friction makes by itself, the conclusion is right, since there are
+        none. Read as said of those of backlash it is not: friction in newtons, between cutter and guard, ends
+        the limit cycle of a small gap.
 
         The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
         to [[ gap | f0 ]] µm; for a larger gap a limit cycle is left.

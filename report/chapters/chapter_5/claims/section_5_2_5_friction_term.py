@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy
 
 from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
-from report.claim import Impact, Part, Severity
+from report.claim import Impact, Part, Severity, Slip
 from report.evidence import Evidence
 from report.parts import expression, made_here, repeated, same
 from report.record import Record, claim, text
@@ -17,7 +19,7 @@ OPERATOR = "derivations/elements/friction.py"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 
 
-def coulomb_part(over: sympy.Expr = sympy.S.One) -> Part:
+def coulomb_part(over: sympy.Expr = sympy.S.One, made: Callable[[str, sympy.Expr], Slip] = made_here) -> Part:
     """Return the part on the friction term, which equation 5.14 divides by the amplitude once more."""
     by_velocity = sympy.simplify(sympy.I * omega * RELAY.subs(A, omega * A))
     means = r"$j\omega$ times the gain for an amplitude of velocity $\omega A$"
@@ -28,7 +30,7 @@ def coulomb_part(over: sympy.Expr = sympy.S.One) -> Part:
         PRINTED_TERM / over,
         FRICTION,
         second=same(means, by_velocity, FRICTION),
-        slip=made_here(name + ", and by $A$" * (over != 1), RELAY / (sympy.I * omega) / over),
+        slip=made(name + ", and by $A$" * (over != 1), RELAY / (sympy.I * omega) / over),
         printed_form=form if over == 1 else rf"\frac{{1}}{{A}}\left({form}\right)",
         item="-j 4F_c/(omega A pi), friction term of the equivalent nonlinearity",
         severity=Severity.CONCLUSION,

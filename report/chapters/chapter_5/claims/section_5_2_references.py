@@ -18,6 +18,8 @@ from report.sections import read_sections
 from report.thesis import SMALL_GAP, TURN
 
 SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
+PREDICTED = "3.3138e-5"
+"""Printed amplitude by harmonic balance, m."""
 QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 and section 5.2.5": "733.33"}
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
 
@@ -175,7 +177,7 @@ def amplitude_symbols(known: Evidence) -> Record:
     )
     second = close(NEWTON, SMALL_GAP * ratio, predicted)
     label = "footnote 4: $A_{lch}$ is the predicted one"
-    yield digits(label, "3.3138e-5", predicted, "m", second=second, item=AMPLITUDE)
+    yield digits(label, PREDICTED, predicted, "m", second=second, item=AMPLITUDE)
     yield text("""
         The nomenclature gives $A_{lcs}$ as the predicted amplitude. Footnotes 4 and 5 and the numbers of
         section 5.2.1 have it the other way round: s stands for the simulation, h for harmonic balance.
@@ -185,6 +187,6 @@ def amplitude_symbols(known: Evidence) -> Record:
         Read with the nomenclature, the error of section 5.2.1 would be relative to the prediction,
         [[ of_predicted | f4 ]] % instead of [[ of_simulated | f4 ]] %.
     """).given(
-        of_predicted=100 * (predicted - simulated) / predicted,
-        of_simulated=100 * (predicted - simulated) / simulated,
+        of_predicted=100 * (1 - simulated / float(PREDICTED)),
+        of_simulated=100 * (float(PREDICTED) / simulated - 1),
     )

@@ -9,7 +9,7 @@ import sympy
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
 from report.chapters.second_ways import ALL_LOADS, by_matching_real_parts, by_quadrature
-from report.claim import Impact, Severity
+from report.claim import Certainty, Impact, Severity
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
@@ -64,12 +64,14 @@ def every_case(known: Evidence) -> Record:
         method=f"all solutions of harmonic balance, for a gap of {power_of(NARROW)} m",
         second=by_matching_real_parts(system, 0.0, len(narrow)),
         item="a single limit cycle for 4e-6 m, a second one for a larger gap",
+        certainty=Certainty.READING,
     )
     yield text("""
         Every kind of backlash has one limit cycle or two, as the text says. Coulomb friction alone, also a
-        case of chapter 5, has none, as section 5.2.4 says; the sentence is read as one on backlash. That two
-        occur only under strict conditions is not so: the condition that section 5.2.1 names is a wide gap,
-        and with friction or with inertia alone both are there for every gap.
+        case of chapter 5, has none, as section 5.2.4 says; the sentence is read as one on backlash. The text
+        does not say which conditions it calls strict. If they are on the gap, as in section 5.2.1, there are
+        none: with friction or with inertia alone both limit cycles are there for every gap. If they are on
+        the load, the text is right: some ratios $M/D$ between the two limits have one limit cycle only.
 
         The unstable one is the threshold from which an oscillation grows, see [the second limit
         cycle](#txt-5.2.1-second-limit-cycle).

@@ -53,16 +53,17 @@ def piecewise_linear(known: Evidence) -> Record:
             method="slopes of the derived waveform where it follows the pin",
             second=close("the numeric element at two phases just before the pin turns round", rise[0], 1.0),
             item="inertia- and viscous-controlled backlash are not linear in contact",
-            certainty=Certainty.PROVEN,
+            certainty=Certainty.READING,
         )
     system, cycles = known.numbers.displacement_only, known.cycles
     (friction,) = harmonic_leakage(system, FrictionBacklash(1.0), cycles.friction.stable, (3,))
     (inertia,) = harmonic_leakage(system, InertiaBacklash(1.0), cycles.inertia.stable, (3,))
     yield text("""
         The text finds friction-controlled backlash piecewise linear, and the other two not quite linear in
-        contact. In contact the load follows the pin with slope one, whatever it weighs; if contact was
-        written for flight, output against input is curved there, as the text says. How good a describing
-        function is depends on the harmonics that come back, and these are alike: at the stable limit cycle
+        contact. Read as it stands, this is wrong: in contact the load follows the pin with slope one,
+        whatever it weighs. If contact was written for flight it is right: output against input is curved
+        there. The text takes from it that the describing function applies less well. That depends on the
+        harmonics that come back, and these are alike: at the stable limit cycle
         the third is [[ inertia | f2 ]] % of the fundamental for inertia-, [[ friction | f2 ]] % for
         friction-controlled backlash.
 

@@ -108,12 +108,14 @@ def play_and_stability(known: Evidence) -> Record:
         method="exact simulation",
         second=so(one_multiplier, to_either_side),
         item="an unstable limit cycle shifts to the stable one",
+        certainty=Certainty.READING,
     )
     yield text("""
         Rest stays stable, and if that is meant the text is right. But without play the loop comes to rest
         from any start, with play only from small ones: beyond the unstable limit cycle it goes on for ever.
-        The unstable one does not shift towards the stable one; it is left to either side, as section 2.3.6
-        itself says.
+        From the unstable one towards larger amplitudes a motion does go to the stable one, which is all that
+        section 5.2.3 looks at; towards smaller ones it comes to rest. Only if the answer is read for the
+        first direction alone is its shift right.
 
         The answer to the second sub-question has to read: an oscillation smaller than the unstable limit
         cycle, [[ unstable | f2 ]] gaps, dies out, a larger one ends at [[ stable | f2 ]] gaps.

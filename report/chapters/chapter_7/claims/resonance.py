@@ -46,8 +46,8 @@ def damping(known: Evidence) -> Record:
         second=close(EXACTLY, exact, highest),
     )
     yield text("""
-        Damping lowers every resonance, as section 5.1.3 itself says. The answer to the first sub-question
-        states the opposite.
+        Damping lowers every resonance, as section 5.1.3 and the first paragraph of chapter 7 have it. The
+        answer to the first sub-question states the opposite, perhaps by a slip of one word.
 
         The answer has to read: damping lowers the resonances, and moves the natural frequencies by
         [[ moved | f1 ]] % at most.
