@@ -116,7 +116,7 @@ local function latex_sources()
   local html = { '<details class="latex"><summary>LaTeX</summary>' }
   for _, source in ipairs(sources) do
     local entry = '<figure class="source"><figcaption>%s</figcaption><pre tabindex="0"><code>%s</code></pre></figure>'
-    table.insert(html, entry:format(escaped(source.name), escaped(source.latex)))
+    table.insert(html, entry:format((escaped(source.name):gsub("(%d) (%a)", "%1\u{a0}%2")), escaped(source.latex)))
   end
   table.insert(html, "</details>")
   sources = {}

@@ -34,6 +34,7 @@ SCRIPTS = (
     "figures.js",
     "page.js",
     "sources.js",
+    "cards.js",
 )
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _PLACE_OF_PASSAGE = re.compile(r"<!-- passage (?P<claim>\S+) -->")
