@@ -31,7 +31,7 @@ def test_the_same_figure_gives_the_same_text() -> None:
 
 def test_places_have_two_decimals_and_scales_keep_all() -> None:
     svg = plot("fig-5.1")
-    places = "".join(re.findall(r'\s(?:d|x|y)="([^"]*)"', svg))
+    places = " ".join(re.findall(r'\s(?:d|x|y)="([^"]*)"', svg))
     assert re.search(r"\d\.\d", places)
     assert not re.search(r"\d\.\d{3}|-0(?![\d.])", places)
     assert re.search(r"scale\(0\.\d{3}", svg)
