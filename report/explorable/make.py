@@ -28,6 +28,8 @@ TIME_CONSTANT: Final = 1e-3
 """M/D of the first view and of the picture, s."""
 WHOLE: Final = (-9.0, 9.0, -17.0, 2.0)
 NEAR: Final = (-1.6, 0.2, -0.6, 0.3)
+THINNED: Final = 4
+"""Of so many points of a curve one is drawn: the picture is small."""
 PERIOD: Final = (0.0, 2 * math.pi, -1.25, 1.25)
 
 
@@ -103,7 +105,7 @@ def _plane(
     axes: Axes, known: Evidence, element: ViscousBacklash, stable: LimitCycle, cycles: tuple[LimitCycle, ...]
 ) -> None:
     system = known.numbers.displacement_only
-    response, contour = response_at(system, OMEGA), inverse(element.at(stable.omega))
+    response, contour = response_at(system, OMEGA[::THINNED]), inverse(element.at(stable.omega))[::THINNED]
     axes.plot(response.real, response.imag, **LINES[0])
     axes.plot(contour.real, contour.imag, **LINES[1])
     critical_point(axes)
