@@ -80,7 +80,7 @@ _BROKEN_UNITS = """
     const found = [];
     const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-      if (node.parentElement.closest('pre, code, svg, math, script, .passage')) continue;
+      if (node.parentElement.closest('pre, code, svg, math, script, .passage, .explorable')) continue;
       const [broken] = node.data.match(
         /.{0,20}[\\d⁰¹²³⁴⁵⁶⁷⁸⁹][ \\n](?:Hz|mm|µm|nm|ms|kN|rad\\/s|dB|N\\/m|%)(?!\\p{L})/u
       ) ?? [];
