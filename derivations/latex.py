@@ -39,6 +39,12 @@ class _MechanicsPrinter(LatexPrinter):
             return f"{name}^{{{exp}}}" if exp is not None else name
         return super()._print_Function(expr, exp)
 
+    def _print_re(self, expr: sympy.re, exp: Any = None) -> str:
+        return rf"\operatorname{{Re}}\left({self._print(expr.args[0])}\right)"
+
+    def _print_im(self, expr: sympy.im, exp: Any = None) -> str:
+        return rf"\operatorname{{Im}}\left({self._print(expr.args[0])}\right)"
+
     def _print_Integral(self, expr: sympy.Integral) -> str:
         return str(super()._print_Integral(expr)).replace(r"\int\limits", r"\int")
 

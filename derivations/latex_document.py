@@ -13,7 +13,9 @@ from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex, latex_number, latex_text
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.narrative import CUTTER, GUARD, Formula, Step, narrative
+from derivations.loop.narrative import loop_narrative
+from derivations.narrative import narrative
+from derivations.step import Formula, Step
 from derivations.symbols import QUANTITIES, Quantity
 
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
@@ -48,9 +50,9 @@ END = "\\end{document}\n"
 
 
 def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str:
-    """Return the derivation of the linear trimmer and that of its elements as a LaTeX document.
+    """Return the derivation of the linear trimmer, of its elements and of their loop as a LaTeX document.
 
-    Added are all coefficients of the transfer function and the nomenclature.
+    Added is the nomenclature.
 
     Args:
         derivation: The linear trimmer.
@@ -67,9 +69,10 @@ def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str
             PREAMBLE,
             "\\part{The linear trimmer}",
             *linear,
-            _all_coefficients(derivation),
             "\\part{The describing functions}",
             *nonlinear,
+            "\\part{The loop}",
+            *(_section(step) for step in loop_narrative(derivation)),
             _nomenclature(),
             END,
         )
@@ -125,6 +128,10 @@ def _section(step: Step, displayed: Callable[[Formula], str] | None = None) -> s
 
 
 def _displayed(formula: Formula) -> str:
+    return "\n".join(filter(None, (formula.words, _equation(formula))))
+
+
+def _equation(formula: Formula) -> str:
     if r"\begin{" in formula.latex or r"\dots" in formula.latex:
         tag = f" \\tag{{{formula.thesis}}}" if formula.thesis else ""
         body = f"\\[ {formula.latex}{tag} \\]"
@@ -139,20 +146,6 @@ def _fitted(formula: Formula) -> str:
     if r"\begin{" not in formula.latex:
         return _displayed(formula)
     return f"\\[ \\resizebox{{\\fitted}}{{!}}{{$\\displaystyle {formula.latex}$}} \\]"
-
-
-def _all_coefficients(derivation: LinearTrimmer) -> str:
-    transfer = derivation.transfer
-    rows = zip(transfer.from_displacement[CUTTER], transfer.from_displacement[GUARD], strict=True)
-    output = [cutter - guard for cutter, guard in rows]
-    lines = ["\\section{All coefficients of the transfer function}"]
-    for name, coefficients in (("b", output), ("a", list(transfer.denominator))):
-        highest = len(coefficients) - 1
-        lines += [
-            _displayed(Formula(f"{name}_{{{highest - drop}}} = {latex(coefficient)}"))
-            for drop, coefficient in enumerate(coefficients)
-        ]
-    return "\n".join(lines)
 
 
 def _nomenclature() -> str:

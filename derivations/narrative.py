@@ -5,50 +5,21 @@ Prose is plain text with TeX mathematics between dollar signs, fit for Markdown 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy
 
+from derivations.by_hand import worked_equation
 from derivations.dimension_checks import dimension_checks, require_consistent
-from derivations.equations_of_motion import MotionMatrices
+from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
+from derivations.equations_of_motion import MotionMatrices, accelerations, motion_matrices
 from derivations.latex import latex, latex_equation
 from derivations.linear_motion import LinearMotion
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.mechanism import Mechanism, elongation
-from derivations.state_space import output_row
-
-CUTTER, GUARD = 1, 3
-MOST_TERMS_SHOWN = 19
-
-
-@dataclass(frozen=True)
-class Formula:
-    """A displayed equation.
-
-    Attributes:
-        latex: The equation in LaTeX, without delimiters.
-        thesis: Its number in the thesis; empty where it has none.
-    """
-
-    latex: str
-    thesis: str = ""
-
-
-@dataclass(frozen=True)
-class Step:
-    """A step of a derivation.
-
-    Attributes:
-        id: Identifier, unique among all steps.
-        title: Heading.
-        text: Prose, paragraphs separated by an empty line.
-        formulas: Displayed equations, shown after the prose.
-    """
-
-    id: str
-    title: str
-    text: str
-    formulas: tuple[Formula, ...]
+from derivations.mechanism import Mechanism, elongation, trimmer
+from derivations.newton_euler import newton_accelerations
+from derivations.power_balance import power_balance
+from derivations.state_space import output_row, state_space
+from derivations.step import Formula, Step
+from derivations.transfer_steps import CUTTER, GUARD, coefficients_step, transfer_function_step
 
 
 def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:
@@ -61,11 +32,13 @@ def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:
     return (
         _elongations(derivation),
         _energies(derivation),
+        worked_equation(derivation),
         _motion(derivation),
         _matrices(derivation),
         _power(derivation),
         _state_space(derivation),
-        _transfer_function(derivation),
+        transfer_function_step(derivation),
+        coefficients_step(derivation),
         _checks(derivation),
     )
 
@@ -112,6 +85,7 @@ def _elongations(derivation: LinearTrimmer) -> Step:
         "elongation is the position of one end less that of the other. The dampers $c_1$ to $c_4$ sit beside "
         "the springs $k_1$ to $k_4$.",
         elongations(derivation.mechanism),
+        code=(trimmer, elongation),
     )
 
 
@@ -122,6 +96,7 @@ def _energies(derivation: LinearTrimmer) -> Step:
         "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
         "half of the power that is lost, to the dampers.",
         energies(derivation, ("2.4", "2.5", "2.7")),
+        code=(kinetic_energy, potential_energy, rayleigh_function),
     )
 
 
@@ -139,6 +114,7 @@ def _motion(derivation: LinearTrimmer) -> Step:
         "The Euler-Lagrange equation of each body, with no force besides those of springs and dampers. The "
         "sum of forces by Newton's law gives the same four lines.",
         (euler_lagrange_equation("0", "2.6"), *lines),
+        code=(accelerations, newton_accelerations),
     )
 
 
@@ -159,6 +135,7 @@ def _matrices(derivation: LinearTrimmer) -> Step:
                 f"f_u = {latex(matrices.displacement_force)}, \\quad f_v = {latex(matrices.velocity_force)}"
             ),
         ),
+        code=(motion_matrices,),
     )
 
 
@@ -177,6 +154,7 @@ def _power(derivation: LinearTrimmer) -> Step:
             Formula(latex_equation(sympy.Symbol("P"), sympy.factor_terms(balance.input_power))),
             Formula(f"{latex_equation(sympy.Symbol('D'), balance.dissipated_power)} \\ge 0"),
         ),
+        code=(power_balance,),
     )
 
 
@@ -186,49 +164,30 @@ def _state_space(derivation: LinearTrimmer) -> Step:
     return Step(
         "state-space",
         "State space",
-        "With the state $x = (q, \\dot q)$ and both inputs of the pin, its displacement and its velocity.",
+        "Four equations of second order become eight of first order. The state $x$ holds the displacements "
+        "and the velocities. Its first half changes by the velocities, its second half by the accelerations, "
+        "for which the equations of motion are solved. Here $A$ is a matrix; elsewhere $A$ is an amplitude.",
         (
-            Formula(r"\dot{x} = A x + B \begin{pmatrix} u \\ \dot{u} \end{pmatrix}, \quad y = C x", "2.10"),
-            Formula(latex_equation(sympy.Symbol("A"), space.a), "2.12"),
+            Formula(r"x = \begin{pmatrix} q \\ \dot{q} \end{pmatrix}, \quad \dot{q} = 0\, q + I\, \dot{q}"),
+            Formula(
+                r"\ddot{q} = -M^{-1} K\, q - M^{-1} C\, \dot{q} + M^{-1} f_u\, u + M^{-1} f_v\, \dot{u}",
+            ),
+            Formula(
+                r"\dot{x} = A x + B \begin{pmatrix} u \\ \dot{u} \end{pmatrix}, \quad y = C x",
+                "2.10",
+                "In the last equation $C$ is the row that picks the output $y = q_2 - q_4$, not the damping.",
+            ),
+            Formula(
+                r"A = \begin{pmatrix} 0 & I \\ -M^{-1} K & -M^{-1} C \end{pmatrix}, \quad "
+                r"B = \begin{pmatrix} 0 & 0 \\ M^{-1} f_u & M^{-1} f_v \end{pmatrix}",
+                words="In letters, with blocks of four rows:",
+            ),
+            Formula(latex_equation(sympy.Symbol("A"), space.a), "2.12", "Entry by entry:"),
             Formula(latex_equation(sympy.Symbol("B"), space.b), "2.13"),
             Formula(latex_equation(sympy.Symbol("C"), row), "2.14"),
         ),
+        code=(state_space, output_row),
     )
-
-
-def _transfer_function(derivation: LinearTrimmer) -> Step:
-    transfer = derivation.transfer
-    output = [
-        sympy.factor(cutter - guard)
-        for cutter, guard in zip(
-            transfer.from_displacement[CUTTER], transfer.from_displacement[GUARD], strict=True
-        )
-    ]
-    return Step(
-        "transfer-function",
-        "Transfer function",
-        "Cramer's rule on $(Ms^2 + Cs + K)\\,Q = f_u U$ gives the transfer function from the pin's "
-        "displacement to $q_2 - q_4$ with symbolic coefficients. Those with few terms are shown; the command "
-        "`trimmer derive` writes them all. The pin's velocity acts through $c_2$ as its displacement acts "
-        "through $k_2$, so both together give $G = (1 + s\\,c_2/k_2)\\,G_1$.",
-        (
-            Formula(r"G_1(s) = \frac{b_6 s^6 + b_5 s^5 + \dots + b_0}{s^8 + a_7 s^7 + \dots + a_0}", "2.21"),
-            *_coefficients("b", output),
-            *_coefficients("a", list(transfer.denominator)),
-        ),
-    )
-
-
-def _coefficients(name: str, coefficients: list[sympy.Expr]) -> tuple[Formula, ...]:
-    return tuple(
-        Formula(f"{name}_{{{power}}} = {latex(coefficient)}")
-        for power, coefficient in zip(range(len(coefficients) - 1, -1, -1), coefficients, strict=True)
-        if coefficient != 1 and _number_of_terms(coefficient) <= MOST_TERMS_SHOWN
-    )
-
-
-def _number_of_terms(coefficient: sympy.Expr) -> int:
-    return len(sympy.Add.make_args(sympy.expand(coefficient)))
 
 
 def _checks(derivation: LinearTrimmer) -> Step:
@@ -241,4 +200,5 @@ def _checks(derivation: LinearTrimmer) -> Step:
         "symbols. The equations of motion are derived a second time from forces alone, and a third time in "
         "the tests by SymPy's own mechanics package.",
         (),
+        code=(require_consistent,),
     )

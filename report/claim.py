@@ -294,22 +294,21 @@ class Finding:
 
     @property
     def severity(self) -> Severity:
-        """Severity of the gravest part."""
+        """Severity of the gravest part; none of a finding that is not wrong."""
+        if not self.verdict.is_wrong:
+            return Severity.NONE
         return min((part.severity for part in self.parts), key=lambda severity: severity.rank)
 
     @property
     def certainty(self) -> Certainty | None:
-        """Certainty of the least sure part; None where nothing could be checked."""
-        known = [part.certainty for part in self.parts if part.certainty is not None]
+        """Certainty of the least sure part, among the wrong ones if there are any; None if none is checked."""
+        wrong = [part for part in self.parts if part.verdict.is_wrong]
+        known = [part.certainty for part in wrong or self.parts if part.certainty is not None]
         return max(known, key=lambda certainty: certainty.rank, default=None)
 
 
-_SEVERITY_OF_IMPACT = {
-    Impact.NONE: Severity.SLIP,
-    Impact.NOTATION: Severity.SLIP,
-    Impact.LOCAL: Severity.RESULT,
-    Impact.DOWNSTREAM: Severity.RESULT,
-}
+class UngradedError(Exception):
+    """A part is wrong, and neither it nor its claim says how much that matters."""
 
 
 class ContradictionError(Exception):
@@ -325,6 +324,7 @@ def judge(claim: Claim, entry: Statement) -> Finding:
 
     Raises:
         ContradictionError: if a part's confirmation disagrees with its derivation.
+        UngradedError: if a part is wrong and has no severity.
         ValueError: if the claim has no parts.
     """
     if not claim.parts:
@@ -377,7 +377,10 @@ def _own_item(claim: Claim, part: Part | Uncheckable) -> str:
 
 
 def _severity(claim: Claim, part: Part) -> Severity:
-    return part.severity or claim.severity or _SEVERITY_OF_IMPACT[claim.impact]
+    severity = part.severity or claim.severity
+    if severity is None:
+        raise UngradedError(f"{claim.id}, {part.label or 'only part'}: it is wrong, and has no severity")
+    return severity
 
 
 def _certainty(claim: Claim, part: Part, outcome: Agreement, verdict: Verdict) -> Certainty:

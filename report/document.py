@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from report.claim import Finding
 from report.text_copy import BuildTime, TextCopy
@@ -10,21 +11,25 @@ from report.text_copy import BuildTime, TextCopy
 
 @dataclass(frozen=True)
 class Equation:
-    """A displayed equation: LaTeX without dollar signs; ``thesis`` is its number in the thesis, or empty."""
+    """A displayed equation: LaTeX without dollar signs.
+
+    ``thesis`` is its number in the thesis, ``words`` Markdown prose before it; both may be empty.
+    """
 
     latex: str
     thesis: str = ""
+    words: str = ""
 
 
 @dataclass(frozen=True)
-class DerivationStep:
-    """A step of the derivation: Markdown prose, equations, and the claims it bears on."""
+class CodeLines:
+    """A function or class of this project: path of its file, name, first and last line, and its text."""
 
-    id: str
-    title: str
+    path: str
+    name: str
+    first: int
+    last: int
     text: str
-    equations: tuple[Equation, ...]
-    claims: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -39,12 +44,84 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class DerivationStep:
+    """A step of the derivation: Markdown prose and equations.
+
+    Attributes:
+        id: Identifier, unique among all steps.
+        title: Heading.
+        text: Prose.
+        equations: Shown after the prose.
+        claims: Ids of the claims on the equations that it shows.
+        others: Ids of the other claims that rest on it.
+        code: The lines that do what the step says.
+        picture: Shown before the equations, if there is one.
+        folded: Whether the equations are so long that a reader of the page asks for them first.
+    """
+
+    id: str
+    title: str
+    text: str
+    equations: tuple[Equation, ...]
+    claims: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()
+    code: tuple[CodeLines, ...] = ()
+    picture: Figure | None = None
+    folded: bool = False
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number that a reader can move.
+
+    Attributes:
+        name: What the script calls it.
+        label: What the reader is told it is, as plain text.
+        minimum: Least value; of the decimal logarithm if ``logarithmic``.
+        maximum: Largest value, likewise.
+        value: Value to begin with, likewise.
+        logarithmic: Whether the slider moves the decimal logarithm.
+        factor: From the SI unit to the unit that is shown.
+        unit: The unit that is shown, as plain text.
+    """
+
+    name: str
+    label: str
+    minimum: float
+    maximum: float
+    value: float
+    logarithmic: bool
+    factor: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing of the explorable: title, least and largest x and y, and what it shows, as plain text."""
+
+    title: str
+    limits: tuple[float, float, float, float]
+    description: str
+
+
+@dataclass(frozen=True)
+class Explorable:
+    """What a reader can move: the formulas as a script, sliders, panels, and a picture for print."""
+
+    formulas: str
+    sliders: tuple[Slider, ...]
+    panels: tuple[Panel, ...]
+    still: Figure
+
+
+@dataclass(frozen=True)
 class NomenclatureRow:
-    """A symbol (LaTeX), its meaning and its SI unit (plain text)."""
+    """A symbol (LaTeX), its meaning and SI unit (plain text), and the id of the step that has it first."""
 
     symbol: str
     meaning: str
     unit: str
+    first: str = ""
 
 
 @dataclass(frozen=True)
@@ -105,6 +182,15 @@ class CorrectedResult:
     exact_orbit: str
     unit: str = ""
     remark: str = ""
+
+
+@dataclass(frozen=True)
+class Follows:
+    """A claim (its id) that follows from another in the thesis, and how, in a few words of plain text."""
+
+    claim: str
+    source: str
+    how: str
 
 
 @dataclass(frozen=True)
@@ -253,7 +339,8 @@ class TwinChapter:
 class Document:
     """The whole report, or a part of it: ``omitted`` are the chapters that a partial report leaves out.
 
-    ``further_statements`` is how many statements were found by a second reading.
+    ``further_statements`` is how many statements were found by a second reading, ``solution`` the steps from
+    the equations to numbers, ``step_of`` the id of the step that each claim rests on.
     """
 
     title: str
@@ -268,6 +355,10 @@ class Document:
     text_copy: TextCopy
     programs: tuple[Program, ...] = ()
     describing_functions: tuple[DerivationStep, ...] = ()
+    solution: tuple[DerivationStep, ...] = ()
+    step_of: Mapping[str, str] = field(default_factory=dict)
+    explorable: Explorable | None = None
+    spread: tuple[Follows, ...] = ()
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     robustness: Robustness | None = None
@@ -277,13 +368,19 @@ class Document:
     twin: TwinChapter | None = None
 
     @property
+    def steps(self) -> tuple[DerivationStep, ...]:
+        """All steps of the derivation, in their order."""
+        return (*self.derivation, *self.describing_functions, *self.solution)
+
+    @property
     def findings(self) -> tuple[Finding, ...]:
         """All findings, in thesis order."""
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
 
     @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: of the first screen, claims, the chapter on the twin, and how far it holds."""
+        """All figures: first screen, claims, the twin, how far it holds, and the explorable."""
         first = (self.opening.figure,) if self.opening else ()
         last = (self.robustness.figure,) if self.robustness else ()
-        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last)
+        still = (self.explorable.still,) if self.explorable else ()
+        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last, *still)

@@ -130,6 +130,7 @@
       query.focus();
     }
   });
+  query.addEventListener("focus", () => setTimeout(search.entries), { once: true }); // so that the first letter need not wait
   addEventListener("hashchange", reveal);
   choose(location.search);
   reveal();

@@ -148,6 +148,7 @@
       read();
     });
     svg.addEventListener("click", (event) => { point = placed(event); read(); });
+    svg.addEventListener("mousedown", (event) => { if (event.detail > 1) event.preventDefault(); }); // or it selects text
     svg.addEventListener("dblclick", (event) => { point = placed(event); zoom(2); });
     svg.addEventListener("wheel", (event) => {
       if (!event.ctrlKey) return; // without it, the wheel scrolls the page

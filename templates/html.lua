@@ -116,7 +116,7 @@ local function latex_sources()
   local html = { '<details class="latex"><summary>LaTeX</summary>' }
   for _, source in ipairs(sources) do
     local entry = '<figure class="source"><figcaption>%s</figcaption><pre tabindex="0"><code>%s</code></pre></figure>'
-    table.insert(html, entry:format(escaped(source.name), escaped(source.latex)))
+    table.insert(html, entry:format((escaped(source.name):gsub("(%d) (%a)", "%1\u{a0}%2")), escaped(source.latex)))
   end
   table.insert(html, "</details>")
   sources = {}
@@ -130,7 +130,6 @@ local function equation(div)
     result:insert(raw('<span class="thesis-number">(' .. escaped(div.attributes.thesis) .. ")</span>"))
   end
   result:insert(raw("</div>"))
-  result:extend(latex_sources())
   return result
 end
 
@@ -232,11 +231,29 @@ local converters = {
   ["answer-side"] = function(div)
     return comparison_side(div.attributes.side)(pandoc.Div(div.content, { class = "answer-side" }))
   end,
+  ["spread-picture"] = function(div)
+    return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
+  end,
+  ["step-picture"] = function(div)
+    local blocks = { pandoc.Plain(div.content[1].content) }
+    return wrapped('<figure class="picture" id="' .. escaped(div.identifier) .. '">', blocks, "")
+      .. wrapped("<figcaption>", { table.unpack(div.content, 2) }, "</figcaption></figure>")
+  end,
+  -- The LaTeX of all formulas of a step.
+  ["step-sources"] = latex_sources,
+  -- The lines of code of a step, each function folded.
+  lines = function(div)
+    local opening = '<details class="lines"><summary><code>%s</code>, %s</summary><pre tabindex="0"><code>%s</code></pre></details>'
+    return raw(opening:format(escaped(div.attributes.name), escaped(div.attributes.place), escaped(div.content[1].text)))
+  end,
   fold = function(div)
     local opening = "<details class=\"fold\"><summary>" .. escaped(div.attributes.summary) .. "</summary>"
     return wrapped(opening, div.content, "</details>")
   end,
   outline = nothing,
+  explorable = function()
+    return raw('<div class="explorable"></div>')
+  end,
   -- Places of what the reader's own copy has: it is put there when the page is finished.
   passage = function(div)
     return raw("<!-- passage " .. escaped(div.attributes.claim) .. " -->")

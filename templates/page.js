@@ -37,18 +37,23 @@
       window.print();
     });
     addEventListener("afterprint", () => { delete root.dataset.print; });
-    sheet.querySelector("h2").after(print);
+    const past = Object.assign(document.createElement("a"), { className: "skip", href: "#after-errata",
+      textContent: "Skip the errata sheet" });
+    const after = Object.assign(document.createElement("div"), { id: "after-errata", tabIndex: -1 });
+    sheet.querySelector("h2").after(past, print);
+    sheet.after(after);
   }
 
   // What scrolls sideways can be reached by keyboard, what does not is no stop on the way. The content is watched
   // too: it grows when the font of formulas is there.
-  const boxes = ".formula, .table-box, .picture";
+  const boxes = ".formula, .table-box, .picture, .paper";
+  const isCard = (box) => box.matches(".errata-sheet .table-box"); // which is a stop in any case
   const scrollers = new ResizeObserver((changes) => {
     for (const box of new Set(changes.map(({ target }) => target.closest(boxes)))) {
-      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else box.removeAttribute("tabindex");
+      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else if (!box.matches(".paper")) box.removeAttribute("tabindex");
     }
   });
-  for (const box of document.querySelectorAll(boxes)) {
+  for (const box of [...document.querySelectorAll(boxes)].filter((each) => !isCard(each))) {
     scrollers.observe(box);
     scrollers.observe(box.firstElementChild);
   }

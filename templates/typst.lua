@@ -91,9 +91,11 @@ local function claim(div)
   return result
 end
 
+-- What belongs to one place of the text stays there; other drawings float.
 local function figure(div)
   local image = div.content[1].content[1]
-  local opening = "#drawing(%s, alt: %s)["
+  local stays = div.classes:includes("step-picture") or div.classes:includes("still")
+  local opening = (stays and "#picture" or "#drawing") .. "(%s, alt: %s)["
   return wrapped(
     opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
     { table.unpack(div.content, 2) },
@@ -136,6 +138,12 @@ local converters = {
   table = report_table,
   claim = claim,
   figure = figure,
+  ["step-picture"] = figure,
+  ["spread-picture"] = function(div)
+    local image = div.content[1].content[1]
+    local opening = "#align(center, image(%s, alt: %s, width: 9.2cm))"
+    return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
+  end,
   program = program,
   ["chapter-begin"] = nothing,
   ["chapter-end"] = nothing,
@@ -180,8 +188,16 @@ local converters = {
   meta = call("meta"),
   evidence = call("evidence"),
   part = call("part"),
-  fold = nothing,
+  fold = function(div)
+    return div.classes:includes("kept") and div.content or {}
+  end,
+  ["code-lines"] = call("code-lines"),
+  explorable = nothing,
+  lines = function(div)
+    return pandoc.Para({ pandoc.Code(div.attributes.name), pandoc.Str(", "), pandoc.Code(div.attributes.place) })
+  end,
   ["latex-sources"] = nothing,
+  ["step-sources"] = nothing,
   passage = nothing,
   ["reader-copy"] = nothing,
   unseen = call("judged"),
@@ -196,7 +212,7 @@ end
 
 -- Chapters begin on a page of their own; Typst then sets them side by side on all cores. Levels are shifted
 -- after this filter: a chapter is still of level 2.
-local without_break = { summary = true, parameters = true, provenance = true, errata = true }
+local without_break = { summary = true, spread = true, parameters = true, provenance = true, errata = true }
 
 function Header(header)
   if header.level == 2 and not without_break[header.identifier] then

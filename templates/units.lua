@@ -41,9 +41,11 @@ local function is_unit(text)
   return units[word:gsub("·", "/"):match("^[^/]+")] or word:sub(1, 2) == "1/"
 end
 
+local digits = set("⁰ ¹ ² ³ ⁴ ⁵ ⁶ ⁷ ⁸ ⁹ π")
+
 local function ends_with_number(inline)
   if inline.t == "Str" then
-    return inline.text:find("%d$") ~= nil or inline.text:find("π$") ~= nil
+    return inline.text:find("%d$") ~= nil or digits[inline.text:match(utf8.charpattern .. "$")] ~= nil
   elseif inline.t == "Math" then
     return inline.text:find("[%d}]%s*$") ~= nil or inline.text:find("\\pi%s*$") ~= nil
   end

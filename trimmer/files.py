@@ -57,7 +57,7 @@ LATEX = FileKind(
         flags=re.DOTALL,
     ),
 )
-KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, TOML, MAP, MECHANISM, MODULE, LATEX)
+KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, ERRATA, TOML, MAP, MECHANISM, MODULE, LATEX)
 
 _HEAD = 512
 """As many bytes as it takes to tell the kind of a file."""

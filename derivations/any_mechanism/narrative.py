@@ -15,14 +15,13 @@ from derivations.latex import latex, latex_equation, latex_text
 from derivations.linear_motion import LinearMotion
 from derivations.mechanism import elongation, position
 from derivations.narrative import (
-    Formula,
-    Step,
     elongations,
     energies,
     euler_lagrange_equation,
     symmetric_matrices,
 )
 from derivations.parts import ContactLaw, End, Play
+from derivations.step import Formula, Step
 from derivations.symbols import t
 
 ENDING = {

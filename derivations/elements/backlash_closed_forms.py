@@ -38,6 +38,37 @@ def swept(phase: sympy.Expr) -> sympy.Expr:
     return product(total(sin(phase), -j * n * cos(phase)), turned(phase))
 
 
+def resting_antiderivative() -> sympy.Expr:
+    """Antiderivative of (A - g/2) exp(-jnθ): a load at rest."""
+    return product(j / n, total(A, -HALF_GAP), turned(THETA))
+
+
+def straight_antiderivative() -> sympy.Expr:
+    """Antiderivative of (Aθ - g/2) exp(-jnθ): a load at constant velocity."""
+    moving = product(A / n**2, total(1, j * n * THETA), turned(THETA))
+    return total(moving, -product(j * GAP / (2 * n), turned(THETA)))
+
+
+def braked_antiderivative() -> sympy.Expr:
+    """Antiderivative of the general flight times exp(-jnθ)."""
+    rest = total(A * sin(SEPARATION), A * GAMMA * cos(SEPARATION), -HALF_GAP)
+    decayed = exp(-total(THETA, -SEPARATION) / GAMMA)
+    moving = product(A * GAMMA * cos(SEPARATION) / IMPEDANCE, decayed, turned(THETA))
+    return total(product(j / n, rest, turned(THETA)), moving)
+
+
+def contact_antiderivative() -> sympy.Expr:
+    """Antiderivative of (A sin θ + g/2) exp(-jθ): a load that follows the pin, for n = 1."""
+    pin = product(A / 4, exp(-2 * j * THETA))
+    return total(-j * A * THETA / 2, -pin, product(j * HALF_GAP, exp(-j * THETA)))
+
+
+def contact_antiderivative_of_harmonic() -> sympy.Expr:
+    """Antiderivative of (A sin θ + g/2) exp(-jnθ) for odd n >= 3."""
+    pin = product(A / BEYOND_FUNDAMENTAL, total(cos(THETA), j * n * sin(THETA)), turned(THETA))
+    return total(pin, product(j * GAP / (2 * n), turned(THETA)))
+
+
 def resting_integral() -> sympy.Expr:
     """Integral of the flight without inertia, at rest from π/2 to φ_c."""
     return product(j / n, total(A, -HALF_GAP), total(turned(CONTACT), -turned(pi / 2)))

@@ -15,7 +15,7 @@ from derivations.elements.steps import (
     method,
     slopes,
 )
-from derivations.narrative import Step
+from derivations.step import Step
 
 
 def proven_steps() -> tuple[ProvenStep, ...]:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 
 from derivations.algebra.identity import Proof, require_equal
 from derivations.algebra.unevaluated import total
-from derivations.elements.harmonics import evaluated, harmonic_integral
+from derivations.elements.harmonics import antiderivative, evaluated, harmonic_integral
 from derivations.elements.waveform import THETA, Segment
 from derivations.latex import latex
-from derivations.narrative import Formula, Step
+from derivations.step import Formula, Step
 
 Substitutions = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
@@ -27,6 +29,7 @@ class Equality:
         derived: The expression that it has to equal, as it follows from the waveform.
         thesis: Number of the equation in the thesis, empty where it has none.
         given: What symbols stand for; substituted on both sides, in order, before they are compared.
+        words: Prose before it; empty where it follows the line above.
     """
 
     name: str
@@ -34,6 +37,7 @@ class Equality:
     derived: sympy.Expr
     thesis: str = ""
     given: Substitutions = ()
+    words: str = ""
 
     def prove(self) -> Proof:
         """Prove that the closed form is what was derived, after all integrals are evaluated.
@@ -50,7 +54,7 @@ class Equality:
     @property
     def formula(self) -> Formula:
         """The equation as it is shown."""
-        return Formula(f"{self.name} = {latex(self.closed)}", self.thesis)
+        return Formula(f"{self.name} = {latex(self.closed)}", self.thesis, self.words)
 
 
 def integral_over(
@@ -67,6 +71,20 @@ def integral_over(
     limits = rf"\int_{{{latex(segment.start)}}}^{{{latex(segment.end)}}}"
     name = rf"{limits} y\, {latex(sympy.exp(-sympy.I * harmonic * THETA))}\, d\theta"
     return Equality(name, closed, harmonic_integral(segment, harmonic), given=given)
+
+
+def antiderivative_on(segment: Segment, harmonic: sympy.Expr, closed: sympy.Expr, words: str) -> Equality:
+    """Return the equality of ∫ y exp(-jnθ) dθ without limits and an antiderivative in closed form.
+
+    Args:
+        segment: A part of the output y.
+        harmonic: n, a number or a symbol.
+        closed: The antiderivative, made of powers and exponentials of θ without a constant.
+        words: Which part of the output it is, as prose.
+    """
+    weight = sympy.exp(-sympy.I * harmonic * THETA)
+    name = rf"\int y\, {latex(weight)}\, d\theta"
+    return Equality(name, closed, antiderivative(segment.value * weight, THETA), words=words)
 
 
 def cases(name: str, segments: tuple[Segment, ...], thesis: str = "") -> Formula:
@@ -95,12 +113,14 @@ class ProvenStep:
         title: Heading.
         text: Prose, paragraphs separated by an empty line.
         lines: Definitions as formulas and results as equalities, in the order in which they are shown.
+        code: The functions that do what the step says.
     """
 
     id: str
     title: str
     text: str
     lines: tuple[Formula | Equality, ...]
+    code: tuple[Callable[..., Any], ...] = ()
 
     @property
     def equalities(self) -> tuple[Equality, ...]:
@@ -120,4 +140,4 @@ class ProvenStep:
         )
         text = f"{self.text}\n\nProven equations: {means.total()}. The difference of both sides {proofs}."
         formulas = (line.formula if isinstance(line, Equality) else line for line in self.lines)
-        return Step(self.id, self.title, text, tuple(formulas))
+        return Step(self.id, self.title, text, tuple(formulas), self.code)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
-from derivations.narrative import Step
-from derivations.symbols import PARAMETERS, QUANTITIES
+from derivations.step import Step
+from derivations.symbols import PARAMETERS
 from report.claim import Finding, Statement
+from report.derivation.code_lines import code_lines
+from report.derivation.nomenclature import nomenclature
+from report.derivation.places_of_claims import places, shown_in
 from report.document import (
     Answer,
     Chapter,
@@ -17,8 +19,8 @@ from report.document import (
     DerivationStep,
     Document,
     Equation,
+    Explorable,
     Figure,
-    NomenclatureRow,
     Opening,
     ParameterRow,
     Program,
@@ -28,6 +30,7 @@ from report.document import (
 from report.inventory import FURTHER, read_inventory
 from report.provenance import provenance
 from report.sections import read_sections
+from report.spread import read_follows
 from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
@@ -46,12 +49,6 @@ CHAPTERS = {
     "E": "Further simulations",
 }
 
-SETTLED_BY = {
-    "df-general-backlash": ("eq-B.3", "eq-B.4"),
-    "df-contours": ("txt-5.2.3-contours-bounded",),
-}
-"""Claims that steps of the derivation settle, beside those on the equations that they give the numbers of."""
-
 
 @dataclass(frozen=True)
 class Parts:
@@ -62,6 +59,9 @@ class Parts:
         figures: The redrawn figures, in the order of the thesis.
         trimmer_steps: The derivation of the linear trimmer.
         element_steps: The derivation of the describing functions.
+        number_steps: From the equations to numbers.
+        pictures: Of the waveforms, by the ids of their steps.
+        explorable: What a reader can move.
         programs: The corrected listings.
         opening: The first screen.
         answers: Answers to the thesis's questions.
@@ -74,6 +74,9 @@ class Parts:
     figures: tuple[Figure, ...]
     trimmer_steps: tuple[Step, ...]
     element_steps: tuple[Step, ...]
+    number_steps: tuple[Step, ...]
+    pictures: Mapping[str, Figure]
+    explorable: Explorable
     programs: tuple[Program, ...]
     opening: Opening
     answers: tuple[Answer, ...]
@@ -84,17 +87,17 @@ class Parts:
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
     """Return the finished document."""
+    steps = parts.trimmer_steps + parts.element_steps + parts.number_steps
+    step_of = places(parts.findings, steps)
+    told = {step.id: _told(step, step_of, parts) for step in steps}
     return Document(
         title=TITLE,
         opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
-        derivation=_derivation(parts.trimmer_steps, parts.findings),
+        derivation=tuple(told[step.id] for step in parts.trimmer_steps),
         figures=parts.figures,
-        nomenclature=tuple(
-            NomenclatureRow(latex(quantity.symbol), quantity.meaning, quantity.unit.text)
-            for quantity in QUANTITIES + ELEMENT_QUANTITIES
-        ),
+        nomenclature=nomenclature(steps, parts.findings),
         parameters=tuple(
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
@@ -102,7 +105,11 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         provenance=provenance(),
         text_copy=read_text_copy(),
         programs=parts.programs,
-        describing_functions=_derivation(parts.element_steps, parts.findings),
+        describing_functions=tuple(told[step.id] for step in parts.element_steps),
+        solution=tuple(told[step.id] for step in parts.number_steps),
+        step_of=step_of,
+        explorable=parts.explorable,
+        spread=read_follows(inventory),
         answers=parts.answers,
         corrected=parts.corrected,
         robustness=parts.robustness,
@@ -127,21 +134,18 @@ def _in_thesis_order(
     return tuple(sorted(own, key=lambda finding: finding.section.split(".")))
 
 
-def _derivation(steps: tuple[Step, ...], findings: tuple[Finding, ...]) -> tuple[DerivationStep, ...]:
-    judged = {finding.id for finding in findings}
-    return tuple(
-        DerivationStep(
-            id=step.id,
-            title=step.title,
-            text=step.text,
-            equations=tuple(Equation(formula.latex, formula.thesis) for formula in step.formulas),
-            claims=tuple(claim for claim in _claims(step) if claim in judged),
-        )
-        for step in steps
+def _told(step: Step, step_of: Mapping[str, str], parts: Parts) -> DerivationStep:
+    judged = {finding.id for finding in parts.findings}
+    shown = tuple(claim for claim in shown_in((step,)) if claim in judged)
+    others = (claim for claim, place in step_of.items() if place == step.id and claim not in shown)
+    return DerivationStep(
+        id=step.id,
+        title=step.title,
+        text=step.text,
+        equations=tuple(Equation(each.latex, each.thesis, each.words) for each in step.formulas),
+        claims=shown,
+        others=tuple(others),
+        code=tuple(map(code_lines, step.code)),
+        picture=parts.pictures.get(step.id),
+        folded=step.long,
     )
-
-
-def _claims(step: Step) -> tuple[str, ...]:
-    """Return the ids of the claims that a step bears on, each once."""
-    equations = (f"eq-{formula.thesis}" for formula in step.formulas if formula.thesis)
-    return tuple(dict.fromkeys((*equations, *SETTLED_BY.get(step.id, ()))))

@@ -18,8 +18,11 @@ from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
 from report.claim import Finding, Statement, judge
 from report.collect import Records, collect
+from report.derivation.number_steps import number_steps
+from report.derivation.pictures import waveform_pictures
 from report.document import Document
 from report.evidence import Evidence, derive, solve
+from report.explorable.make import explorable
 from report.folders import templates
 from report.inventory import read_inventory
 from report.numbers.twin.kept_files import digest_of_files
@@ -59,6 +62,9 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         figures=tuple(results[f"figure-{figure.id}"] for figure in records.figures),
         trimmer_steps=results["trimmer-steps"],
         element_steps=results["element-steps"],
+        number_steps=results["number-steps"],
+        pictures=results["waveforms"],
+        explorable=results["explorable"],
         programs=results["programs"],
         opening=opening(evidence, findings, results["opening-figure"]),
         answers=results["answers"],
@@ -103,6 +109,14 @@ def _tasks(
             partial(narrative, evidence.derivation),
         ),
         Task("twin", "observe", of_twin, partial(twin_chapter, evidence, seed_of(of_twin))),
+        Task(
+            "number-steps",
+            "prove",
+            key(["report.derivation.number_steps"]),
+            partial(number_steps, evidence),
+        ),
+        Task("explorable", "draw", key(["report.explorable.make"]), partial(explorable, evidence)),
+        Task("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),
         Task(
             "programs",
             "print",

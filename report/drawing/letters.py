@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _COLOUR_BAR: Final = "<colorbar>"
-_LETTERED: Final = re.compile(r"\([a-z]\)(?: |$)")
+_LETTERED: Final = re.compile(r"^\([a-z]\)(?: |$)")
 
 
 def panels_of(figure: Figure) -> list[Axes]:
@@ -32,8 +32,6 @@ def letter_panels(figure: Figure) -> None:
     if len(shown) < 2:
         return
     for letter, axes in zip(ascii_lowercase, shown, strict=False):
-        title = title_of(axes)
-        if _LETTERED.match(title):
-            continue
+        title = _LETTERED.sub("", title_of(axes))
         axes.set_title("")
         axes.set_title(f"({letter}) {title}".rstrip(), loc="left")

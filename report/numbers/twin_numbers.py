@@ -7,13 +7,30 @@ from typing import Final
 
 import numpy as np
 
-from report.numbers.twin.cases import PHASES, SHOWN, Independent, TwinCase, followed, independent, twin_case
+from report.numbers.twin.cases import (
+    PHASES,
+    SHOWN,
+    Independent,
+    TwinCase,
+    followed,
+    independent,
+    lead_to_one,
+    twin_case,
+)
 from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
 from report.numbers.twin.grids import DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
 from report.numbers.twin.kept_branch import KeptBranch, read_branches
 from report.numbers.twin.kept_map import read_map
 from report.numbers.twin.map_numbers import MapNumbers
-from report.numbers.twin.mechanism import AMPLITUDE, FREQUENCY, SMALL_FORCE, SMALL_GAP, STROKE, twin
+from report.numbers.twin.mechanism import (
+    AMPLITUDE,
+    FREQUENCY,
+    SMALL_FORCE,
+    SMALL_GAP,
+    STIFFNESS,
+    STROKE,
+    twin,
+)
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from trimmer import InputChannels, TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
@@ -26,6 +43,13 @@ FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)
 """Frictions without play, N."""
 SOLVED_AGAIN: Final = 100
 """Every so many orbits of a branch one is solved again."""
+STARTS: Final = 8
+"""Starts from which what is advised to designers is tried."""
+ADVISED: Final = (
+    twin(),
+    twin(EXPERIMENT_GAP, SMALL_FORCE).with_value(STIFFNESS, 10e3),
+    twin(150e-6, SMALL_FORCE, 155.0),
+)
 SCALE: Final = 0.5
 """Factor by which amplitude, gap and friction are changed together."""
 
@@ -72,6 +96,8 @@ class TwinNumbers:
         mirror_apart: Distance of the mirror image from the motion itself, m.
         linear_stroke: Without play and friction, from the linear trimmer's response, m peak to peak.
         branches_again: Largest relative change of the stroke where kept orbits are solved again.
+        advised: Of each of ``ADVISED`` (40 µm; a soft bridge at 0.2 mm; 155 Hz at 0.15 mm): whether
+            ``STARTS`` starts lead to one motion of the drive's period, mirror images apart.
         friction: Kept map over gap and friction.
         speed: Kept map over gap and frequency of the drive, 0.5 N.
         stiffness: Kept map over gap and stiffness of the bridge, 0.5 N.
@@ -92,6 +118,7 @@ class TwinNumbers:
     mirror_apart: float
     linear_stroke: float
     branches_again: float
+    advised: tuple[bool, ...]
     friction: MapNumbers
     speed: MapNumbers
     stiffness: MapNumbers
@@ -148,6 +175,7 @@ def solve_twin() -> TwinNumbers:
         mirror_apart=apart,
         linear_stroke=_linear_stroke(),
         branches_again=_branches_again(branches),
+        advised=tuple(lead_to_one(each, STARTS) for each in ADVISED),
         friction=friction,
         speed=speed,
         stiffness=stiffness,

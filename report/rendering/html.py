@@ -15,17 +15,27 @@ from report.copy.reading import ReaderCopy
 from report.document import Document
 from report.grade import grade
 from report.octave.archive import archive
+from report.rendering.drawings import drawings
 from report.rendering.figure_colours import variables, with_variables
 from report.rendering.markdown import ARCHIVE
 from report.rendering.passages import passages
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
 from report.rendering.summary import GRADES, SYMBOLS
-from report.rendering.verdict_picture import NAME, verdict_picture
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
-STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("search.js", "claims.js", "contents.js", "zoom.js", "figures.js", "page.js", "sources.js")
+STYLES = ("page.css", "tables.css", "student.css", "print.css")
+SCRIPTS = (
+    "search.js",
+    "claims.js",
+    "contents.js",
+    "explorable.js",
+    "zoom.js",
+    "figures.js",
+    "page.js",
+    "sources.js",
+    "cards.js",
+)
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _PLACE_OF_PASSAGE = re.compile(r"<!-- passage (?P<claim>\S+) -->")
 _PLACE_OF_COPY = re.compile("<!-- reader's copy -->")
@@ -54,7 +64,7 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
         BrokenLinkError: if a finding names a source file that is not there.
     """
     figures = {figure.id: figure.svg for figure in document.drawings}
-    drawings = {NAME: verdict_picture(document), **{id: with_variables(svg) for id, svg in figures.items()}}
+    svg = drawings(document) | {id: with_variables(each) for id, each in figures.items()}
     template = _environment().get_template
     code = template("sources.html.j2").render(sources=sources(document))
     return template("page.html.j2").render(
@@ -63,7 +73,7 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
         grades={grade(finding) for finding in document.findings},
         grade_words=GRADES,
         contents=contents(body + code),
-        body=_with_copy(_with_programs(_with_drawings(body, drawings), document), document, copy) + code,
+        body=_with_copy(_with_programs(_with_drawings(body, svg), document), document, copy) + code,
         styles=[*_templates(STYLES), variables(figures.values())],
         scripts=_templates(SCRIPTS),
         font=_base64(FONT.read_bytes()),
@@ -87,9 +97,9 @@ def contents(body: str) -> tuple[ContentsEntry, ...]:
     return tuple(entries)
 
 
-def _with_drawings(body: str, drawings: dict[str, str]) -> str:
+def _with_drawings(body: str, svg: dict[str, str]) -> str:
     """Put each drawing in the place of the image that names it."""
-    return _DRAWING.sub(lambda match: drawings[match["id"]], body)
+    return _DRAWING.sub(lambda match: svg[match["id"]], body)
 
 
 def _with_programs(body: str, document: Document) -> str:

@@ -21,11 +21,16 @@ def check_claims(document: Document) -> None:
     Raises:
         BrokenLinkError: naming who names which claim, if one is not there.
     """
-    steps = document.derivation + document.describing_functions
+    steps = document.steps
     named = {
-        **{claim: f"step {step.id} of the derivation" for step in steps for claim in step.claims},
+        **{
+            claim: f"step {step.id} of the derivation"
+            for step in steps
+            for claim in step.claims + step.others
+        },
         **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
+        **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
         **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
         **{row.claim: "how far it holds" for row in _survivals(document)},
     }

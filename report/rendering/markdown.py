@@ -12,7 +12,16 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from report.claim import Finding, Mathematics, Number, Shown, Words
 from report.document import Document
 from report.grade import Grade, grade
-from report.rendering import certificate, errata, escaping, outline, places, summary, verdict_picture
+from report.rendering import (
+    certificate,
+    errata,
+    escaping,
+    outline,
+    places,
+    spread_picture,
+    summary,
+    verdict_picture,
+)
 from report.rendering.latex import width
 from report.rendering.line_breaking import fit
 from report.rendering.links import check_claims, check_links
@@ -30,7 +39,7 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("twin", "programs", "derivation", "tables", "errata")
+BACK = ("twin", "programs", "explorable", "spread", "derivation", "nomenclature", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -50,6 +59,7 @@ def to_markdown(document: Document) -> dict[str, str]:
         "document": document,
         "findings": {finding.id: finding for finding in document.findings},
         "figures": {figure.id: figure for figure in document.figures},
+        "titles": {step.id: step.title for step in document.steps},
         "program_of": {program.claim: program.name for program in document.programs},
         "counts": summary.count_table(document),
         "errata": errata.by_severity(errata.errata(document)),
@@ -171,6 +181,8 @@ def _environment() -> Environment:
         command=certificate.command,
         build_time=certificate.build_time,
         picture_description=verdict_picture.description,
+        spread=spread_picture.spread,
+        spread_description=spread_picture.description,
     )
     environment.globals.update(
         shown=shown,
@@ -189,5 +201,6 @@ def _environment() -> Environment:
         ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
+        SPREAD_PICTURE=spread_picture.NAME,
     )
     return environment

@@ -11,9 +11,9 @@ from typing import Any
 from report.cache.stage_store import StageStore
 from report.document import Document
 from report.octave.archive import files
+from report.rendering.drawings import drawings
 from report.rendering.pieces import TEMPLATES
 from report.rendering.request import Paper
-from report.rendering.verdict_picture import NAME, verdict_picture
 
 _PAPERS = {Paper.A4: "a4", Paper.LETTER: "us-letter"}
 
@@ -37,8 +37,7 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
     """
     source = {
         "main": _source(document, body, paper).encode(),
-        f"figures/{NAME}.svg": verdict_picture(document).encode(),
-        **{f"figures/{figure.id}.svg": figure.svg.encode() for figure in document.drawings},
+        **{f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()},
         **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
     }
     timestamp = _timestamp(document.provenance.date)

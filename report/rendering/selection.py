@@ -62,6 +62,10 @@ def select(document: Document, names: Sequence[str]) -> Document:
         robustness=None,
         derivation=(),
         describing_functions=(),
+        solution=(),
+        step_of={},
+        explorable=None,
+        spread=(),
         answers=(),
         twin=None,
     )

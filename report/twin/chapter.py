@@ -77,4 +77,4 @@ def _of_check(check: CellCheck) -> ObservationRecord:
             check.drawn,
         )
 
-    return ObservationRecord("twin-cells", "report/twin/cell_check.py", items)
+    return ObservationRecord("twin-cells", "report/twin/cell_check.py", items, "Computed again.")

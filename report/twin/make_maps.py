@@ -1,7 +1,8 @@
 """``make maps``: compute the maps and branches of the twin that are kept with the code.
 
-Each map is written cell by cell into ``build/maps``, and a run that was interrupted goes on from there. The
-files of ``report/data/twin`` are written at the end, from whole maps only.
+Each map is written cell by cell into a folder of ``build/maps``, and a run that was interrupted goes on from
+there. The folder is named after the code that computes cells, so that nothing goes on from what other code
+has computed. The files of ``report/data/twin`` are written at the end, from whole maps only.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
+from report.cache.source_closure import SourceTree
 from report.numbers.twin.grids import COURSES, GRIDS, Grid
 from report.numbers.twin.kept_branch import settings_of, write_branches
 from report.numbers.twin.kept_files import FOLDER
@@ -21,10 +23,19 @@ from trimmer.maps.inputs import MapInputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 
 WORK = Path("build") / "maps"
+COMPUTES = "trimmer.maps.motion_map"
+"""What computes cells."""
+SHORT = 12
+"""Digits of its digest that name a folder."""
 INTERRUPTED = 130
 
 
-def make(work: Path = WORK, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> None:
+def work_folder(parent: Path = WORK) -> Path:
+    """Return the folder of the maps that are under way with the code as it is now."""
+    return parent / SourceTree.read().digest([COMPUTES])[:SHORT]
+
+
+def make(work: Path, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> None:
     """Compute what is not there yet, and write the kept files.
 
     Args:
@@ -78,7 +89,7 @@ def _cells(inputs: MapInputs, file: Path) -> list[CellResult]:
 def main() -> int:
     """Make all; return the exit code."""
     try:
-        make()
+        make(work_folder())
         make_branches()
     except MapInterruptedError as interrupt:
         print(f"{str(interrupt).partition(';')[0]}; `make maps` goes on", file=sys.stderr)

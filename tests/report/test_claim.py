@@ -16,6 +16,7 @@ from report.claim import (
     Slip,
     Statement,
     Uncheckable,
+    UngradedError,
     Verdict,
     Words,
     judge,
@@ -31,7 +32,8 @@ MISSING = Uncheckable("missing", Words("0.3 mm"), "the raw data of the experimen
 
 
 def claim(*parts):
-    return Claim(id="eq-9.9", parts=parts, explanation="It is so.", source="derivations/energies.py")
+    source = "derivations/energies.py"
+    return Claim("eq-9.9", parts, "It is so.", source, severity=Severity.RESULT)
 
 
 @pytest.mark.parametrize(
@@ -123,6 +125,9 @@ def test_certainty_is_that_of_the_least_sure_part_and_none_where_nothing_was_che
     finding = judge(proven, ENTRY)
     assert [part.certainty for part in finding.parts] == [Certainty.PROVEN, Certainty.READING]
     assert finding.certainty is Certainty.READING
+    sure = judge(claim(RIGHT, replace(WRONG, certainty=Certainty.PROVEN)), ENTRY)
+    assert [part.certainty for part in sure.parts] == [Certainty.COMPUTED, Certainty.PROVEN]
+    assert sure.certainty is Certainty.PROVEN
 
 
 def test_a_part_names_what_it_judges_by_itself_unless_it_shares_it():
@@ -131,3 +136,13 @@ def test_a_part_names_what_it_judges_by_itself_unless_it_shares_it():
     shared = replace(WRONG, item="737.514 Hz")
     parts = judge(claim(RIGHT, shared, replace(shared, label="again"), replace(RIGHT, label="")), ENTRY).parts
     assert [part.item for part in parts] == ["eq-9.9, right", "737.514 Hz", "737.514 Hz", "eq-9.9, part 4"]
+
+
+def test_a_finding_that_is_not_wrong_as_a_whole_has_no_severity():
+    finding = judge(claim(REPEATED, MISSING), ENTRY)
+    assert (finding.verdict, finding.severity) == (Verdict.NOT_CHECKABLE, Severity.NONE)
+
+
+def test_what_is_wrong_has_to_be_graded():
+    with pytest.raises(UngradedError, match=r"eq-9\.9, wrong: it is wrong, and has no severity"):
+        judge(replace(claim(RIGHT, WRONG), severity=None), ENTRY)

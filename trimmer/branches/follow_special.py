@@ -22,8 +22,9 @@ from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.mechanism_map import MechanismMap
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.relocation import Sought, relocated
+from trimmer.branches.self_excited_map import SelfExcitedMap
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MechanismError
+from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.place_text import parse_place, place_text
 
 DEFAULT = LocusSettings()
@@ -111,12 +112,18 @@ def follow_special(
         settings: How to follow it.
 
     Raises:
+        UnsupportedMotionError: if the mechanism has no drive.
         MechanismError: if there is no such number, it is that of the branch, or it cannot have that value.
         ValueError: if the number has the value of stop already, or the ranges do not hold the point.
         WrongTypeError: if an argument has another type.
     """
     require_instance("branch", branch, FollowedBranch, "a trimmer.FollowedBranch")
     require_instance("special", special, SpecialPoint, "a special point of the branch")
+    if isinstance(branch.map, SelfExcitedMap):
+        raise UnsupportedMotionError(
+            "special points are followed over two numbers for driven motions only, and the mechanism has no "
+            "frequency; follow branches at several values of the second number"
+        )
     mechanism, first = branch.map.mechanism, place_text(parse_place(branch.map.place))
     second = place_text(parse_place(place))
     if second == first or second.endswith(".order"):

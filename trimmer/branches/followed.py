@@ -172,8 +172,8 @@ class FollowedBranch:
     def searched(self) -> str:
         """Where special points were looked for, and where not, in a sentence."""
         return (
-            f"special points were looked for between neighbours of {len(self.points)} orbits; two contacts, or "
-            "phases of stick, that come and go between the same two are not seen"
+            f"special points were looked for between neighbours of {len(self.points)} orbits; a contact or a "
+            "phase of stick that comes and goes between the same two is not seen"
         )
 
     @property

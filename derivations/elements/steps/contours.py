@@ -23,6 +23,7 @@ def step() -> ProvenStep:
         "Viscous contours lie between those of friction and inertia",
         _CURVE + _MAP,
         (*_friction(), *_inertia(), _end()),
+        code=(friction_fundamental, inertia_fundamental, general_fundamental),
     )
 
 

@@ -22,7 +22,7 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.latex import latex
-from derivations.narrative import Formula
+from derivations.step import Formula
 from derivations.symbols import A, k2, omega
 
 ONE = sympy.Integer(1)
@@ -60,6 +60,7 @@ def step() -> ProvenStep:
             *_units(units),
             Formula(f"N_{{eq}} = N_r + {latex(4 * sympy.I * FORCE / (sympy.pi * k2 * A))}", "5.14"),
         ),
+        code=(equivalent, friction_term, units_check),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy
 
 from derivations.algebra.unevaluated import product, total
+from derivations.elements.backlash_closed_forms import BEYOND_FUNDAMENTAL, swept
 from derivations.elements.friction import (
     DAMPING,
     FORCE,
@@ -14,14 +15,16 @@ from derivations.elements.friction import (
     viscous_waveform,
 )
 from derivations.elements.harmonics import HARMONIC, odd_harmonic
-from derivations.elements.proven_step import Equality, ProvenStep, cases, integral_over
+from derivations.elements.proven_step import Equality, ProvenStep, antiderivative_on, cases, integral_over
+from derivations.elements.waveform import THETA
 from derivations.latex import latex
-from derivations.narrative import Formula
+from derivations.step import Formula
 from derivations.symbols import A, omega
 
 ONE = sympy.Integer(1)
 VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)
 """Amplitude of a velocity, m/s."""
+UP = "On the first half of the period:"
 COUNT = sympy.Symbol("m", integer=True, nonnegative=True)
 
 
@@ -35,9 +38,11 @@ def relay() -> ProvenStep:
         "The output is $L$ while the input is positive and $-L$ while it is negative.",
         (
             cases("y", waveform.segments),
+            antiderivative_on(first, HARMONIC, sympy.I * LEVEL / HARMONIC * _turned(HARMONIC), UP),
             integral_over(first, HARMONIC, -2 * sympy.I * LEVEL / HARMONIC),
             Equality("N_n", 4 * LEVEL / (sympy.pi * HARMONIC * A), odd_harmonic(waveform, A, HARMONIC)),
         ),
+        code=(relay_waveform, odd_harmonic),
     )
 
 
@@ -69,6 +74,7 @@ def coulomb_friction() -> ProvenStep:
                 "2.52",
             ),
             cases("y", of_displacement.segments),
+            antiderivative_on(first, HARMONIC, -sympy.I * FORCE / HARMONIC * _turned(HARMONIC), UP),
             *(
                 integral_over(first, harmonic, closed)
                 for harmonic, closed in zip(fourfold, integrals, strict=True)
@@ -78,6 +84,7 @@ def coulomb_friction() -> ProvenStep:
                 for harmonic, closed in zip(fourfold, harmonics, strict=True)
             ),
         ),
+        code=(relay_waveform, friction_waveform, odd_harmonic),
     )
 
 
@@ -85,7 +92,8 @@ def viscous_friction() -> ProvenStep:
     """Return the step on viscous friction of a displacement, a linear element."""
     waveform = viscous_waveform()
     first = waveform.segments[0]
-    force = product(sympy.pi / 2, DAMPING * omega * A)
+    size = DAMPING * omega * A
+    force, beyond = product(sympy.pi / 2, size), -size / BEYOND_FUNDAMENTAL
     return ProvenStep(
         "df-viscous-friction",
         "Viscous friction",
@@ -93,9 +101,21 @@ def viscous_friction() -> ProvenStep:
         "$N_1$ is its transfer function at $s = j\\omega$.",
         (
             Formula(f"y = {latex(first.value)}"),
+            antiderivative_on(first, ONE, product(size, _fundamental_of_cosine()), f"{UP[:-1]}, $n = 1$:"),
             integral_over(first, ONE, force),
+            antiderivative_on(first, HARMONIC, product(beyond, swept(THETA)), "For odd $n \\ge 3$:"),
             integral_over(first, HARMONIC, sympy.Integer(0)),
             Equality("N_1", sympy.I * omega * DAMPING, odd_harmonic(waveform, A, ONE)),
             Equality("N_n", sympy.Integer(0), odd_harmonic(waveform, A, HARMONIC)),
         ),
+        code=(viscous_waveform, odd_harmonic),
     )
+
+
+def _turned(harmonic: sympy.Expr) -> sympy.Expr:
+    return sympy.exp(-sympy.I * harmonic * THETA)
+
+
+def _fundamental_of_cosine() -> sympy.Expr:
+    """Return an antiderivative of cos θ exp(-jθ)."""
+    return total(THETA / 2, sympy.I / 4 * _turned(2))

@@ -13,10 +13,14 @@ from derivations.elements.backlash import (
     contact_force,
     contact_ratio,
     free_flight,
+    general_waveform,
     separation_angle,
 )
 from derivations.elements.backlash_closed_forms import (
+    braked_antiderivative,
     braked_integral,
+    contact_antiderivative,
+    contact_antiderivative_of_harmonic,
     contact_integral,
     contact_integral_of_harmonic,
     flight,
@@ -25,14 +29,17 @@ from derivations.elements.backlash_closed_forms import (
 )
 from derivations.elements.backlash_harmonics import DECAY, DECAYED, MEANINGS, general_motion
 from derivations.elements.backlash_slopes import ELAPSED
-from derivations.elements.harmonics import HARMONIC
-from derivations.elements.proven_step import Equality, ProvenStep, cases, integral_over
+from derivations.elements.harmonics import HARMONIC, odd_harmonic
+from derivations.elements.proven_step import Equality, ProvenStep, antiderivative_on, cases, integral_over
 from derivations.elements.waveform import THETA, Segment
-from derivations.narrative import Formula
+from derivations.step import Formula
 from derivations.symbols import A
 
 ONE = sympy.Integer(1)
 GIVEN = (DECAYED, *MEANINGS)
+ON_FLIGHT = "On the flight, and between its limits:"
+ON_CONTACT = "On the contact, for $n = 1$:"
+BEYOND = "On the contact, for odd $n \\ge 3$:"
 
 
 def motion() -> ProvenStep:
@@ -49,6 +56,7 @@ def motion() -> ProvenStep:
         "$A\\omega$, is an integral of what is positive for $t < \\pi$. So the flight ends once, and $g/A$ "
         "rises with its length up to the largest value, at $\\lambda = \\phi_c - \\phi_s = \\pi$.",
         (*_contact(), *_flight()),
+        code=(contact_force, separation_angle, free_flight, contact_ratio),
     )
 
 
@@ -110,8 +118,11 @@ def describing_function() -> ProvenStep:
         "lost in it.",
         (
             cases("y", first_half),
+            antiderivative_on(load.flight, HARMONIC, braked_antiderivative(), ON_FLIGHT),
             integral_over(load.flight, HARMONIC, braked_integral(), GIVEN),
+            antiderivative_on(load.contact, ONE, contact_antiderivative(), ON_CONTACT),
             integral_over(load.contact, ONE, contact_integral(SEPARATION), GIVEN),
+            antiderivative_on(load.contact, HARMONIC, contact_antiderivative_of_harmonic(), BEYOND),
             integral_over(load.contact, HARMONIC, contact_integral_of_harmonic(SEPARATION), GIVEN),
             Equality(
                 "v",
@@ -127,4 +138,5 @@ def describing_function() -> ProvenStep:
                 given=MEANINGS,
             ),
         ),
+        code=(general_waveform, odd_harmonic, general_fundamental),
     )

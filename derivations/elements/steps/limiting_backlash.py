@@ -5,15 +5,19 @@ from __future__ import annotations
 import sympy
 
 from derivations.algebra.unevaluated import product, total
-from derivations.elements.backlash import CONTACT, GAP, SEPARATION
+from derivations.elements.backlash import CONTACT, GAP, SEPARATION, friction_waveform, inertia_waveform
 from derivations.elements.backlash_closed_forms import (
+    contact_antiderivative,
+    contact_antiderivative_of_harmonic,
     contact_integral,
     contact_integral_of_harmonic,
     friction_fundamental,
     friction_harmonic,
     inertia_fundamental,
     inertia_harmonic,
+    resting_antiderivative,
     resting_integral,
+    straight_antiderivative,
     straight_integral,
     turned,
 )
@@ -24,8 +28,16 @@ from derivations.elements.backlash_harmonics import (
     friction_motion,
     inertia_motion,
 )
-from derivations.elements.harmonics import HARMONIC
-from derivations.elements.proven_step import Equality, ProvenStep, Substitutions, cases, integral_over
+from derivations.elements.harmonics import HARMONIC, odd_harmonic
+from derivations.elements.proven_step import (
+    Equality,
+    ProvenStep,
+    Substitutions,
+    antiderivative_on,
+    cases,
+    integral_over,
+)
+from derivations.elements.steps.general_backlash import BEYOND, ON_CONTACT, ON_FLIGHT
 from derivations.symbols import A
 
 ONE = sympy.Integer(1)
@@ -47,11 +59,12 @@ def friction_backlash() -> ProvenStep:
         (
             cases("y", motion.waveform.segments, "2.36"),
             Equality(r"\frac{g}{A}", total(1, sympy.cos(CONTACT_ANGLE)), motion.ratio(), given=given),
-            *_integrals(motion, resting_integral(), given),
+            *_integrals(motion, (resting_antiderivative(), resting_integral()), given),
             Equality("N_1", fundamental, motion.describing_function(ONE), "2.41", given),
             *_coefficients(fundamental),
             Equality("N_n", friction_harmonic(), motion.describing_function(HARMONIC), given=given),
         ),
+        code=(friction_waveform, odd_harmonic, friction_fundamental),
     )
 
 
@@ -68,10 +81,11 @@ def inertia_backlash() -> ProvenStep:
         (
             cases("y", motion.waveform.segments, "2.42"),
             Equality(r"\frac{g}{A}", total(CONTACT, -sympy.sin(CONTACT)), motion.ratio(), given=given),
-            *_integrals(motion, straight_integral(), given),
+            *_integrals(motion, (straight_antiderivative(), straight_integral()), given),
             Equality("N_1", inertia_fundamental(), motion.describing_function(ONE), "2.43", given),
             Equality("N_n", inertia_harmonic(), motion.describing_function(HARMONIC), given=given),
         ),
+        code=(inertia_waveform, odd_harmonic, inertia_fundamental),
     )
 
 
@@ -79,12 +93,23 @@ def _given(motion: SteadyMotion) -> Substitutions:
     return (*MEANINGS, (SEPARATION, motion.separation))
 
 
-def _integrals(motion: SteadyMotion, flight: sympy.Expr, given: Substitutions) -> tuple[Equality, ...]:
-    """Return the integrals of flight and contact, the latter for n = 1 and for the other odd n."""
-    separation = motion.separation
+def _integrals(
+    motion: SteadyMotion, flight: tuple[sympy.Expr, sympy.Expr], given: Substitutions
+) -> tuple[Equality, ...]:
+    """Return antiderivative and integral of flight and contact, the latter for n = 1 and other odd n.
+
+    Args:
+        motion: The load's motion.
+        flight: Antiderivative and integral of its flight in closed form.
+        given: What symbols stand for, see ``Equality``.
+    """
+    separation, (primitive, integral) = motion.separation, flight
     return (
-        integral_over(motion.flight, HARMONIC, flight, given),
+        antiderivative_on(motion.flight, HARMONIC, primitive, ON_FLIGHT),
+        integral_over(motion.flight, HARMONIC, integral, given),
+        antiderivative_on(motion.contact, ONE, contact_antiderivative(), ON_CONTACT),
         integral_over(motion.contact, ONE, contact_integral(separation), given),
+        antiderivative_on(motion.contact, HARMONIC, contact_antiderivative_of_harmonic(), BEYOND),
         integral_over(motion.contact, HARMONIC, contact_integral_of_harmonic(separation), given),
     )
 

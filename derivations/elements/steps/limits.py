@@ -34,6 +34,7 @@ def step() -> ProvenStep:
         "their limits are their values at the limits of $\\phi_s$ and $E$, and these are the closed forms "
         "of friction-controlled ($\\phi_s = \\pi/2$) and inertia-controlled ($\\phi_s = 0$) backlash.",
         (*_friction(), *_inertia()),
+        code=(limits,),
     )
 
 

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.elements.harmonics import HARMONIC
+from derivations.elements.harmonics import (
+    HARMONIC,
+    antiderivative,
+    first_half,
+    harmonic_integral,
+    odd_harmonic,
+)
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.elements.waveform import THETA
-from derivations.narrative import Formula
+from derivations.step import Formula
 
 
 def step() -> ProvenStep:
@@ -44,4 +50,5 @@ def step() -> ProvenStep:
                 r"\int_{\theta_0}^{\theta_0 + \pi} y\, e^{-jn\theta} \, d\theta"
             ),
         ),
+        code=(harmonic_integral, antiderivative, first_half, odd_harmonic),
     )

@@ -20,7 +20,7 @@ from derivations.elements.backlash_slopes import (
 )
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.latex import latex
-from derivations.narrative import Formula
+from derivations.step import Formula
 
 BY_RATIO = r"\frac{\partial N_1}{\partial (g/A)}"
 BY_LOG_GAMMA = r"\frac{\partial N_1}{\partial \ln\gamma}"
@@ -56,4 +56,5 @@ def step() -> ProvenStep:
                 given=AFTER_EVALUATION,
             ),
         ),
+        code=(slope_by_ratio, slope_by_log_gamma, jacobian),
     )

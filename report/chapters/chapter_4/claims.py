@@ -236,7 +236,7 @@ def gamma(_: Evidence) -> Record:
     by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     second = close(decay, by_decay, right)
-    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip, severity=Severity.RESULT)
+    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip, severity=Severity.SLIP)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
     unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
     milliseconds = "its value in milliseconds, which is that in seconds"
@@ -252,10 +252,12 @@ def gamma(_: Evidence) -> Record:
     )
     yield text(r"""
         With the printed ratio $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The printed value is a
-        hundred times as large and comes out with $M/D = 1/0.99$.
+        hundred times as large and comes out with $M/D = 1/0.99$, so the ratio, which is arbitrary, may be the
+        one that is mistyped. It is printed twice, so a decimal point lost in the copy would have to be lost
+        twice.
 
-        The separation angle that follows belongs to a load that is nearly without friction; with 1/99 it is a
-        hundred times larger.
+        None beyond this section: the separation angle that follows belongs to 1/0.99, a load nearly without
+        friction; with 1/99 it is a hundred times larger.
     """).given(right=right)
 
 
@@ -283,7 +285,7 @@ def angle_of_separation(_: Evidence) -> Record:
         second=second,
         slip=slip,
         item=ANGLE_ITEM,
-        severity=Severity.RESULT,
+        severity=Severity.SLIP,
     )
     as_time = printed / DRIVE_OMEGA
     share = math.degrees(printed) / 360 / DRIVE_FREQUENCY

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from trimmer import FollowedBranch
 
 FILE: Final = "branches.json"
-STATE_DIGITS: Final = 12
+STATE_DIGITS: Final = 10
+"""Significant digits of values and states: as many as come out alike whenever a branch is followed."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from report.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
 from report.record import figure
-from report.twin.figures.maps import NAMES, numbers_of
+from report.twin.figures.maps import draw_cells, numbers_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -62,14 +62,8 @@ def _branch(axes: Axes, branch: KeptBranch, colour: str) -> None:
 
 
 def _strip(axes: Axes, known: Evidence) -> None:
-    from matplotlib.colors import ListedColormap
-
     numbers = known.twin.friction
     row = numbers_of(numbers)[numbers.row(BRANCH_FORCE)]
-    colours = ListedColormap([colour for _, colour in NAMES.values()])
-    gaps = 1e6 * numbers.first
-    axes.pcolormesh(
-        gaps, [0, 1], row[None, :].repeat(2, axis=0), cmap=colours, vmin=0.5, vmax=len(NAMES) + 0.5
-    )
+    draw_cells(axes, 1e6 * numbers.first, np.array([0.0, 1.0]), np.array([row, row]))
     axes.set(xlabel="gap [µm]", xlim=(15, 305), yticks=[], ylabel="rest")
     axes.grid(visible=False)

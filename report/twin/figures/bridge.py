@@ -50,9 +50,9 @@ def bridge_in_slot(known: Evidence) -> Figure:
     force.fill_between(phase, bottom, top, where=pulled, color="#e4e4e4", linewidth=0, zorder=0)
     for side in (-1, 1):
         place.axhline(side * 5e5 * case.twin.gap, **FAINT)
-    place.set(xlabel="drive period", ylabel="bridge less pin [µm]", title="(a) place in the slot")
-    force.set(xlabel="drive period", ylabel="force on the cutter [N]", title="(b) force of the bridge")
+    place.set(xlabel="drive period", ylabel="bridge less pin [µm]", title="place in the slot")
+    force.set(xlabel="drive period", ylabel="force on the cutter [N]", title="force of the bridge")
     force.set_ylim(bottom, top)
     place.set_ylim(-140, 140)
-    place.legend(loc="lower left", bbox_to_anchor=(0.0, 0.12))
+    place.legend(loc="upper center", ncols=2)
     return sides

@@ -34,9 +34,9 @@ def design_limits(known: Evidence) -> Figure:
     _reach(friction, twin.friction, 1.0, 0.5)
     _reach(speed, twin.speed, 1.0, 110.0)
     _reach(stiffness, twin.stiffness, 1e-3, 30.0)
-    friction.set(xlabel="friction [N]", ylabel="gap [µm]", title="(a)")
-    speed.set(xlabel="drive [Hz]", title="(b)")
-    stiffness.set(xlabel="stiffness [kN/m]", title="(c)")
+    friction.set(xlabel="friction [N]", ylabel="gap [µm]")
+    speed.set(xlabel="drive [Hz]")
+    stiffness.set(xlabel="stiffness [kN/m]")
     return drawn
 
 

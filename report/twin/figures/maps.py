@@ -10,6 +10,7 @@ from report.drawing.style import new_figure
 from report.evidence import Evidence
 from report.numbers.twin.map_numbers import MapNumbers
 from report.record import figure
+from trimmer.arrays import Integers, Reals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 from trimmer.maps.drawing import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
+SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)])
 LONGER = len(PERIOD_COLOURS)
 NAMES = {
     **{count: (f"period {count}", colour) for count, colour in enumerate(PERIOD_COLOURS, start=1)},
@@ -33,8 +35,8 @@ KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
     "twin-map-friction",
     "Kinds of motion over gap and friction",
     caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
-    Rings: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2
-    N.""",
+    Small dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N;
+    square: 0.2 mm and 2 N.""",
     alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
     with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
 )
@@ -64,7 +66,7 @@ def speed_map(known: Evidence) -> Figure:
     return drawn
 
 
-def numbers_of(numbers: MapNumbers) -> np.ndarray:
+def numbers_of(numbers: MapNumbers) -> Integers:
     """Return the number in ``NAMES`` of each cell, (n2, n1)."""
     kind, count = numbers.kept.kind, numbers.kept.period_count
     periodic = np.where(count > LONGER, LONGER + 1, count)
@@ -72,18 +74,46 @@ def numbers_of(numbers: MapNumbers) -> np.ndarray:
     return np.where(count > 0, periodic, others)
 
 
+def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers) -> None:
+    """Draw cells as areas, one path for each colour, so that they change with the colours of the page.
+
+    Args:
+        axes: Where to draw.
+        first: Values along a row, evenly spaced, (n1,).
+        second: Values of the rows, evenly spaced, (n2,).
+        cells: Numbers in ``NAMES``, (n2, n1).
+    """
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    (left, right, across), (low, high, up) = _ends(first), _ends(second)
+    corners: dict[int, list[Path]] = {}
+    for row, line in enumerate(cells):
+        edges = np.flatnonzero(np.diff(line)) + 1
+        for begin, end in zip([0, *edges], [*edges, len(line)], strict=True):
+            corner, size = (left + begin * across, low + row * up), ((end - begin) * across, up)
+            corners.setdefault(int(line[begin]), []).append(Path(corner + SQUARE * size, closed=True))
+    for number, places in sorted(corners.items()):
+        colour = NAMES[number][1]
+        path = Path.make_compound_path(*places)
+        axes.add_patch(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.6))  # no seams
+    axes.set(xlim=(left, right), ylim=(low, high))
+
+
+def _ends(values: Reals) -> tuple[float, float, float]:
+    """Return where the first cell begins and the last one ends, and how long each is."""
+    step = float(values[1] - values[0])
+    return float(values[0]) - step / 2, float(values[-1]) + step / 2, step
+
+
 def _map(numbers: MapNumbers) -> tuple[Figure, Axes]:
-    from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
     drawn = new_figure(3.9)
     axes = drawn.subplots()
     cells = numbers_of(numbers)
     gaps = 1e6 * numbers.first
-    colours = ListedColormap([colour for _, colour in NAMES.values()])
-    axes.pcolormesh(
-        gaps, numbers.second, cells, cmap=colours, vmin=0.5, vmax=len(NAMES) + 0.5, rasterized=True
-    )
+    draw_cells(axes, gaps, numbers.second, cells)
     rows, columns = np.nonzero(numbers.asymmetric)
     axes.plot(gaps[columns], numbers.second[rows], ".", color="white", markersize=1.6, linestyle="none")
     axes.grid(visible=False)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from report.evidence import Evidence
-from report.parts import so
+from report.numbers.twin_numbers import STARTS
+from report.parts import equal, so
 from report.record import text
+from report.thesis import EXPERIMENT_GAP
 from report.twin.observation import Observed, SectionRecord, observation
 
 MAPS = "report/numbers/twin/map_numbers.py"
@@ -46,6 +48,21 @@ def starts(known: Evidence) -> Observed:
     yield so("motions told apart by their exact orbits, of others by kind", min(beside, numbers.several) > 0)
 
 
+@observation("twin-open-advice", source="report/numbers/twin_numbers.py", title="Starts and the advice.")
+def advice(known: Evidence) -> Observed:
+    numbers = known.twin.starts
+    force = known.twin.friction_for_experiment
+    motions = int(numbers.kept.motion_count[numbers.row(force), numbers.column(EXPERIMENT_GAP)])
+    yield text("""
+        What is advised to designers was tried from [[ starts ]] starts each: 40 µm with 0.5 N, a bridge of
+        10 kN/m with 0.2 mm, and 155 Hz with 0.15 mm lead to one motion of the drive's period, mirror images
+        apart. Friction of [[ force | f1 ]] N against 0.2 mm does not stand this test: there the starts led
+        to [[ motions ]] motions.
+    """).given(starts=STARTS, force=force, motions=motions)
+    yield equal("the motions that these starts settle to", set(known.twin.advised), {True})
+    yield so("motions in that cell of the map from several starts", motions > 1)
+
+
 @observation("twin-open-parameters", source="report/numbers/twin/mechanism.py", title="The machine itself.")
 def parameters(known: Evidence) -> Observed:
     friction = known.twin.small.frozen.force
@@ -62,4 +79,4 @@ def parameters(known: Evidence) -> Observed:
     )
 
 
-SECTION = SectionRecord("twin-open", "What stays open", (cells, starts, parameters))
+SECTION = SectionRecord("twin-open", "What stays open", (cells, starts, advice, parameters))

@@ -9,7 +9,9 @@ from report.cache.source_closure import ROOT
 
 def test_all_data_and_sources_count():
     counted = set(module._sources())
-    data = {path.relative_to(ROOT).as_posix() for path in (ROOT / "report" / "data").iterdir()}
+    files = (path for path in (ROOT / "report" / "data").rglob("*") if path.is_file())
+    data = {path.relative_to(ROOT).as_posix() for path in files}
+    assert "report/data/twin/branches.json" in data
     assert data <= counted
     assert "report/command.py" in counted
 

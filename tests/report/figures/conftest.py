@@ -7,8 +7,23 @@ import pytest
 from report.collect import collect
 from report.drawing.letters import letter_panels
 from report.inventory import read_inventory
+from report.twin.figures.branch import branches_over_gap
+from report.twin.figures.bridge import bridge_in_slot
+from report.twin.figures.design import design_limits
+from report.twin.figures.maps import friction_map, speed_map
+from report.twin.figures.motion import motions, spectra
 
-FIGURES = {figure.id: figure for figure in collect(read_inventory()).figures}
+TWIN = (
+    friction_map,
+    speed_map,
+    bridge_in_slot,
+    motions,
+    spectra,
+    branches_over_gap,
+    design_limits,
+)
+"""Figures of the chapter on the twin, which belong to no claim."""
+FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN)}
 
 
 @pytest.fixture(scope="session")

@@ -8,13 +8,12 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from report.collect import collect
 from report.drawing.letters import letter_panels, panels_of, title_of
 from report.drawing.marks import STABLE, UNSTABLE
 from report.drawing.style import new_figure, style
-from report.inventory import read_inventory
+from tests.report.figures import conftest
 
-FIGURES = collect(read_inventory()).figures
+FIGURES = tuple(conftest.FIGURES.values())
 STEP = 2.0
 """Distance of the points of a curve that are looked for under a text, in pixels."""
 MARGIN = np.array([1.0, 2.0])

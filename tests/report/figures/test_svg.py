@@ -29,6 +29,21 @@ def test_the_same_figure_gives_the_same_text() -> None:
     assert plot("fig-5.1") == plot("fig-5.1")
 
 
+def test_places_have_two_decimals_and_scales_keep_all() -> None:
+    svg = plot("fig-5.1")
+    places = " ".join(re.findall(r'\s(?:d|x|y)="([^"]*)"', svg))
+    assert re.search(r"\d\.\d", places)
+    assert not re.search(r"\d\.\d{3}|-0(?![\d.])", places)
+    assert re.search(r"scale\(0\.\d{3}", svg)
+
+
+def test_nothing_is_written_that_nobody_sees() -> None:
+    svg = plot("fig-5.1")
+    assert "<!--" not in svg
+    assert not re.search(r">\s|\s<", svg.partition("</desc>")[2])
+    assert re.search(r' d="M [\d.]+ [\d.]+L', svg)
+
+
 def test_two_figures_share_no_id() -> None:
     first, second = (set(re.findall(r'\bid="([^"]+)"', plot(name))) for name in ("fig-5.1", "fig-5.2"))
     assert first

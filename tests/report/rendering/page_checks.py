@@ -12,6 +12,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import chain, product
 from pathlib import Path
 from typing import Literal
 
@@ -26,8 +27,14 @@ PATIENCE = 10_000
 """How long to wait for something to happen in a page, in ms."""
 LARGEST = 8_000_000
 """Largest size of the file, in bytes."""
-MOST_ERRATA_PAGES = 2
+MOST_ERRATA_PAGES = 8
 """Most printed pages of the errata sheet, which is to be laid into the thesis."""
+SMALLEST_PRINT = 12.0
+"""Smallest type of that sheet, in CSS pixels: 9 pt."""
+MOST_TAB_STOPS = 1000
+"""Most stops of the Tab key on a page whose cards are closed."""
+FIRST_PAINT = 500.0
+"""Latest time of the first paint, the best of three visits, in ms."""
 A4_WIDTH = 658
 """Width of the text of a printed A4 page, in CSS pixels: 210 mm less twice the margin of print.css."""
 EMPTY = "about:blank"
@@ -57,6 +64,29 @@ _OVERFLOWING = """
     }
     const width = document.documentElement.scrollWidth;
     return width > innerWidth ? [`the page is ${width} wide`, ...found] : found;
+  }
+"""
+_TAB_STOPS = """
+  [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')]
+    .filter((e) => e.tabIndex >= 0 && e.checkVisibility()).length
+"""
+_PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
+_SHEET_SIZES = """
+  [...document.querySelectorAll('.errata-sheet :is(td, th) p, .errata-sheet :is(td, th)')]
+    .map((e) => parseFloat(getComputedStyle(e).fontSize))
+"""
+_BROKEN_UNITS = """
+  () => {
+    const found = [];
+    const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      if (node.parentElement.closest('pre, code, svg, math, script, .passage, .explorable')) continue;
+      const [broken] = node.data.match(
+        /.{0,20}[\\d⁰¹²³⁴⁵⁶⁷⁸⁹][ \\n](?:Hz|mm|µm|nm|ms|kN|rad\\/s|dB|N\\/m|%)(?!\\p{L})/u
+      ) ?? [];
+      if (broken) found.push(broken);
+    }
+    return found;
   }
 """
 # Most elements are inside of formulas, where axe has no rules: the box of a formula takes its place.
@@ -157,6 +187,31 @@ def overflowing_in_print(page: Page) -> list[str]:
     return overflowing(page)
 
 
+def broken_units(page: Page) -> list[str]:
+    """Return where a line may end between a number and its unit."""
+    return list(page.evaluate(_BROKEN_UNITS))
+
+
+def tab_stops(page: Page) -> int:
+    """Return how often Tab has to be pressed from the first to the last stop of a page."""
+    return int(page.evaluate(_TAB_STOPS))
+
+
+def first_paint(browser: Browser, address: str) -> float:
+    """Return when something is painted first, in ms, the best of three visits."""
+    times = []
+    for _ in range(3):
+        with visited(browser, address) as visit:
+            times.append(float(visit.page.evaluate(_PAINTED)))
+    return min(times)
+
+
+def smallest_print_of_errata_sheet(page: Page) -> float:
+    """Return the smallest type of the errata sheet in print, in CSS pixels."""
+    page.emulate_media(media="print")
+    return float(min(page.evaluate(_SHEET_SIZES), default=SMALLEST_PRINT))
+
+
 def pages_of_errata_sheet(page: Page) -> int:
     """Return how many A4 pages the errata sheet takes when it is printed alone."""
     page.evaluate("document.documentElement.dataset.print = 'errata'")
@@ -181,17 +236,25 @@ def violations(page: Page, part: str | None = None) -> list[str]:
 
 def faults(browser: Browser, address: str) -> Iterator[str]:
     """Yield everything that is wrong with a page, with the width and the colours at which it shows."""
-    for width in WIDTHS:
-        with visited(browser, address, width) as visit:
+    if (paint := first_paint(browser, address)) > FIRST_PAINT:
+        yield f"the first paint comes after {paint:.0f} ms"
+    for width, scheme in product(WIDTHS, SCHEMES):
+        with visited(browser, address, width, scheme) as visit:
             unfold(visit.page)
-            yield from (f"{width} px: {fault}" for fault in overflowing(visit.page))
-            yield from (f"complaint: {complaint}" for complaint in visit.complaints)
-            yield from (f"asked for {url}" for url in loaded_from_elsewhere(visit, address))
+            if scheme == SCHEMES[0]:  # colours move nothing
+                yield from (f"{width} px: {fault}" for fault in overflowing(visit.page))
+            yield from (f"{width} px, {scheme}: complaint: {complaint}" for complaint in visit.complaints)
+            yield from (f"{width} px: asked for {url}" for url in loaded_from_elsewhere(visit, address))
     with visited(browser, address) as visit:
+        if (stops := tab_stops(visit.page)) > MOST_TAB_STOPS:
+            yield f"the page has {stops} tab stops"
+        yield from (f"a line may end in: {place}" for place in broken_units(visit.page))
+        if (size := smallest_print_of_errata_sheet(visit.page)) < SMALLEST_PRINT:
+            yield f"print: the errata sheet is set in {size} px"
         yield from (f"print: {fault}" for fault in overflowing_in_print(visit.page))
         if (pages := pages_of_errata_sheet(visit.page)) > MOST_ERRATA_PAGES:
             yield f"print: the errata sheet takes {pages} pages"
-    for width in (WIDTHS[0], WIDTHS[-1]):
+    for width in WIDTHS:
         with visited(browser, address, width) as visit:
             unfold(visit.page)
             yield from (f"{width} px: {fault}" for fault in violations(visit.page))
@@ -204,10 +267,13 @@ def main(arguments: list[str]) -> int:
     if chromium is None:
         print("Chromium is not installed (package chromium)", file=sys.stderr)
         return 2
-    found = [f"the file has {page.stat().st_size} bytes"] if page.stat().st_size > LARGEST else []
+    found = 0
     with chromium_browser(chromium) as browser:
-        found += faults(browser, page.as_uri())
-    print("\n".join(found) or "nothing is wrong")
+        size = [f"the file has {page.stat().st_size} bytes"] if page.stat().st_size > LARGEST else []
+        for fault in chain(size, faults(browser, page.as_uri())):
+            print(fault, flush=True)  # the whole takes minutes
+            found += 1
+    print(f"{found} faults" if found else "nothing is wrong")
     return 1 if found else 0
 
 

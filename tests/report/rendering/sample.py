@@ -23,6 +23,7 @@ from report.document import (
     Section,
 )
 from report.text_copy import BuildTime, TextCopy
+from tests.report.rendering.sample_derivation import CODE, SPREAD, explorable, picture
 from tests.report.rendering.sample_figures import figures
 from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two
 from tests.report.rendering.sample_formulas import (
@@ -46,9 +47,11 @@ def derivation() -> tuple[DerivationStep, ...]:
             "Four masses move along one line, so *T* is a sum of squares.\n\nA second paragraph, with $q_i$.",
             (
                 Equation(KINETIC_ENERGY, "2.4"),
-                Equation(DOTS, "2.9"),
+                Equation(DOTS, "2.9", "A sentence before it, with $q_i$."),
             ),
             ("eq-2.9", "eq-2.8"),
+            ("txt-5.1.2-roll-off",),
+            (CODE,),
         ),
         DerivationStep(
             "state",
@@ -56,6 +59,7 @@ def derivation() -> tuple[DerivationStep, ...]:
             "The states are the displacements and then the velocities.",
             (Equation(f"A = {sympy.latex(state_matrix())}", "2.12"), Equation(long_coefficient())),
             ("eq-2.12",),
+            folded=True,
         ),
         DerivationStep(
             "waveform",
@@ -69,7 +73,13 @@ def derivation() -> tuple[DerivationStep, ...]:
 def describing_functions() -> tuple[DerivationStep, ...]:
     """Return the one step of the derivation of a describing function."""
     return (
-        DerivationStep("relay", "Relay", "A relay switches.", (Equation(r"N = \frac{4 M}{\pi A}", "2.37"),)),
+        DerivationStep(
+            "relay",
+            "Relay",
+            "A relay switches.",
+            (Equation(r"N = \frac{4 M}{\pi A}", "2.37"),),
+            picture=picture(),
+        ),
     )
 
 
@@ -145,9 +155,9 @@ def sample() -> Document:
         derivation=derivation(),
         figures=figures(),
         nomenclature=(
-            NomenclatureRow("k_{1}", "stiffness between masses 1 and 2", "N/m"),
+            NomenclatureRow("k_{1}", "stiffness between masses 1 and 2", "N/m", "kinetic"),
             NomenclatureRow(r"\dot{q}_{1}", f"velocity {SPECIAL}", "m/s"),
-            NomenclatureRow("N", "describing function", ""),
+            NomenclatureRow("N", "describing function", "", "eq-2.37"),
         ),
         parameters=(
             ParameterRow("m_{1}", "mass of the pin", "3.1e-3", "kg"),
@@ -165,6 +175,10 @@ def sample() -> Document:
         ),
         programs=programs(),
         describing_functions=describing_functions(),
+        solution=(DerivationStep("solved", "Solved", "With numbers.", (Equation("f = 733.63"),)),),
+        step_of={"eq-2.9": "kinetic", "eq-2.37": "relay"},
+        explorable=explorable(),
+        spread=SPREAD,
         answers=answers(),
         corrected=corrected(),
         sections=(

@@ -1,18 +1,30 @@
 from __future__ import annotations
 
-from report.claim import Finding, Impact, JudgedPart, Kind, Number, Shown, Verdict, Words
+import csv
+import io
+from dataclasses import replace
+
+from report.claim import Finding, Impact, JudgedPart, Kind, Number, Severity, Shown, Verdict, Words
 from report.document import Chapter, Document, Provenance
-from report.rendering.errata import Erratum, errata
+from report.rendering.errata import COLUMNS, Erratum, by_severity, errata, to_csv
 from report.text_copy import TextCopy
 
 LONG = "No: the motion repeats with the drive and nothing else stays in it, whatever the gap is and the load"
 
 
-def of(*findings: Finding) -> tuple[Erratum, ...]:
-    """Return the errata of a report of one chapter."""
+TWO = Number("2")
+
+
+def report(*findings: Finding) -> Document:
+    """Return a report of one chapter."""
     chapter = Chapter("chapter-5", "5", "Results", findings)
     nothing = Provenance("", "", "2026-05-04", ())
-    return errata(Document("", None, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0)))
+    return Document("", None, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0))
+
+
+def of(*findings: Finding) -> tuple[Erratum, ...]:
+    """Return the errata of a report of one chapter."""
+    return errata(report(*findings))
 
 
 def finding(id: str, *parts: tuple[str, Verdict, Shown], kind: Kind = Kind.EQUATION) -> Finding:
@@ -64,3 +76,43 @@ def test_a_short_correction_is_repeated() -> None:
         Number("2"),
         Number("2"),
     ]
+
+
+def graded(id: str, severity: Severity, item: str = "", derived: Shown = TWO) -> Finding:
+    """Return a finding with one erratum of a severity."""
+    part = JudgedPart("", Verdict.ERRATUM, Number("1"), derived, "", item=item or id, severity=severity)
+    return replace(finding(id, ("", Verdict.ERRATUM, derived)), parts=(part,), lines=(7, 9))
+
+
+def test_the_grave_stand_first_and_else_the_order_is_the_thesis_s() -> None:
+    slip, result, conclusion, other = (
+        graded(f"eq-5.{number}", severity)
+        for number, severity in enumerate(
+            (Severity.SLIP, Severity.RESULT, Severity.CONCLUSION, Severity.RESULT), start=1
+        )
+    )
+    sheet = of(slip, result, conclusion, other)
+    assert [erratum.claim for erratum in sheet] == ["eq-5.3", "eq-5.2", "eq-5.4", "eq-5.1"]
+    assert [(group.severity, len(group.errata)) for group in by_severity(sheet)] == [
+        (Severity.CONCLUSION, 1),
+        (Severity.RESULT, 2),
+        (Severity.SLIP, 1),
+    ]
+
+
+def test_a_printed_thing_stands_there_once_with_the_gravest_that_was_found() -> None:
+    sheet = of(
+        graded("eq-5.1", Severity.SLIP, "737.514 Hz"),
+        graded("eq-5.2", Severity.RESULT, "737.514 Hz"),
+        graded("eq-5.3", Severity.RESULT),
+    )
+    assert [erratum.claim for erratum in sheet] == ["eq-5.2", "eq-5.3"]
+
+
+def test_the_csv_has_a_row_for_each_and_keeps_commas_and_quotes() -> None:
+    words = Words('No: "it", and more')
+    text = to_csv(report(graded("eq-5.1", Severity.SLIP), graded("eq-5.2", Severity.RESULT, derived=words)))
+    first, second = csv.DictReader(io.StringIO(text))
+    assert tuple(first) == COLUMNS
+    assert (first["severity"], first["claim"], first["should_be"]) == ("result", "eq-5.2", '"it", and more')
+    assert (second["severity"], second["first_line"], second["last_line"]) == ("slip", "7", "9")

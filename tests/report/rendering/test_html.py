@@ -114,8 +114,12 @@ def test_the_page_has_landmarks_and_scoped_table_heads(outline: Outline) -> None
 
 def test_figures_are_inside_the_page_and_described(outline: Outline, document: Document) -> None:
     drawings = [attributes for tag, attributes in outline.elements if tag == "svg"]
-    assert len(drawings) == len(document.drawings) + 1  # and the picture of the verdicts
-    assert all(drawing["role"] == "img" and drawing["aria-labelledby"] for drawing in drawings)
+    panels = [drawing for drawing in drawings if "aria-label" in drawing]
+    assert len(panels) == len(document.explorable.panels)
+    described = [drawing for drawing in drawings if "aria-labelledby" in drawing]
+    # and the pictures of the verdicts, of a slip's way, and of a waveform
+    assert len(described) == len(drawings) - len(panels) == len(document.drawings) + 3
+    assert all(drawing["role"] == "img" for drawing in drawings)
     assert "img" not in [tag for tag, _ in outline.elements]
 
 

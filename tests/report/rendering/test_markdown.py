@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 
 from report.claim import Finding, Impact, JudgedPart, Kind, Mathematics, Number, Verdict, Words
-from report.document import DerivationStep, Document, Equation
+from report.document import DerivationStep, Document, Equation, Follows
 from report.rendering.links import BrokenLinkError
 from report.rendering.markdown import (
     BACK,
@@ -44,7 +44,8 @@ SECTIONS = (
         "chapter-5",
         "chapter-A",
     ),
-    *("programs", "derivation", "describing-functions", "nomenclature", "parameters", "provenance", "errata"),
+    *("programs", "explorable", "spread", "derivation", "describing-functions", "solution"),
+    *("nomenclature", "parameters", "provenance", "errata"),
 )
 
 
@@ -55,8 +56,9 @@ def test_sections_come_in_their_order(document: Document) -> None:
 
 
 def test_the_pieces_are_the_front_the_sections_and_what_follows(document: Document) -> None:
-    front, *sections, programs, derivation, tables, errata = to_markdown(document)
-    assert (front, programs, derivation, tables, errata) == ("front", *BACK)
+    front, *others = to_markdown(document)
+    sections, back = others[: -len(BACK)], others[-len(BACK) :]
+    assert (front, *back) == ("front", *BACK)
     assert sections[:2] == ["chapter-2-2.2.1", "chapter-2-2.2.2"]
     assert sections[-1] == "chapter-A-A"
 
@@ -100,6 +102,31 @@ def test_describing_functions_have_a_chapter_of_their_own(document: Document) ->
     unknown = dataclasses.replace(step, claims=("eq-9.9",))
     with pytest.raises(BrokenLinkError, match="step relay"):
         to_markdown(dataclasses.replace(document, describing_functions=(unknown,)))
+
+
+def test_a_card_leads_to_its_step_and_a_step_to_its_code_and_claims(document: Document) -> None:
+    text = text_of(document)
+    assert "the step [Kinetic energy](#step-kinetic); [" in text
+    assert '{.lines place="trimmer/linear/low_pass.py, lines 29–31" name="bandwidth"}' in text
+    assert "1 other claims rest on this step" not in text
+    assert 'summary="One other claim rests on this step"' in text
+    unknown = dataclasses.replace(document, spread=(*document.spread, Follows("eq-9.9", "eq-2.8", "x")))
+    with pytest.raises(BrokenLinkError, match=r"graph of a slip.*eq-9\.9"):
+        to_markdown(unknown)
+
+
+def test_a_symbol_leads_to_its_first_place(document: Document) -> None:
+    tables = to_markdown(document)["nomenclature"]
+    assert "[Kinetic energy](#step-kinetic)" in tables
+    assert "[Eq\\. 2\\.37](#eq-2.37)" in tables
+
+
+def test_a_part_of_the_report_has_no_derivation_nor_what_rests_on_it(document: Document) -> None:
+    part = select(document, ["ch5"])
+    assert not part.steps
+    assert not part.step_of
+    text = text_of(part)
+    assert not any(f"{{#{section}}}" in text for section in ("explorable", "spread", "solution"))
 
 
 def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> None:

@@ -32,6 +32,13 @@ def test_the_page_is_silent_and_loads_nothing_else(visit: Callable[..., Visit], 
     assert page_checks.loaded_from_elsewhere(visited, address) == []
 
 
+def test_no_line_ends_between_a_number_and_its_unit(visit: Callable[..., Visit]) -> None:
+    page = visit().page
+    assert page_checks.broken_units(page) == []
+    page.evaluate("document.querySelector('.claim p').append(' at 550 Hz.')")
+    assert page_checks.broken_units(page) != []
+
+
 def test_the_mathematics_font_is_loaded(visit: Callable[..., Visit]) -> None:
     page = visit().page
     page.evaluate("document.fonts.ready.then(() => true)")
@@ -189,6 +196,7 @@ def test_the_errata_sheet_can_be_printed_alone(visit: Callable[..., Visit]) -> N
     assert page.locator(".errata-sheet").is_visible()
     assert page.evaluate(CLAIMS_SHOWN) == 0
     assert page_checks.pages_of_errata_sheet(page) == 1
+    assert page_checks.smallest_print_of_errata_sheet(page) >= page_checks.SMALLEST_PRINT
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.evaluate(CLAIMS_SHOWN) > 0
 

@@ -96,7 +96,7 @@ def test_a_link_with_a_dot_in_its_id_leads_to_the_claim(visit: Callable[..., Vis
 
 def test_a_count_in_the_summary_filters_the_claims(visit: Callable[..., Visit], document: Document) -> None:
     page = visit().page
-    page.locator("details.fold summary").click()
+    page.locator("details.fold summary").first.click()
     page.locator("a[data-filter='grade=result&chapter=2']").click()
     page.wait_for_function("location.search === '?grade=result&chapter=2'")
     chapter = {finding.id for finding in document.chapters[0].findings}

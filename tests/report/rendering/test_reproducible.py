@@ -8,7 +8,9 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+from report.command import KINDS
 from report.rendering.request import Format
+from trimmer.files import check_replaceable
 
 PROGRAM = """
 import sys
@@ -36,3 +38,9 @@ def test_importing_the_rendering_loads_no_converter() -> None:
     )
     finished = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert finished.stdout.strip() == ""
+
+
+def test_a_build_may_replace_what_the_last_one_wrote(rendered: Mapping[Format, Path]) -> None:
+    assert set(rendered) == set(Format) == set(KINDS)
+    for form, path in rendered.items():
+        check_replaceable(path, KINDS[form])

@@ -23,6 +23,7 @@ def plain(markdown: str) -> str:
         ("see figure 5.9 and Listing A.6", "see figure_5.9 and Listing_A.6"),
         ("[Eq. 2.8](#x), section [5.1](#y)", "Eq._2.8, section_5.1"),
         ("200π rad/s", "200π_rad/s"),
+        ("b = 2·10⁻⁸ m", "b = 2·10⁻⁸_m"),
         ("a rise of 36 % in 0.3 s", "a rise of 36_% in 0.3_s"),
     ],
 )

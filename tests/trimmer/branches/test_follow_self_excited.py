@@ -15,6 +15,7 @@ from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
+from trimmer.branches.follow_special import follow_special
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
@@ -209,6 +210,11 @@ def test_what_comes_to_rest_has_no_branch() -> None:
     branch = follow(two_blocks(3.0), SPEED, 3.0, 2.0)
     assert branch.reason is BranchEnd.NO_START
     assert "at 3 there is no motion to begin with: it comes to rest within" in branch.message
+
+
+def test_special_points_are_not_followed_over_two_numbers(blocks: FollowedBranch) -> None:
+    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
+        follow_special(blocks, blocks.special[0], "links.coupling.stiffness", 1.3)
 
 
 def test_wrong_use_is_told() -> None:

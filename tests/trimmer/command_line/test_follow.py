@@ -72,7 +72,10 @@ def test_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         (["--vary", "plays.bridge.gap", "--from", "-1e-6", "--to", "1e-4"], "plays.bridge.gap"),
         (["--vary", "frequency", "--from", "110", "--to", "110"], "interval"),
         (["--vary", "plays.bridge.gap=1", "--from", "1", "--to", "2"], "'plays.bridge.gap=1' is no place"),
-        (["--vary", "frequency", "--from", "110", "--to", "120", "--points", "1"], "--points 1: give a whole"),
+        (
+            ["--vary", "frequency", "--from", "110", "--to", "120", "--points", "1"],
+            "--points 1: give a whole",
+        ),
     ],
 )
 def test_wrong_use(options: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -103,7 +106,9 @@ def test_what_moves_by_itself_tells_its_period(capsys: pytest.CaptureFixture[str
     assert content["period_count"] == 1
     first = content["points"][0]
     assert first["period"] == pytest.approx(8.902605407815, rel=1e-12)
-    assert sorted(abs(complex(*each)) for each in first["multipliers"]) == pytest.approx([0.0, 1.0], abs=1e-12)
+    assert sorted(abs(complex(*each)) for each in first["multipliers"]) == pytest.approx(
+        [0.0, 1.0], abs=1e-12
+    )
     assert first["stable"] is True
     assert first["outputs"]["block"]["peak_to_peak"] == pytest.approx(2 * 0.538516480713, rel=1e-11)
 

@@ -125,8 +125,8 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     )
     yield text("""
         The work that brings each mass from rest to its velocity adds up to the printed sum. The velocities
-        are absolute. The sentence before the equation calls them relative, which is true of springs and not
-        of masses.
+        are absolute. The sentence before the equation calls them relative; relative motion matters for the
+        springs, not for the masses.
     """)
 
 
@@ -207,9 +207,8 @@ def pin_velocity(known: Evidence) -> Record:
         The derivative of $A\sin(2\pi f t)$ keeps the amplitude $A$; the printed line has lost it. The units
         show it too: the printed right side is in 1/s, a velocity is in m/s.
 
-        Nothing that the thesis computes contains this slip. Its loop drops the velocity (Listing A.1, line
-        58), and [figure 5.1](#fig-5.1) would have an amplitude of [[ output | f1 ]] mm in place of the
-        printed [[ size ]] mm.
+        Chapter 5 shows no sign of this slip. Its loop drops the velocity (Listing A.1, line 58), and [figure
+        5.1](#fig-5.1) would have an amplitude of [[ output | f1 ]] mm in place of the printed [[ size ]] mm.
     """).given(output=1e3 * output_with_the_slip(known), size=1e3 * DRIVE_AMPLITUDE)
 
 
@@ -229,11 +228,11 @@ def pin_velocity_in_words(_: Evidence) -> Record:
     slip = made_here(AMPLITUDE_LOST, RATE)
     yield expression("its amplitude", RATE, amplitude, second=second, slip=slip, item=VELOCITY_ITEM)
     yield text(r"""
-        This is the slip of [equation 2.8](#eq-2.8). The printed amplitude of the velocity is $2\pi f$,
-        [[ rate | f1 ]]/s at [[ frequency | f0 ]] Hz. For an eccentricity of [[ size ]] mm it is $2\pi f A =
-        [[ velocity | f4 ]]$ m/s.
+        This is the slip of [equation 2.8](#eq-2.8). The amplitude of the printed velocity is $2\pi f$,
+        [[ rate | f1 ]]/s at [[ frequency | f0 ]] Hz. For an eccentricity of [[ size ]] mm it should be $2\pi
+        f A = [[ velocity | f4 ]]$ m/s.
 
-        None that can be seen: equation 3.2 takes the velocity as an input, but the models behind chapter 3
+        None that can be seen. Equation 3.2 takes the velocity as an input, but the models behind chapter 3
         are not given.
     """).given(
         rate=DRIVE_OMEGA,

@@ -113,7 +113,8 @@ def transform_of_output(_: Evidence) -> Record:
         "y",
         """
         The printed integral lacks $dt$. With it, the transform has the unit of $y$ times a second, as
-        equation 2.20 needs.
+        equation 2.20 needs. Equation 2.19 lacks it too, and every other integral in the copy has its
+        differential, so this is hardly a fault of the copy.
 
         None: the later equations use the transform with its $dt$.
         """,

@@ -61,7 +61,7 @@ def corollary(_: Evidence) -> Record:
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
     yield text(r"""
-        Both signs have to be strict; of the eigenvalues the sentence before the corollary says so. With
+        Both signs have to be strict; the sentence before the corollary asks for negative real parts. With
         eigenvalues on the imaginary axis the solution may grow, as that of the double integrator does, and
         $\gamma = 0$ would not be decay.
 

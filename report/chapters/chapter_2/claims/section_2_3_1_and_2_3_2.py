@@ -126,7 +126,7 @@ def van_der_pol(_: Evidence) -> Record:
     yield text(r"""
         The condition is $\alpha > 0$: for $\alpha = 0$ every orbit is closed, and none is a limit cycle by
         the thesis's own definition. An ellipse over position and velocity is a sinusoid, the very shape that
-        the method assumes. Read as a shape that is merely not round, the sentence is right: at $\alpha =
+        the method assumes. If any distorted oval is meant, the sentence is right: at $\alpha =
         [[ damping | f0 ]]$ the third harmonic of the position has [[ third | f0 ]] % of the first.
 
         None: the caution is right, and no number rests on the example.

@@ -59,9 +59,9 @@ def motor_and_load(_: Evidence) -> Record:
     )
     yield text(r"""
         The bound is right with $b$ as half of the clearance, as this part of the text uses it. From
-        inertia-controlled backlash on, $b$ is the whole clearance and the bound $b/2$. That such a load stays
-        where it is let go is the limit $M/D \to 0$ of the general one. For the other limit the text gives $D
-        = 0$ or $M \ne 0$; the first is meant, since $M \ne 0$ holds in general too.
+        inertia-controlled backlash on, $b$ is the whole clearance and the bound $b/2$. A load without mass
+        stays where it is let go, as does any load in the limit $M/D \to 0$. For the other limit the text
+        gives $D = 0$ or $M \ne 0$; the first is meant, since $M \ne 0$ holds in general too.
     """)
 
 

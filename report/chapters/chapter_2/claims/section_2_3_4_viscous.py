@@ -185,7 +185,8 @@ def contact_equation(_: Evidence) -> Record:
     )
     yield text(r"""
         The flight contributes $\sin\phi_s + \gamma\cos\phi_s = \sqrt{1 + \gamma^2}$; printed is $\sqrt{1 -
-        \gamma^2}$. For $\gamma > 1$ the printed root is imaginary, and no real contact angle exists.
+        \gamma^2}$. For $\gamma > 1$ the printed root is imaginary, so no real contact angle solves the
+        equation.
 
         [Listing A.5](#lst-A.5) has the same sign, and section 5.2.3 evaluates it for $1 < \gamma < 3/2$.
         Every viscous contour drawn there rests on complex contact angles.

@@ -117,8 +117,8 @@ def roles(known: Evidence) -> Record:
         "the imaginary equation alone gives the frequency",
         abs(left) < 1e-9,
         r"""
-        at the predicted [[ cycle.frequency | f2 ]] Hz it is met at $A = [[ cycle.amplitude | f2 ]]\,b$; at
-        twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
+        at the predicted [[ cycle.frequency | f2 ]] Hz it is met at an amplitude of [[ cycle.amplitude | f2 ]]
+        gaps; at twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
         """,
         numbers={"cycle": cycle, "left": left},
         method="the imaginary part at two amplitudes",
@@ -307,9 +307,9 @@ def nyquist_premise(_: Evidence) -> Record:
         second=equal(means, encirclements_of(linear, -1.0), in_right_half),
     )
     yield text("""
-        The sentence has the two loops exchanged: the Nyquist criterion takes the poles of the open loop as
-        known and tells the stability of the closed one. Taken as it stands, a stable $G$ would need a stable
-        loop, and no limit cycle could be unstable.
+        Neither loop has to be stable for the other to be. The Nyquist criterion takes the poles of the open
+        loop as known and tells whether the closed one is stable. As the sentence stands, a stable $G$ would
+        need a stable closed loop, and no limit cycle could be unstable.
 
         None: the rule for $L_1$ and $L_2$ that follows uses only that $G$ is stable.
     """)

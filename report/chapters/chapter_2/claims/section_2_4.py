@@ -139,7 +139,13 @@ def amplitude_relation(_: Evidence) -> Record:
     velocity, integrator = sympy.Symbol("A_v", positive=True), 1 / (sympy.I * omega)
     integrated = sympy.Abs(velocity * sympy.exp(sympy.I * THETA) * integrator)
     printed = velocity * sympy.Abs(integrator)
-    yield expression("for the integrator $G_g = 1/s$", printed, integrated, sympy.Symbol("A"))
+    yield expression(
+        "for the integrator $G_g = 1/s$",
+        printed,
+        integrated,
+        sympy.Symbol("A"),
+        printed_form=r"A = A_v|G_g(j\omega)|",
+    )
     yield text("""
         A linear filter multiplies an amplitude by the magnitude of its response. The text calls $G_g$ a
         digital low-pass filter that raises the order of the model. For the trimmer it is the integrator from
@@ -165,7 +171,7 @@ def units(_: Evidence) -> Record:
         "",
         "the two terms of $N_{eq}$ can be added",
         first == second,
-        f"the backlash term is a number, the friction term as used is in {written(second)}",
+        f"the backlash term is a number, the friction term of equation 5.14 is in {written(second)}",
         method="dimension check of both terms",
         certainty=Certainty.PROVEN,
         second=so(
@@ -175,9 +181,9 @@ def units(_: Evidence) -> Record:
     )
     yield text(r"""
         The thesis adds the two terms and does not speak of their units. Backlash turns a displacement into a
-        displacement, friction a velocity into a force. Even with the right operator friction is a stiffness,
-        $j\,4F_c/(\pi A)$ in [[ stiffness ]]. It would have to be divided by one, such as $k_2$, before it can
-        be added to a number.
+        displacement, friction a velocity into a force. However $A$ is read in equation 2.60, the friction
+        term is no pure number. With the right operator it is a stiffness, $j\,4F_c/(\pi A)$ in
+        [[ stiffness ]], and has to be divided by one, such as $k_2$, before it can be added to a number.
 
         Every contour of section 5.2.5 adds quantities of different units, so its numbers have no physical
         meaning.

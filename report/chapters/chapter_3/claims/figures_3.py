@@ -228,9 +228,10 @@ def largest_gap(known: Evidence) -> Record:
     yield simulated()
     yield text("""
         The stroke of the pin is not given here. If it is the [[ pin ]] mm of section 5.2.1, a play of
-        [[ largest | f0 ]] mm lets it swing freely and nothing moves: the gap is misprinted. If the gap is
-        right, the pin moves by more than a centimetre. At [[ larger | f0 ]] mm the model of Listing A.1 has
-        two additional oscillations as described, the third and the fifth harmonic.
+        [[ largest | f0 ]] mm lets it swing freely and nothing moves: then another gap was simulated. If the
+        gap is right, the pin moves by more than a centimetre, or its velocity bypasses the backlash block,
+        which cannot be seen. At [[ larger | f0 ]] mm the model of Listing A.1 has two additional oscillations
+        as described, the third and the fifth harmonic.
 
         It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a limit
         cycle: harmonics of the drive look the same.
@@ -266,8 +267,8 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     yield text("""
         With the printed gap and the stroke of section 5.2.1 the spectrum would be empty, see [figure
         3.7](#fig-3.7). With a gap that is crossed it holds the odd harmonics and, if the record begins with
-        the start, natural modes that die out: with Listing A.1 at [[ mode | f0 ]] Hz, where the experiment's
-        trimmer has its peak at [[ printed ]] Hz.
+        the start, natural modes that die out. With Listing A.1 one has its peak at [[ mode | f0 ]] Hz; the
+        peak of the experiment's trimmer is at [[ printed ]] Hz.
 
         Whether that peak is a limit cycle is judged [at the peak](#txt-3.3-peak-366).
     """).given(mode=mode, printed=OPEN_LOOP_PEAK)
@@ -298,6 +299,6 @@ def released_loop(known: Evidence) -> Record:
     yield text("""
         All that the text reads from the figure also happens when only a natural mode dies out. A limit cycle
         would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and with an
-        amplitude of [[ amplitude | f0 ]] mm in a gap of [[ gap | f0 ]] mm. For which of the two it is see
-        [the peak near 350 Hz](#txt-3.3-peak-350).
+        amplitude of [[ amplitude | f0 ]] mm in a gap of [[ gap | f0 ]] mm. Which of the two it is, is judged
+        at [the peak near 350 Hz](#txt-3.3-peak-350).
     """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude, gap=1e3 * LARGEST_GAP)

@@ -85,8 +85,8 @@ def bins_of_the_tables(_: Evidence) -> Record:
     tens = sum(Decimal(cell) % 10 == 0 for cell in cells)
     yield text("""
         [[ whole ]] of the [[ cells ]] frequencies in tables 3.1 and 3.2 are, to every digit, multiples of
-        [[ spacing | f4 ]] Hz, the bins of [[ frames ]] frames; [[ tens ]] are multiples of the
-        [[ resolution ]] Hz that belong to [[ stated ]]. So the record holds both of its ends, 0 and
+        [[ spacing | f4 ]] Hz, the bins of [[ frames ]] frames. [[ tens ]] is a multiple of [[ resolution ]]
+        Hz, as the bins of [[ stated ]] frames are. So the record seems to hold both of its ends, 0 and
         [[ duration ]] s. The others, [[ misfits ]], are judged at [table 3.1](#tab-3.1) and [table
         3.2](#tab-3.2).
 
@@ -97,7 +97,7 @@ def bins_of_the_tables(_: Evidence) -> Record:
         cells=len(cells),
         spacing=float(BIN),
         frames=frames,
-        tens=tens or "none",
+        tens=tens or "None",
         resolution=RESOLUTION,
         stated=FRAMES,
         duration=DURATION,
@@ -151,9 +151,10 @@ def sign_of_the_output(known: Evidence) -> Record:
     )
     yield text("""
         Section 3.1 gives the output map as $x_4 - x_2$; equation 2.14 and Listing A.1 have $x_2 - x_4$. Read
-        as a slip of the pen it has no effect, since a measured spectrum does not see the sign. Read as it
-        stands it leaves no limit cycle: backlash only lags, so with the sign turned $G$ would have to lead,
-        which it does by little and with too large a gain.
+        as a slip of the pen, which is likely, it has no effect: a measured spectrum does not see the sign,
+        and chapter 5 computes with the other one. Read as the output of the loop it leaves no limit cycle
+        with Listing A.1: backlash only lags, so with the sign turned $G$ would have to lead, which it does by
+        little and with too large a gain.
 
         Nothing in a trimmer leads from the output back to the pin, so neither sign is that of the device. The
         predicted limit cycles rest on this choice.

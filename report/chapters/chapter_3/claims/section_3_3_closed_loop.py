@@ -9,6 +9,7 @@ from derivations.elements.friction import FORCE
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
+from report.numbers.driven_motion import FORCES
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 from report.parts import assertion, close, so, uncheckable
 from report.record import Record, claim, text
@@ -153,10 +154,10 @@ def suppression(known: Evidence) -> Record:
 @claim(
     "txt-3.3-friction-frequency",
     source=SOURCE,
-    impact=Impact.DOWNSTREAM,
+    impact=Impact.LOCAL,
     lines=(803, 803),
     paragraph=6,
-    severity=Severity.RESULT,
+    severity=Severity.SLIP,
 )
 def frequency_under_friction(known: Evidence) -> Record:
     yield assertion(
@@ -180,13 +181,21 @@ def frequency_under_friction(known: Evidence) -> Record:
         ", ".join(f"{run.frequency:.1f} Hz with {run.force:g} N" for run in lasting),
         method=RISING,
         second=close(f"harmonic balance at {weak.force} N", balance, weak.frequency, 1e-3),
+        certainty=Certainty.READING,
     )
+    of_text = next(run for run in lasting if run.force == FORCES[-1])
     yield text("""
         The observation is right: friction lowers the peaks and does not move them, as harmonics of a drive
-        behave. The reason given is not, that a self-sustained oscillation loses amplitude and keeps its
-        frequency. Backlash acts by the ratio of amplitude and gap, so a smaller oscillation is slower: with
-        Listing A.1 by [[ slower | f0 ]] Hz at [[ force ]] N.
+        behave. A self-sustained oscillation does not keep its frequency exactly: backlash acts by the ratio
+        of amplitude and gap, so a smaller one is slower. With Listing A.1 and [[ gap ]] mm the text's largest
+        force, [[ force ]] N, takes [[ amplitude | f0 ]] % of its amplitude and [[ frequency | f1 ]] % of its
+        frequency. Read as what can be seen in a time response, the reason given is right.
 
-        A peak that stays in its place while friction changes speaks for a harmonic of the drive and against a
-        limit cycle; the text takes it for the opposite.
-    """).given(slower=slower, force=strong.force)
+        None on numbers. But a peak that stays while friction changes is no sign of a limit cycle: a harmonic
+        of the drive stays as well, and exactly.
+    """).given(
+        gap=f"{1e3 * EXPERIMENT_GAP:g}",
+        force=of_text.force,
+        amplitude=100 * (1 - of_text.amplitude / without.amplitude),
+        frequency=100 * (1 - of_text.frequency / without.frequency),
+    )

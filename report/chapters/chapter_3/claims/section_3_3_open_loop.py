@@ -67,11 +67,11 @@ def odd_harmonics(known: Evidence) -> Record:
     )
     yield text("""
         With any parameters the model has odd harmonics only, and so has the experiment without play. With
-        play the experiment shows the second and fourth as well: the text finds the two in agreement, in its
-        next paragraph to some extent. Even harmonics take something that is not symmetric, such as friction
-        that differs by direction, a spring that is stiffer to one side, or a pin that does not move as a
-        sine; a play that is off centre only shifts the mean. Listing A.1, driven at the measured frequency,
-        has its fifth harmonic next to its mode at [[ mode | f1 ]] Hz.
+        play the experiment shows the second and fourth as well, yet the text finds the two in agreement; its
+        next paragraph weakens this to some extent. Even harmonics take something that is not symmetric, such
+        as friction that differs by direction, a spring that is stiffer to one side, or a pin that does not
+        move as a sine; a play that is off centre only shifts the mean. With Listing A.1, driven at the
+        measured frequency, the fifth harmonic is large because a mode at [[ mode | f1 ]] Hz lies next to it.
 
         The model lacks what makes the even harmonics, so the agreement cannot carry the conclusions on larger
         gaps.

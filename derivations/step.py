@@ -1,0 +1,46 @@
+"""A step of a derivation: prose, formulas, and the functions that do what it says.
+
+Prose is plain text with TeX mathematics between dollar signs, fit for Markdown and for LaTeX alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A displayed equation.
+
+    Attributes:
+        latex: The equation in LaTeX, without delimiters.
+        thesis: Its number in the thesis; empty where it has none.
+        words: Prose before it, one paragraph; empty where it follows the formula above.
+    """
+
+    latex: str
+    thesis: str = ""
+    words: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of a derivation.
+
+    Attributes:
+        id: Identifier, unique among all steps.
+        title: Heading.
+        text: Prose, paragraphs separated by an empty line.
+        formulas: Displayed equations, shown after the prose.
+        code: The functions that do what the step says, in the order of the step.
+        long: Whether the formulas are so long that a reader asks for them first.
+    """
+
+    id: str
+    title: str
+    text: str
+    formulas: tuple[Formula, ...]
+    code: tuple[Callable[..., Any], ...] = ()
+    long: bool = False

@@ -1,0 +1,1 @@
+"""The derivation as a chain: steps with numbers, lines of code, pictures, symbols, places of claims."""

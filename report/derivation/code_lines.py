@@ -1,0 +1,27 @@
+"""The lines of code behind a step: of each function that it names, the file, the place and the text."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from report.cache.source_closure import ROOT
+from report.document import CodeLines
+
+
+def code_lines(function: Callable[..., Any]) -> CodeLines:
+    """Return where a function or class of this project stands, and its text.
+
+    Raises:
+        ValueError: if it is not defined in this project.
+    """
+    plain = inspect.unwrap(function)
+    path = Path(inspect.getsourcefile(plain) or "").resolve()
+    if not path.is_relative_to(ROOT.resolve()):
+        raise ValueError(f"{plain} is no code of this project; name a function of it in the step")
+    lines, first = inspect.getsourcelines(plain)
+    text = "".join(lines).rstrip()
+    name = plain.__qualname__
+    return CodeLines(path.relative_to(ROOT.resolve()).as_posix(), name, first, first + len(lines) - 1, text)

@@ -1,0 +1,1 @@
+"""The explorable: gap, load, damping, friction and the pin's velocity move the limit cycle."""

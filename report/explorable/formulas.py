@@ -1,0 +1,177 @@
+"""The formulas of the explorable: from the derivation, for the thesis's trimmer, as functions of what moves.
+
+Every function returns the expressions that the page computes; ``report.explorable.script`` prints them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+
+from derivations.elements.backlash import CONTACT, GAMMA, GAP, SEPARATION, general_waveform, separation_angle
+from derivations.elements.backlash_closed_forms import flight, general_fundamental
+from derivations.elements.backlash_harmonics import (
+    CONTACT_ANGLE,
+    DECAY,
+    FLIGHT,
+    IMPACT_VELOCITY,
+    general_motion,
+)
+from derivations.elements.equivalent_nonlinearity import friction_term
+from derivations.elements.friction import FORCE
+from derivations.elements.waveform import THETA
+from derivations.linear_trimmer import LinearTrimmer
+from derivations.symbols import A, c2, k2, omega, s
+from derivations.transfer_steps import output_numerator
+
+SHARE = sympy.Symbol("share", nonnegative=True)
+"""Share of the pin's velocity that acts on the bridge: 0 in the thesis's loop, 1 in the trimmer."""
+LOST = sympy.Symbol("lost", positive=True)
+"""1 - exp(-λ/γ), computed without cancellation."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the page.
+
+    Attributes:
+        name: Its name in the script.
+        arguments: Its arguments, in order.
+        results: What it returns, by name; real expressions in the arguments.
+        given: Quantities that the results share, with their expressions, in order.
+    """
+
+    name: str
+    arguments: tuple[sympy.Symbol, ...]
+    results: dict[str, sympy.Expr]
+    given: tuple[tuple[sympy.Symbol, sympy.Expr], ...] = ()
+
+
+def functions(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> tuple[Function, ...]:
+    """Return all functions of the page.
+
+    Args:
+        derivation: The linear trimmer.
+        values: The parameters of the trimmer; the damping c2 stays a variable.
+    """
+    return (
+        _inverse_response(derivation, values),
+        _polynomials(derivation, values),
+        _element(),
+        _friction(values[k2]),
+        _flight(),
+        _contact(),
+    )
+
+
+def _inverse_response(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> Function:
+    """Return 1/G at s = jω and its derivative by ω, from the coefficients of the transfer function."""
+    fixed = {symbol: value for symbol, value in values.items() if symbol != c2}
+    numerator = _polynomial(output_numerator(derivation), fixed)
+    denominator = _polynomial(list(derivation.transfer.denominator), fixed)
+    numerator *= 1 + SHARE * s * c2 / fixed[k2]
+    real, imaginary = _parts(numerator), _parts(denominator)
+    below, above = sympy.symbols("P_r P_i", real=True), sympy.symbols("Q_r Q_i", real=True)
+    by_below, by_above = sympy.symbols("dP_r dP_i", real=True), sympy.symbols("dQ_r dQ_i", real=True)
+    quotient = (above[0] + sympy.I * above[1]) / (below[0] + sympy.I * below[1])
+    change = (by_above[0] + sympy.I * by_above[1] - quotient * (by_below[0] + sympy.I * by_below[1])) / (
+        below[0] + sympy.I * below[1]
+    )
+    given = (
+        *zip(below, real, strict=True),
+        *zip(above, imaginary, strict=True),
+        *zip(by_below, (sympy.horner(each.diff(omega), omega) for each in real), strict=True),
+        *zip(by_above, (sympy.horner(each.diff(omega), omega) for each in imaginary), strict=True),
+    )
+    results = {}
+    for name, value in (("", quotient), ("ByOmega", change)):
+        for part, take in (("real", sympy.re), ("imaginary", sympy.im)):
+            results[f"{part}{name}"] = sympy.simplify(take(value))
+    return Function("inverseResponse", (omega, c2, SHARE), results, given)
+
+
+def _polynomials(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> Function:
+    """Return the coefficients of both polynomials of G, for the poles of the closed loop."""
+    fixed = {symbol: value for symbol, value in values.items() if symbol != c2}
+    numerator = _polynomial(output_numerator(derivation), fixed) * (1 + SHARE * s * c2 / fixed[k2])
+    denominator = _polynomial(list(derivation.transfer.denominator), fixed)
+    results = {
+        f"{name}{power}": sympy.expand(polynomial).coeff(s, power)
+        for name, polynomial in (("b", numerator), ("a", denominator))
+        for power in range(len(derivation.transfer.denominator) - 1, -1, -1)
+    }
+    return Function("polynomials", (c2, SHARE), results)
+
+
+def _polynomial(coefficients: list[sympy.Expr], fixed: dict[sympy.Expr, sympy.Rational]) -> sympy.Expr:
+    highest = len(coefficients) - 1
+    return sympy.Add(
+        *(each.subs(fixed) * s ** (highest - drop) for drop, each in enumerate(coefficients))
+    ).expand()
+
+
+def _parts(polynomial: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
+    """Return real and imaginary part of a polynomial at s = jω, nested by Horner's rule."""
+    on_axis = sympy.expand(polynomial.subs(s, sympy.I * omega))
+    real = on_axis.subs(sympy.I, 0)
+    imaginary = sympy.expand((on_axis - real) / sympy.I)
+    return sympy.horner(real, omega), sympy.horner(imaginary, omega)
+
+
+def _element() -> Function:
+    """Return g/A and N of backlash by angle of flight λ and γ, with their derivatives."""
+    motion, decay = general_motion(), 1 - LOST
+    ratio = motion.ratio().subs(sympy.exp(-CONTACT / GAMMA), DECAY * sympy.exp(-SEPARATION / GAMMA))
+    meanings = (
+        (IMPACT_VELOCITY, DECAY * sympy.cos(SEPARATION) - sympy.cos(CONTACT)),
+        (CONTACT_ANGLE, sympy.pi - FLIGHT),
+        (CONTACT, SEPARATION + FLIGHT),
+        (DECAY, decay),
+    )
+    real, imaginary = (part.subs(meanings) for part in general_fundamental().as_real_imag())
+    expressions = {
+        "ratio": sympy.expand(sympy.expand(ratio).subs(meanings)),
+        "real": real,
+        "imaginary": imaginary.subs(1 - decay**2, sympy.expand(1 - decay**2)),
+    }
+    lost = -sympy.Function("expm1")(-FLIGHT / GAMMA)
+    changes = (
+        ("ByFlight", ((FLIGHT, sympy.Integer(1)), (LOST, decay / GAMMA))),
+        (
+            "ByGamma",
+            (
+                (GAMMA, sympy.Integer(1)),
+                (SEPARATION, separation_angle().diff(GAMMA)),
+                (LOST, -decay * FLIGHT / GAMMA**2),
+            ),
+        ),
+    )
+    results: dict[str, sympy.Expr] = {"separation": SEPARATION, **expressions}
+    for suffix, rates in changes:
+        for name, value in expressions.items():
+            total = sympy.Add(*(value.diff(symbol) * rate for symbol, rate in rates))
+            results[f"{name}{suffix}"] = total
+    return Function("element", (FLIGHT, GAMMA), results, ((SEPARATION, separation_angle()), (LOST, lost)))
+
+
+def _friction(stiffness: sympy.Rational) -> Function:
+    """Return the imaginary part of N of Coulomb friction over the stiffness of the bridge."""
+    imaginary = friction_term() / sympy.I / stiffness
+    results = {"imaginary": imaginary, "imaginaryByAmplitude": imaginary.diff(A)}
+    return Function("friction", (FORCE, A), results)
+
+
+def _flight() -> Function:
+    """Return the load's position over A in its flight, by θ, γ and g/A."""
+    return _position("flight", flight())
+
+
+def _contact() -> Function:
+    """Return the load's position over A in its contact, by θ, γ and g/A."""
+    return _position("contact", general_waveform().segments[1].value)
+
+
+def _position(name: str, value: sympy.Expr) -> Function:
+    given = ((SEPARATION, separation_angle()),)
+    return Function(name, (THETA, GAMMA, GAP), {"position": value.subs(A, 1)}, given)

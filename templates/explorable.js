@@ -1,0 +1,216 @@
+"use strict";
+// The explorable: sliders move the locus of G, the contour of -1/N, their intersections and the motion. All formulas are
+// in explorableFormulas, which SymPy printed; here are only the search for solutions and the drawing.
+const explorableModel = (formulas) => {
+  const TURN = 2 * Math.PI;
+  const spaced = (first, last, count) => Array.from({ length: count + 1 }, (_, i) => first + (last - first) * i / count);
+  const OMEGAS = spaced(Math.log(60), Math.log(1500), 240).map((each) => TURN * Math.exp(each));
+  const FLIGHTS = spaced(0.05, Math.PI, 72);
+  const cross = ([a, b], [c, d]) => a * d - b * c;
+  const size = ([a, b]) => Math.hypot(a, b);
+
+  // N + 1/G with its slopes by the angle of flight and by the frequency; complex numbers are pairs.
+  const residual = ({ gap, load, damping, force, share }, flight, omega, inverse) => {
+    const gamma = load * omega;
+    const element = formulas.element(flight, gamma);
+    const amplitude = gap / element.ratio;
+    const friction = formulas.friction(force, amplitude);
+    const g = inverse ?? formulas.inverseResponse(omega, damping, share);
+    const amplitudeBy = (ratioBy) => -amplitude * ratioBy / element.ratio;
+    const [byFlight, byGamma] = [element.ratioByFlight, element.ratioByGamma].map(amplitudeBy);
+    const gain = [element.real, element.imaginary + friction.imaginary];
+    return {
+      gamma, amplitude, gain, ratio: element.ratio, separation: element.separation, inverse: [g.real, g.imaginary],
+      value: [gain[0] + g.real, gain[1] + g.imaginary],
+      byFlight: [element.realByFlight, element.imaginaryByFlight + friction.imaginaryByAmplitude * byFlight],
+      byOmega: [
+        load * element.realByGamma + g.realByOmega,
+        load * (element.imaginaryByGamma + friction.imaginaryByAmplitude * byGamma) + g.imaginaryByOmega,
+      ],
+    };
+  };
+
+  const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+  const over = ([a, b], [c, d]) => [(a * c + b * d) / (c * c + d * d), (b * c - a * d) / (c * c + d * d)];
+
+  // Poles of 1 + N G, N frozen, that oscillate and grow, besides the limit cycle's own: the roots of a polynomial, all at
+  // once by Durand and Kerner's method, with the limit cycle's frequency as unit.
+  const otherGrowingPoles = ({ damping, share }, gain, omega) => {
+    const named = formulas.polynomials(damping, share);
+    const powers = [8, 7, 6, 5, 4, 3, 2, 1, 0];
+    const scaled = powers.map((power) => times(
+      [named[`a${power}`] + gain[0] * named[`b${power}`], gain[1] * named[`b${power}`]], [omega ** (power - 8), 0]));
+    const polynomial = scaled.map((each) => over(each, scaled[0]));
+    const value = (z) => polynomial.reduce((sum, each) => [0, 1].map((part) => times(sum, z)[part] + each[part]), [0, 0]);
+    let roots = powers.slice(1).map((power) => [1.1 * Math.cos(0.8 * power + 0.4), 1.1 * Math.sin(0.8 * power + 0.4)]);
+    for (let turn = 0; turn < 400; turn += 1) {
+      const steps = roots.map((root, i) => over(value(root), roots.reduce(
+        (product, other, k) => (k === i ? product : times(product, [root[0] - other[0], root[1] - other[1]])), [1, 0])));
+      roots = roots.map((root, i) => [root[0] - steps[i][0], root[1] - steps[i][1]]);
+      if (Math.max(...steps.map(size)) < 1e-13) break;
+    }
+    const own = roots.reduce((best, root) => (Math.hypot(root[0], root[1] - 1) < Math.hypot(best[0], best[1] - 1) ? root : best));
+    return roots.filter((root) => root !== own && root[0] > 1e-9 && root[1] > 1e-9).length;
+  };
+
+  // Newton's method from one guess; nothing if it leaves the domain or does not settle.
+  const polished = (settings, flight, omega) => {
+    for (let turn = 0; turn < 40; turn += 1) {
+      const at = residual(settings, flight, omega);
+      const span = cross(at.byFlight, at.byOmega);
+      const [dFlight, dOmega] = [cross(at.byOmega, at.value) / span, -cross(at.byFlight, at.value) / span];
+      if (!Number.isFinite(dFlight + dOmega)) return undefined;
+      const near = Math.min(1, 0.3 / Math.abs(dFlight), 0.1 * omega / Math.abs(dOmega));
+      flight += near * dFlight;
+      omega += near * dOmega;
+      if (!(flight > 0.01 && flight < Math.PI && omega > OMEGAS[0] / 2 && omega < 2 * OMEGAS.at(-1))) return undefined;
+      if (Math.abs(dFlight) < 1e-14 * flight + 1e-15 && Math.abs(dOmega) < 1e-14 * omega) break;
+    }
+    const at = residual(settings, flight, omega);
+    if (size(at.value) > 1e-9 * size(at.gain)) return undefined;
+    // Loeb's rule; the amplitude falls as the flight grows longer.
+    const returns = cross(at.byFlight, at.byOmega) < 0;
+    const others = otherGrowingPoles(settings, at.gain, omega);
+    return { ...at, flight, omega, frequency: omega / TURN, returns, others, stable: returns && others === 0 };
+  };
+
+  // All solutions between 60 and 1500 Hz: cells in which both parts change their sign, then Newton's method.
+  const solve = (settings) => {
+    const rows = OMEGAS.map((omega) => {
+      const inverse = formulas.inverseResponse(omega, settings.damping, settings.share);
+      return FLIGHTS.map((flight) => residual(settings, flight, omega, inverse).value);
+    });
+    const found = [];
+    for (let i = 0; i + 1 < OMEGAS.length; i += 1) {
+      for (let k = 0; k + 1 < FLIGHTS.length; k += 1) {
+        const corners = [rows[i][k], rows[i][k + 1], rows[i + 1][k], rows[i + 1][k + 1]];
+        const changes = (part) => corners.some((each) => each[part] > 0) && corners.some((each) => each[part] <= 0);
+        if (!changes(0) || !changes(1)) continue;
+        const one = polished(settings, (FLIGHTS[k] + FLIGHTS[k + 1]) / 2, (OMEGAS[i] + OMEGAS[i + 1]) / 2);
+        const known = one && found.some((other) => Math.abs(other.omega / one.omega - 1) + Math.abs(other.flight - one.flight) < 1e-6);
+        if (one && !known) found.push(one);
+      }
+    }
+    return found.sort((one, other) => one.omega - other.omega);
+  };
+
+  const response = ({ damping, share }, omega) => {
+    const { real, imaginary } = formulas.inverseResponse(omega, damping, share);
+    return [real / (real * real + imaginary * imaginary), -imaginary / (real * real + imaginary * imaginary)];
+  };
+  const locus = (settings) => spaced(Math.log(60), Math.log(1500), 3000).map((each) => response(settings, TURN * Math.exp(each)));
+  // -1/N for a frequency that is kept, as a contour is drawn.
+  const contour = (settings, omega) => spaced(0.03, Math.PI, 200).map((flight) => {
+    const [real, imaginary] = residual(settings, flight, omega).gain;
+    return [-real / (real * real + imaginary * imaginary), imaginary / (real * real + imaginary * imaginary)];
+  });
+  // Pin and load over one period, over A: flight and contact, then both with the other sign.
+  const motion = ({ flight, gamma, ratio, separation }) => {
+    const half = [
+      ...spaced(separation, separation + flight, 60).map((phase) => [phase, formulas.flight(phase, gamma, ratio).position]),
+      ...spaced(separation + flight, separation + Math.PI, 60).map((phase) => [phase, formulas.contact(phase, gamma, ratio).position]),
+    ];
+    return [...half, ...half.map(([phase, position]) => [phase + Math.PI, -position])];
+  };
+  return { solve, response, locus, contour, motion };
+};
+
+{
+  const section = document.querySelector(".explorable");
+  if (section) {
+    const SVG = "http://www.w3.org/2000/svg";
+    const { solve, locus, contour, motion } = explorableModel(explorableFormulas);
+    section.replaceChildren(document.getElementById("explorable-tools").content.cloneNode(true));
+    const form = section.querySelector("form");
+    const sliders = [...form.querySelectorAll("input[type=range]")];
+    const result = section.querySelector("output.cycles");
+    const panels = [...section.querySelectorAll("svg")];
+
+    const valueOf = (slider) => (slider.dataset.logarithmic ? 10 ** Number(slider.value) : Number(slider.value));
+    const written = (value, digits = 3) => Number(value.toPrecision(digits)).toLocaleString("en-GB", { maximumSignificantDigits: digits, useGrouping: false });
+    const draw = (name, attributes) => {
+      const element = document.createElementNS(SVG, name);
+      for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+      return element;
+    };
+
+    // A panel maps its limits, kept as data, to its box; curves outside are cut off by the nested svg.
+    const frames = panels.map((svg) => {
+      const [left, right, bottom, top] = svg.dataset.limits.split(" ").map(Number);
+      const box = { x: 46, y: 8, width: 300, height: 208 };
+      const place = ([x, y]) => [(x - left) / (right - left) * box.width, (top - y) / (top - bottom) * box.height];
+      const ticks = (first, last) => {
+        const rough = (last - first) / 5;
+        const power = 10 ** Math.floor(Math.log10(rough));
+        const step = power * [1, 2, 5, 10].find((each) => each * power >= rough);
+        return Array.from({ length: Math.floor(last / step) - Math.ceil(first / step) + 1 }, (_, i) => (Math.ceil(first / step) + i) * step);
+      };
+      const grid = draw("g", { class: "grid" });
+      for (const x of ticks(left, right)) {
+        const at = box.x + place([x, 0])[0];
+        grid.append(draw("path", { d: `M${at},${box.y}v${box.height}` }));
+        grid.append(Object.assign(draw("text", { x: at, y: box.y + box.height + 15, class: "middle" }), { textContent: written(x).replace("-", "−") }));
+      }
+      for (const y of ticks(bottom, top)) {
+        const at = box.y + place([0, y])[1];
+        grid.append(draw("path", { d: `M${box.x},${at}h${box.width}` }));
+        grid.append(Object.assign(draw("text", { x: box.x - 6, y: at + 4, class: "end" }), { textContent: written(y).replace("-", "−") }));
+      }
+      const inner = draw("svg", { x: box.x, y: box.y, width: box.width, height: box.height, overflow: "hidden" });
+      svg.append(grid, inner);
+      return { inner, place };
+    });
+
+    const path = (frame, points, name) => draw("path", {
+      class: name,
+      d: points.map((point, i) => `${i ? "L" : "M"}${frame.place(point).map((each) => each.toFixed(2)).join(",")}`).join(""),
+    });
+    const dots = (frame, cycles) => cycles.map((cycle) => {
+      const [real, imaginary] = cycle.inverse;
+      const [cx, cy] = frame.place([real / (real ** 2 + imaginary ** 2), -imaginary / (real ** 2 + imaginary ** 2)]);
+      return draw("circle", { class: cycle.stable ? "stable" : "unstable", cx, cy, r: 4.5 });
+    });
+
+    const verdict = ({ stable, returns }) => {
+      if (stable) return "stable";
+      return returns ? "unstable, as another pair of poles grows" : "unstable by Loeb’s rule";
+    };
+    const told = (cycles, shown) => {
+      if (cycles.length === 0) return "No intersection between 60 and 1500 Hz: harmonic balance predicts no limit cycle.";
+      const lines = cycles.map((cycle) =>
+        `${cycle.stable ? "●" : "○"} ${cycle.frequency.toFixed(2)}\u00a0Hz, amplitude ${written(1 / cycle.ratio, 4)}\u00a0gaps = ` +
+        `${written(1e6 * cycle.amplitude, 4)}\u00a0µm, ${verdict(cycle)}` +
+        `${cycle === shown && cycles.length > 1 ? "; its motion and contour are drawn" : ""}`);
+      return lines.join("\n");
+    };
+
+    const show = () => {
+      const settings = Object.fromEntries(sliders.map((slider) => [slider.name, valueOf(slider)]));
+      for (const slider of sliders) {
+        const text = `${written(valueOf(slider) * Number(slider.dataset.factor))} ${slider.dataset.unit}`.trim();
+        slider.nextElementSibling.textContent = text;
+        slider.setAttribute("aria-valuetext", text);
+      }
+      const cycles = solve(settings);
+      const shown = cycles.findLast((cycle) => cycle.stable) ?? cycles.at(-1);
+      const [curve, line] = [locus(settings), contour(settings, shown?.omega ?? 2 * Math.PI * 735)];
+      for (const frame of frames.slice(0, 2)) {
+        const [x, y] = frame.place([-1, 0]);
+        frame.inner.replaceChildren(path(frame, curve, "plant"), path(frame, line, "element"),
+          draw("path", { class: "critical", d: `M${x - 5},${y}h10M${x},${y - 5}v10` }), ...dots(frame, cycles));
+      }
+      const last = frames[2];
+      const phases = Array.from({ length: 241 }, (_, i) => i / 120 * Math.PI);
+      const pin = phases.map((phase) => [phase, Math.sin(phase)]);
+      const load = shown ? motion(shown) : [];
+      const wrapped = [...load.map(([phase, y]) => [phase - 2 * Math.PI, y]), ...load];
+      last.inner.replaceChildren(path(last, pin, "pin"), ...(shown ? [path(last, wrapped, "load")] : []));
+      result.textContent = told(cycles, shown);
+    };
+
+    form.addEventListener("input", show);
+    form.addEventListener("reset", () => setTimeout(show));
+    form.addEventListener("submit", (event) => event.preventDefault());
+    show();
+  }
+}
