@@ -75,7 +75,7 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         _highlight(
             "txt-7-coulomb-evidence",
             "Friction below [[ bound | f0 ]] N does not end the predicted cycle at 0.2 mm.",
-            "Allow for [[ force | f1 ]] N.",
+            "That loop takes [[ force | f1 ]] N.",
             bound=BOUND,
             force=in_place,
         ),
