@@ -301,7 +301,7 @@ class Finding:
 
     @property
     def certainty(self) -> Certainty | None:
-        """Certainty of the least sure part, among the wrong ones if there are any; None if none is checked."""
+        """Certainty of the least sure part, of the wrong ones if there are any; None if none is checked."""
         wrong = [part for part in self.parts if part.verdict.is_wrong]
         known = [part.certainty for part in wrong or self.parts if part.certainty is not None]
         return max(known, key=lambda certainty: certainty.rank, default=None)

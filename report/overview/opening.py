@@ -47,8 +47,8 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         _highlight(
             "txt-3.1-output-sign",
             """
-            No trimmer feeds its output back to the pin, as the loop with the limit cycles does; with section
-            3.1's output as printed even that loop has none.
+            No trimmer feeds its output back, as the loop with the limit cycles does; with the output as
+            section 3.1 prints it, even that loop has none.
             """,
             "Do not look for [[ frequency | f0 ]] Hz.",
             frequency=known.cycles.friction.stable.frequency,
@@ -110,7 +110,7 @@ def _do_not(known: Evidence) -> tuple[str, ...]:
     speed = known.twin.speed
     return (
         filled(
-            "Fight 0.2 mm of play with friction: it takes [[ force | f1 ]] N.",
+            "Fight 0.2 mm of play with friction: even [[ force | f1 ]] N hold from rest only.",
             force=known.twin.friction_for_experiment,
         ),
         filled(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from report.document import Figure
+from report.drawing.cells import draw_cells
 from report.drawing.style import new_figure, style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence
@@ -37,7 +38,6 @@ def opening_figure(known: Evidence) -> Figure:
 
 
 def _drawn(known: Evidence) -> Drawing:
-    from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
     numbers = known.twin.friction
@@ -45,15 +45,7 @@ def _drawn(known: Evidence) -> Drawing:
     axes = drawn.subplots()
     count = numbers.kept.period_count
     cells = np.where(count == 1, 0, np.where(count > 1, 1, 2))
-    axes.pcolormesh(
-        1e3 * numbers.first,
-        numbers.second,
-        cells,
-        cmap=ListedColormap(COLOURS),
-        vmin=-0.5,
-        vmax=2.5,
-        rasterized=True,
-    )
+    draw_cells(axes, 1e3 * numbers.first, numbers.second, cells, dict(enumerate(COLOURS)))
     for gap, friction, marker in ((0.04, 0.5, "o"), (0.2, 2.0, "s")):
         axes.plot(gap, friction, marker, color="white", markeredgecolor="black", markersize=6)
     axes.grid(visible=False)

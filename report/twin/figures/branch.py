@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from report.drawing.cells import draw_cells
 from report.drawing.style import LINES, panels
 from report.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
 from report.record import figure
-from report.twin.figures.maps import draw_cells, numbers_of
+from report.twin.figures.maps import COLOURS, numbers_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,6 +65,6 @@ def _branch(axes: Axes, branch: KeptBranch, colour: str) -> None:
 def _strip(axes: Axes, known: Evidence) -> None:
     numbers = known.twin.friction
     row = numbers_of(numbers)[numbers.row(BRANCH_FORCE)]
-    draw_cells(axes, 1e6 * numbers.first, np.array([0.0, 1.0]), np.array([row, row]))
+    draw_cells(axes, 1e6 * numbers.first, np.array([0.0, 1.0]), np.array([row, row]), COLOURS)
     axes.set(xlabel="gap [µm]", xlim=(15, 305), yticks=[], ylabel="rest")
     axes.grid(visible=False)

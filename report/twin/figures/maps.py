@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from report.drawing.cells import draw_cells
 from report.drawing.style import new_figure
 from report.evidence import Evidence
 from report.numbers.twin.map_numbers import MapNumbers
 from report.record import figure
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Integers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 from trimmer.maps.drawing import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
-SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)])
 LONGER = len(PERIOD_COLOURS)
 NAMES = {
     **{count: (f"period {count}", colour) for count, colour in enumerate(PERIOD_COLOURS, start=1)},
@@ -28,6 +28,7 @@ NAMES = {
     LONGER + 4: ("not settled", OTHER_COLOURS["not settled"]),
 }
 """What a motion is called and its colour, by a number."""
+COLOURS = {number: colour for number, (_, colour) in NAMES.items()}
 KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
 
 
@@ -74,38 +75,6 @@ def numbers_of(numbers: MapNumbers) -> Integers:
     return np.where(count > 0, periodic, others)
 
 
-def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers) -> None:
-    """Draw cells as areas, one path for each colour, so that they change with the colours of the page.
-
-    Args:
-        axes: Where to draw.
-        first: Values along a row, evenly spaced, (n1,).
-        second: Values of the rows, evenly spaced, (n2,).
-        cells: Numbers in ``NAMES``, (n2, n1).
-    """
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path
-
-    (left, right, across), (low, high, up) = _ends(first), _ends(second)
-    corners: dict[int, list[Path]] = {}
-    for row, line in enumerate(cells):
-        edges = np.flatnonzero(np.diff(line)) + 1
-        for begin, end in zip([0, *edges], [*edges, len(line)], strict=True):
-            corner, size = (left + begin * across, low + row * up), ((end - begin) * across, up)
-            corners.setdefault(int(line[begin]), []).append(Path(corner + SQUARE * size, closed=True))
-    for number, places in sorted(corners.items()):
-        colour = NAMES[number][1]
-        path = Path.make_compound_path(*places)
-        axes.add_patch(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.6))  # no seams
-    axes.set(xlim=(left, right), ylim=(low, high))
-
-
-def _ends(values: Reals) -> tuple[float, float, float]:
-    """Return where the first cell begins and the last one ends, and how long each is."""
-    step = float(values[1] - values[0])
-    return float(values[0]) - step / 2, float(values[-1]) + step / 2, step
-
-
 def _map(numbers: MapNumbers) -> tuple[Figure, Axes]:
     from matplotlib.patches import Patch
 
@@ -113,7 +82,7 @@ def _map(numbers: MapNumbers) -> tuple[Figure, Axes]:
     axes = drawn.subplots()
     cells = numbers_of(numbers)
     gaps = 1e6 * numbers.first
-    draw_cells(axes, gaps, numbers.second, cells)
+    draw_cells(axes, gaps, numbers.second, cells, COLOURS)
     rows, columns = np.nonzero(numbers.asymmetric)
     axes.plot(gaps[columns], numbers.second[rows], ".", color="white", markersize=1.6, linestyle="none")
     axes.grid(visible=False)
