@@ -46,6 +46,13 @@ def test_verdict_is_the_reviewed_one(claim_id, claims, inventory):
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
+def test_severity_and_certainty_are_the_reviewed_ones(claim_id, claims, inventory):
+    finding = judge(claims[claim_id], inventory[claim_id])
+    certainty = finding.certainty.value if finding.certainty else ""
+    assert (finding.severity.value, certainty) == (ROWS[claim_id]["severity"], ROWS[claim_id]["certainty"])
+
+
+@pytest.mark.parametrize("claim_id", CLAIM_IDS)
 def test_each_part_has_its_reviewed_verdict(claim_id, claims, inventory):
     """The verdict of a claim is the worst of its parts and says nothing of the others."""
     verdicts = [part.verdict.value for part in judge(claims[claim_id], inventory[claim_id]).parts]
@@ -61,6 +68,10 @@ def test_every_part_names_two_ways_or_the_text_that_was_read(claim_id, claims):
         outcome = part.comparison.compare()
         proven = outcome.agrees and isinstance(part.comparison, SameExpression | SameMatrix)
         assert part.confirmation or proven or outcome.method.startswith(READ), part.label
+
+
+def test_every_claim_says_where_it_stands(claims):
+    assert [claim_id for claim_id, claim in claims.items() if claim.lines is None] == []
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
