@@ -15,6 +15,7 @@ from report.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair
 from report.numbers.linear_numbers import solve_linear
 from report.record import ClaimRecord
+from tests.report.claims.graded import graded
 
 
 @dataclass(frozen=True)
@@ -94,9 +95,12 @@ CORRUPTIONS = {
 
 def _verdicts(record: ClaimRecord, evidence: Evidence, inventory) -> tuple[str, ...]:
     try:
-        return tuple(part.verdict.value for part in judge(record.claim(evidence), inventory[record.id]).parts)
+        return tuple(
+            part.verdict.value for part in judge(graded(record.claim(evidence)), inventory[record.id]).parts
+        )
     except ContradictionError:
         return ("contradiction",)
+    return tuple(part.verdict.value for part in finding.parts)
 
 
 @pytest.mark.parametrize("name", CORRUPTIONS)

@@ -8,11 +8,12 @@ from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
 from report.claim import ContradictionError, Verdict, judge
 from report.thesis import EXPERIMENT_GAP
+from tests.report.claims.graded import graded
 from trimmer import resonance_peaks
 
 
 def verdicts(claim, inventory):
-    return [part.verdict for part in judge(claim, inventory[claim.id]).parts]
+    return [part.verdict for part in judge(graded(claim), inventory[claim.id]).parts]
 
 
 def with_orbits(evidence, **changes):
