@@ -95,9 +95,7 @@ CORRUPTIONS = {
 
 def _verdicts(record: ClaimRecord, evidence: Evidence, inventory) -> tuple[str, ...]:
     try:
-        return tuple(
-            part.verdict.value for part in judge(graded(record.claim(evidence)), inventory[record.id]).parts
-        )
+        finding = judge(graded(record.claim(evidence)), inventory[record.id])
     except ContradictionError:
         return ("contradiction",)
     return tuple(part.verdict.value for part in finding.parts)
