@@ -136,12 +136,12 @@ class ParameterRow:
 
 @dataclass(frozen=True)
 class Highlight:
-    """A finding that matters most: where it stands (the id of a claim, or of a place), and what to do.
+    """A finding that matters most: where it stands (ids of claims or places), and what to do.
 
-    ``sentence`` and ``action`` are Markdown.
+    ``sentence`` and ``action`` are Markdown; the grade shown is that of the first place.
     """
 
-    place: str
+    places: tuple[str, ...]
     sentence: str
     action: str
 

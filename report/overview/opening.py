@@ -45,35 +45,35 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
     in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
     return (
         _highlight(
-            "txt-3.1-output-sign",
+            ("txt-5.2.1-open-loop-peak", "txt-3.1-output-sign"),
             """
-            No trimmer feeds its output back, as the loop with the limit cycles does; with the output as
-            section 3.1 prints it, even that loop has none.
+            No trimmer feeds its output back, as the loop with the limit cycles does; with section 3.1's
+            output even that loop has none.
             """,
             "Do not look for [[ frequency | f0 ]] Hz.",
             frequency=known.cycles.friction.stable.frequency,
         ),
         _highlight(
-            "twin-main",
+            ("twin-main",),
             """
-            With contact both ways, 0.2 mm and 2 N repeat after [[ periods ]] drive periods, with lines at
-            thirds of the drive.
+            With contact both ways, 0.2 mm and 2 N repeat after [[ periods ]] drive periods: lines at thirds
+            of the drive.
             """,
             "Look between the harmonics.",
             periods=known.twin.main.twin.period_count,
         ),
         _highlight(
-            "txt-3.3-open-loop-odd",
+            ("txt-3.3-open-loop-odd",),
             "Spectra measured with play have even harmonics; the model has none for any parameters.",
             "Compute without symmetry.",
         ),
         _highlight(
-            "txt-6.3-friction-dominates",
+            ("txt-6.3-friction-dominates",),
             "By the thesis's own numbers friction does not dominate the cutter's inertia.",
             "Let it fly in the gap.",
         ),
         _highlight(
-            "txt-7-coulomb-evidence",
+            ("txt-7-coulomb-evidence",),
             "Friction below [[ bound | f0 ]] N does not end the predicted cycle at 0.2 mm.",
             "That loop takes [[ force | f1 ]] N.",
             bound=BOUND,
@@ -82,10 +82,10 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
     )
 
 
-def _highlight(place: str, sentence: str, action: str, /, **numbers: object) -> Highlight:
+def _highlight(places: tuple[str, ...], sentence: str, action: str, /, **numbers: object) -> Highlight:
     said = {name: value for name, value in numbers.items() if f"[[ {name} " in sentence}
     done = {name: value for name, value in numbers.items() if name not in said}
-    return Highlight(place, filled(sentence, **said), filled(action, **done))
+    return Highlight(places, filled(sentence, **said), filled(action, **done))
 
 
 def _do(known: Evidence) -> tuple[str, ...]:

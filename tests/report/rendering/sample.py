@@ -136,11 +136,11 @@ def sample() -> Document:
             "The derivations hold. The predictions do not: see $k_1$.",
             (
                 Highlight(
-                    "eq-2.9",
+                    ("eq-2.9", "eq-2.12"),
                     r"The first equation of motion has a wrong sign at $k_1 (q_1 - q_2)$.",
                     r"Turn it: the pole moves by $3\,\%$.",
                 ),
-                Highlight("txt-5.1.2-roll-off", "The roll-off is 40 dB per decade, not 60.", "Use 40."),
+                Highlight(("txt-5.1.2-roll-off",), "The roll-off is 40 dB per decade, not 60.", "Use 40."),
             ),
             _another(figures()[0], "opening"),
             ("Compute *your* trimmer.",),

@@ -135,7 +135,7 @@ def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> 
 
 
 def test_a_highlight_of_a_place_that_is_not_there_is_an_error(document: Document) -> None:
-    highlight = dataclasses.replace(document.opening.highlights[0], place="eq-9.9")
+    highlight = dataclasses.replace(document.opening.highlights[0], places=("eq-9.9",))
     changed = dataclasses.replace(document.opening, highlights=(highlight,))
     with pytest.raises(BrokenLinkError, match=r"eq-9\.9"):
         to_markdown(dataclasses.replace(document, opening=changed))
