@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from typing import Any, Final, Self, final
 
@@ -11,6 +12,7 @@ from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrice
 from derivations.latex import latex
 from report.claim import Agreement, Certainty, Mathematics
 
+VALUE = re.compile(r"(?<![\w$])([A-Za-z]\w*'*) = (-?\d+(?:/\d+)?)")
 PROVEN: Final = "both sides are the same, proven by algebra"
 
 
@@ -68,4 +70,9 @@ class SameMatrix(_TwoSides):
 def _outcome(proof: Proof) -> Agreement:
     if proof.sampled:
         return Agreement(proof.holds, f"not proven: {proof.method}", Certainty.COMPUTED)
-    return Agreement(proof.holds, PROVEN if proof.holds else proof.method, Certainty.PROVEN)
+    return Agreement(proof.holds, PROVEN if proof.holds else _typeset(proof.method), Certainty.PROVEN)
+
+
+def _typeset(counterexample: str) -> str:
+    """Write the values of symbols, such as ``gamma = 47/55``, as mathematics."""
+    return VALUE.sub(lambda found: f"${latex(sympy.Symbol(found[1]))} = {found[2]}$", counterexample)

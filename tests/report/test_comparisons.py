@@ -1,5 +1,6 @@
 """Comparisons: their tolerance, and what they show."""
 
+import re
 from decimal import Decimal
 from fractions import Fraction
 
@@ -84,3 +85,9 @@ def test_same_matrix():
     assert not SameMatrix(matrix, sympy.ImmutableMatrix([[x, 0]])).compare().agrees
     swapped = sympy.ImmutableMatrix([[x, 0], [1, -y]])
     assert not SameMatrix(swapped, matrix).compare().agrees
+
+
+def test_a_point_where_the_sides_differ_is_set_as_mathematics():
+    gamma, phi = sympy.symbols("gamma phi_c", positive=True)
+    method = SameExpression(gamma + phi, gamma - phi).compare().method
+    assert re.fullmatch(r"the sides differ at \$\\gamma = [\d/]+\$, \$\\phi_\{c\} = [\d/]+\$", method)
