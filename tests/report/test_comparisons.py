@@ -89,5 +89,5 @@ def test_same_matrix():
 
 def test_a_point_where_the_sides_differ_is_set_as_mathematics():
     gamma, phi = sympy.symbols("gamma phi_c", positive=True)
-    method = SameExpression(gamma + phi, gamma - phi).compare().method
+    method = SameExpression(gamma * phi, gamma + phi).compare().method
     assert re.fullmatch(r"the sides differ at \$\\gamma = [\d/]+\$, \$\\phi_\{c\} = [\d/]+\$", method)
