@@ -16,7 +16,8 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from itertools import islice
-from multiprocessing.synchronize import Event
+from multiprocessing.connection import Connection
+from multiprocessing.connection import wait as wait_for
 from typing import Any, Protocol, TypeVar
 
 from tqdm import TMonitor
@@ -87,7 +88,8 @@ class ProcessRunner:
             WorkerError: if a process ended at once.
         """
         remaining, count, context = iter(cells), self.count, _context()
-        ended = context.Event()
+        # A pipe, as the lock of an event would be lost with a process that is ended from outside.
+        ended, end = context.Pipe(duplex=False)
         pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
         pending: set[Future[list[Result]]] = set()
         try:
@@ -107,8 +109,10 @@ class ProcessRunner:
         finally:
             if pending:
                 # Nobody waits for what is under way, after an interrupt for example.
-                ended.set()
+                end.send_bytes(b"end")
             pool.shutdown(wait=True, cancel_futures=True)
+            ended.close()
+            end.close()
 
 
 def _context() -> multiprocessing.context.BaseContext:
@@ -137,7 +141,7 @@ class _Worker:
     work: Callable[[Any], Any]
 
 
-def _begin(work: Callable[[Any], Any], ended: Event) -> None:
+def _begin(work: Callable[[Any], Any], ended: Connection) -> None:
     """Prepare a process: it leaves interrupts to the one that began it, and ends with it or when told."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -152,8 +156,8 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _end_when(ended: Event) -> None:
-    ended.wait()
+def _end_when(ended: Connection) -> None:
+    wait_for([ended])  # it stays readable, for all
     os._exit(0)
 
 

@@ -12,7 +12,7 @@ from report.parts import assertion, close, so
 from report.record import Record, claim, text
 
 SOURCE = "report/numbers/exact_orbits.py"
-OVERALL = "the overall stability of the system is not altered by backlash"
+OVERALL = "backlash leaves the stability of the whole system as it is"
 FREQUENCIES = ("733", "815")
 """Frequencies of the stable limit cycles with friction and inertia alone, as chapter 6 prints them, Hz."""
 CLOSE = 1e-3
