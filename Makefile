@@ -46,7 +46,7 @@ derive: .venv/for-use ## write trimmer/generated again from the derivation
 
 lock: .venv/for-development ## write both lock files again, keeping versions that still fit; ARGS=--upgrade takes the newest
 	@$(COMPILE) $(ARGS) --group build -o requirements.lock
-	@$(COMPILE) $(ARGS) --group dev -c requirements.lock -o requirements-dev.lock
+	@$(COMPILE) $(ARGS) --all-extras --group dev -c requirements.lock -o requirements-dev.lock
 
 benchmark: .venv/for-development ## measure the build and the start, each beside a peer in the same run
 	@python benchmarks/run.py

@@ -52,3 +52,5 @@ def test_locks_name_what_pyproject_asks_for(project_folder: Path) -> None:
     small, large = ({name for name, _ in pins(project_folder / lock)} for lock in LOCKS)
     assert names(settings["project"]["dependencies"] + groups["build"]) <= small
     assert names(groups["dev"]) <= large
+    for extra in settings["project"]["optional-dependencies"].values():
+        assert names(extra) <= large
