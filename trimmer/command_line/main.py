@@ -18,6 +18,7 @@ from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.command_line.signals import spectrum
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed, shown_value
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
@@ -118,7 +119,8 @@ def _loaded(entry: EntryPoint) -> Command | None:
 def _parsed(arguments: Sequence[str] | None) -> Namespace:
     parsed, unknown = _parser(_commands()).parse_known_args(arguments)
     if unknown:
-        parsed.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+        have, them = ("has", "it") if len(unknown) == 1 else ("have", "them")
+        parsed.parser.error(f"{listed(map(shown_value, unknown))} {have} no use here; leave {them} out")
     return parsed
 
 

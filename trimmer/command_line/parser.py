@@ -6,11 +6,19 @@ import math
 import os
 import re
 import sys
-from argparse import Action, ArgumentError, ArgumentParser, Namespace
+from argparse import (
+    Action,
+    ArgumentError,
+    ArgumentParser,
+    ArgumentTypeError,
+    Namespace,
+    _SubParsersAction,
+)
 from collections.abc import Iterable, Sequence
 from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed, near_match, shown_value
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
@@ -34,7 +42,8 @@ class Parser(ArgumentParser):
     """A parser of options.
 
     A single value that is given twice is an error, since one of them would be ignored. Negative numbers are
-    values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit.
+    values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit. Options, commands
+    and choices that do not exist are told before what is missing, with the one that was meant.
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
@@ -44,11 +53,57 @@ class Parser(ArgumentParser):
         )
         for name in (None, "store"):
             self.register("action", name, _Once)
+        self.register("type", float, _number)
+        self.register("type", int, _whole)
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse words; those that look like options must be some."""
+        words = sys.argv[1:] if args is None else list(args)
+        for word in words:
+            if word == "--" or (self._subparsers is not None and not word.startswith("-")):
+                break
+            self._check_option(word)
+        return super().parse_known_args(words, namespace)
+
+    def _check_option(self, word: str) -> None:
+        name = word.partition("=")[0]
+        if not name.startswith("-") or name == "-" or " " in name or _NEGATIVE_NUMBER.match(word):
+            return
+        known = self._option_string_actions
+        if name in known or any(each.startswith(name) for each in known if name.startswith("--")):
+            return
+        meant = near_match(name, [each for each in known if each.startswith("--")])
+        self.error(f"there is no option {name}{f'; {meant}' if meant else ''}")
+
+    def _check_value(self, action: Action, value: Any) -> None:
+        """Check that a value is one of the choices (called by argparse)."""
+        if action.choices is None or value in action.choices:
+            return
+        words = [str(each) for each in action.choices]
+        told = shown_value(value) if isinstance(value, str) else str(value)
+        advice = near_match(str(value), words) or f"choose {listed(words, 'or')}"
+        if isinstance(action, _SubParsersAction):
+            raise ArgumentError(None, f"there is no command {told}; {advice}")
+        raise ArgumentError(action, f"there is no {told}; {advice}")
 
     def error(self, message: str) -> NoReturn:
         """Tell in one sentence what is wrong, and where the options are explained, and exit."""
-        tell(f"{message}; see {self.prog} --help")
+        tell(f"{message}{' See' if message.endswith('?') else '; see'} {self.prog} --help")
         raise SystemExit(WRONG_USE)
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{shown_value(text)} is no number") from None
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{shown_value(text)} is no whole number") from None
 
 
 class _Once(Action):
