@@ -19,6 +19,7 @@ from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, near_match, shown_value
+from trimmer.progress import is_silenced
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
@@ -166,6 +167,12 @@ def tell(message: str) -> None:
         print(f"trimmer: {message}", file=sys.stderr, flush=True)
     except OSError:
         drop(sys.stderr)
+
+
+def note(message: str) -> None:
+    """Print on standard error what is good to know and no error; nothing with ``--quiet``."""
+    if not is_silenced():
+        tell(message)
 
 
 def drop(stream: TextIO) -> None:

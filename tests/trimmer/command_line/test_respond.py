@@ -10,7 +10,7 @@ import pytest
 
 from tests.json_document import documented, keys
 from trimmer.command_line.main import main
-from trimmer.command_line.mechanisms.patience import patience
+from trimmer.command_line.patience import patience
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
