@@ -6,9 +6,10 @@ import codecs
 import io
 import os
 import sys
+import warnings
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
-from contextlib import nullcontext
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points
 
 import trimmer
@@ -50,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         try:
             parsed = _parsed(arguments)
-            with silenced() if parsed.quiet else nullcontext():
+            with silenced() if parsed.quiet else _warnings_told():
                 code: int = parsed.run(parsed)
         finally:
             sys.stdout.flush()
@@ -68,9 +69,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         tell(f"{name}: {error.strerror}; send the output elsewhere")
         drop(sys.stdout)
         return WRONG_USE
+    except MemoryError as error:
+        tell(f"there is not enough memory for that ({error or 'no more could be had'}); ask for less")
+        return WRONG_USE
     except KeyboardInterrupt:
         tell("interrupted before the result was complete")
         return INTERRUPTED
+
+
+@contextmanager
+def _warnings_told() -> Iterator[None]:
+    """Tell warnings in a sentence, without the line of code that they come from."""
+
+    def told(message: Warning | str, *_: object) -> None:
+        tell(f"warning: {message}")
+
+    with warnings.catch_warnings():
+        warnings.showwarning = told  # type: ignore[assignment]
+        yield
 
 
 def _prepare_streams() -> None:

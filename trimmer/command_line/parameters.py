@@ -34,7 +34,10 @@ def _run(arguments: Namespace) -> int:
 
 
 def _holds_something(path: Path) -> bool:
-    return path.is_file() and path.stat().st_size > 0
+    try:
+        return path.is_file() and path.stat().st_size > 0
+    except OSError:  # writing says why
+        return False
 
 
 COMMAND = Command(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 import re
@@ -15,6 +16,7 @@ from argparse import (
     _SubParsersAction,
 )
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
@@ -28,7 +30,12 @@ ENDED_EARLY = 3
 INTERRUPTED = 130
 """Exit code after an interrupt, as a shell gives it."""
 
+MOST = 1_000_000_000
+"""Largest whole number of an option: none counts more."""
+
 _GIVEN = "given"
+_CONTROL = {code: f"\\x{code:02x}" for code in (*range(32), 127) if chr(code) != "\n"}
+"""Control characters, which may be in the name of a file, and what is printed for them."""
 _NEGATIVE_NUMBER = re.compile(
     r"-(?:(?:[0-9][0-9_]*\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?(?:\s*[^\W\d_].*)?|inf(?:inity)?|nan)$",
     flags=re.IGNORECASE,
@@ -102,9 +109,12 @@ def _number(text: str) -> float:
 
 def _whole(text: str) -> int:
     try:
-        return int(text)
+        value = int(text)
     except ValueError:
         raise ArgumentTypeError(f"{shown_value(text)} is no whole number") from None
+    if abs(value) > MOST:
+        raise ArgumentTypeError(f"{shown_value(text)} is more than {MOST}, the largest that can be used")
+    return value
 
 
 class _Once(Action):
@@ -164,7 +174,7 @@ def as_option(name: str) -> str:
 def tell(message: str) -> None:
     """Print a message for the user on standard error, if anybody reads that."""
     try:
-        print(f"trimmer: {message}", file=sys.stderr, flush=True)
+        print(f"trimmer: {message.translate(_CONTROL)}", file=sys.stderr, flush=True)
     except OSError:
         drop(sys.stderr)
 
@@ -177,5 +187,5 @@ def note(message: str) -> None:
 
 def drop(stream: TextIO) -> None:
     """Send to nowhere what a stream has left to write; Python would complain at its end."""
-    with open(os.devnull, "wb") as nowhere:
+    with suppress(io.UnsupportedOperation), open(os.devnull, "wb") as nowhere:
         os.dup2(nowhere.fileno(), stream.fileno())
