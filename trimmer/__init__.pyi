@@ -95,9 +95,6 @@ from .maps.coexistence import Coexistence as Coexistence
 from .maps.coexistence import coexisting_motions as coexisting_motions
 from .maps.motion_map import motion_map as motion_map
 from .maps.result import MotionMap as MotionMap
-from .maps.runner import ProcessRunner as ProcessRunner
-from .maps.runner import Runner as Runner
-from .maps.runner import SerialRunner as SerialRunner
 from .maps.special_curve import SpecialCurve as SpecialCurve
 from .maps.special_curve import SpecialCurves as SpecialCurves
 from .maps.special_curves import special_curves as special_curves
@@ -141,6 +138,10 @@ from .response.respond import respond as respond
 from .response.response import MotionKind as MotionKind
 from .response.response import Response as Response
 from .response.simulate import simulate as simulate
+from .runners.cluster import ClusterRunner as ClusterRunner
+from .runners.processes import ProcessRunner as ProcessRunner
+from .runners.runner import Runner as Runner
+from .runners.runner import SerialRunner as SerialRunner
 from .signals.csv_layout import CsvLayout as CsvLayout
 from .signals.csv_layout import DecimalSign as DecimalSign
 from .signals.csv_layout import Delimiter as Delimiter
