@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
@@ -48,7 +49,19 @@ def chosen_runner(arguments: Namespace, chunk: int | None = None) -> Runner | No
     from trimmer.runners.runner import CHUNK, SerialRunner
 
     if arguments.scheduler is not None:
+        _silence_dask()
         return ClusterRunner(arguments.scheduler, chunk or CHUNK)
     if arguments.jobs is None:
         return None
     return SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs, chunk or CHUNK)
+
+
+def _silence_dask() -> None:
+    """Leave it to one sentence to tell what goes wrong, where Dask would print how it got there."""
+    try:
+        import distributed
+    except ImportError:
+        return  # which the runner tells
+    for name in logging.root.manager.loggerDict:
+        if name.split(".")[0] == distributed.__name__:
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
