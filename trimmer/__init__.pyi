@@ -43,6 +43,8 @@ from .elements.scaled_element import ScaledElement as ScaledElement
 from .elements.sum_of_elements import SumOfElements as SumOfElements
 from .elements.viscous_backlash import ViscousBacklash as ViscousBacklash
 from .elements.viscous_friction import ViscousFriction as ViscousFriction
+from .ensembles.limit_cycles import SampledLimitCycles as SampledLimitCycles
+from .ensembles.limit_cycles import sampled_limit_cycles as sampled_limit_cycles
 from .errors import FrequencyRangeError as FrequencyRangeError
 from .errors import IllPosedLoopError as IllPosedLoopError
 from .errors import LinearElementError as LinearElementError
