@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -53,7 +53,6 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
     add_overwrite_option(parser)
     add_runner_options(parser)
-    parser.add_argument("--quiet", action="store_true", help="show no progress bar")
 
 
 def _add_search_options(parser: ArgumentParser) -> None:
@@ -182,7 +181,29 @@ def _told(arguments: Namespace, result: MotionMap, searched: str, special: Speci
     return "\n".join([as_text(result, searched, special), *(f"wrote {path}" for path in written)])
 
 
+_OVER_TWO = (
+    "examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --vary frictions.blade.force=1:2:2 "
+    "--output cells.map"
+)
+
 COMMAND = Command(
-    "map", "which motion a mechanism settles to, over one or two of its numbers", _configure, _run
+    "map",
+    "which motion a mechanism settles to, over one or two of its numbers",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer map examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --plot map.svg",
+            "which motion there is at three gaps, and a picture",
+        ),
+        Example(
+            f"trimmer map {_OVER_TWO}",
+            "the same over gap and friction; keeps each cell as soon as it is done",
+        ),
+        Example(
+            f"trimmer map {_OVER_TWO} --resume --json",
+            "the same call after an interrupt: it goes on with the cells that are missing",
+        ),
+    ),
 )
 """The subcommand ``trimmer map``."""
