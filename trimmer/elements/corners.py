@@ -143,4 +143,4 @@ def _adjacent(element: CornerElement, amplitude: Reals) -> Reals:
 
 def _cosine(u: ArrayLike) -> Reals:
     ratio = np.minimum(np.asarray(u, dtype=float), 1.0)
-    return np.sqrt((1.0 - ratio) * (1.0 + ratio))
+    return np.asarray(np.sqrt((1.0 - ratio) * (1.0 + ratio)))

@@ -48,9 +48,12 @@ class DeadZone(CornerElement):
         return (self.slope * (1.0 - corner_share(self, amplitudes)))[()]
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        if harmonic == 1:
-            return self.slope * missing_fundamental(self, amplitude).astype(complex)
-        return -self.slope * clipped_harmonic(self, amplitude, harmonic).astype(complex)
+        gain = (
+            missing_fundamental(self, amplitude)
+            if harmonic == 1
+            else -clipped_harmonic(self, amplitude, harmonic)
+        )
+        return np.asarray(self.slope * gain, dtype=complex)
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         given = amplitude * np.sin(phase)

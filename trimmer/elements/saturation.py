@@ -46,9 +46,12 @@ class Saturation(CornerElement):
         return (self.slope * corner_share(self, amplitudes))[()]
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        if harmonic == 1:
-            return self.slope * clipped_fundamental(self, amplitude).astype(complex)
-        return self.slope * clipped_harmonic(self, amplitude, harmonic).astype(complex)
+        gain = (
+            clipped_fundamental(self, amplitude)
+            if harmonic == 1
+            else clipped_harmonic(self, amplitude, harmonic)
+        )
+        return np.asarray(self.slope * gain, dtype=complex)
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         clipped = np.clip(amplitude * np.sin(phase), -self.threshold, self.threshold)

@@ -101,8 +101,8 @@ def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[
     for relay in (each for each in components if isinstance(each, RelayComponent)):
         switch = _after_switch(given, 1 if relay.of_rate else 0)
         return [] if switch is None else [switch]
-    for relay in (each for each in components if isinstance(each, ThresholdComponent)):
-        switches = switching_phases(relay, given)
+    for switched in (each for each in components if isinstance(each, ThresholdComponent)):
+        switches = switching_phases(switched, given)
         return [] if switches is None else [0.5 * sum(switches)]
     return []
 

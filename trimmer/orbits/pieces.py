@@ -52,12 +52,9 @@ def relay_pieces(component: ThresholdComponent, given: OddPolynomial) -> list[Pi
     if switches is None:
         return None
     rise, fall = switches
-    constants = [(rise, min(fall, rise + math.pi), component.level), (fall, rise + math.pi, 0.0)]
-    return [
-        (begin, end, lambda phase, value=value: np.full(phase.shape, value))
-        for begin, end, value in constants
-        if end > begin
-    ]
+    end = rise + math.pi
+    positive = (rise, min(fall, end), lambda phase: np.full(phase.shape, component.level))
+    return [positive, (fall, end, np.zeros_like)] if fall < end else [positive]
 
 
 def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tuple[float, float] | None:

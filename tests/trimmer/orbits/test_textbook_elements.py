@@ -127,7 +127,7 @@ def test_an_orbit_with_saturation_is_that_of_an_adaptive_integrator() -> None:
 
 @pytest.mark.parametrize("hysteresis", [0.05, 0.4])
 def test_an_orbit_with_hysteresis_is_that_of_tsypkin(hysteresis: float) -> None:
-    """The half period solves c tanh(A T/2) A^-1 b L = h (Tsypkin 1984), here with SciPy's matrix functions."""
+    """The half period solves c tanh(A T/2) A^-1 b L = h (Tsypkin 1984), here by SciPy."""
     model = control.ss(THIRD_ORDER)
 
     def miss(half: float) -> float:
