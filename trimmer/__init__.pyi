@@ -34,11 +34,14 @@ from .displacement import Body as Body
 from .displacement import Displacement as Displacement
 from .displacement import DisplacementError as DisplacementError
 from .elements.coulomb_friction import CoulombFriction as CoulombFriction
+from .elements.dead_zone import DeadZone as DeadZone
 from .elements.element import Element as Element
 from .elements.element_at_frequency import ElementAtFrequency as ElementAtFrequency
 from .elements.friction_backlash import FrictionBacklash as FrictionBacklash
 from .elements.inertia_backlash import InertiaBacklash as InertiaBacklash
+from .elements.preload import Preload as Preload
 from .elements.relay import Relay as Relay
+from .elements.saturation import Saturation as Saturation
 from .elements.scaled_element import ScaledElement as ScaledElement
 from .elements.sum_of_elements import SumOfElements as SumOfElements
 from .elements.viscous_backlash import ViscousBacklash as ViscousBacklash
