@@ -17,7 +17,7 @@ from trimmer.spectra.classification import (
     fundamentals,
     require_positive,
 )
-from trimmer.spectra.doubts import doubts
+from trimmer.spectra.doubts import band_doubts, doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -71,8 +71,8 @@ def analyse_signal(
         closed_loop: Whether the pin follows the output although there is a drive.
 
     Warns:
-        SignalWarning: if many samples have the extreme value, as in a clipped record; or if the record is too
-            short to tell the harmonics of the drive, or what peaks may be, from one another.
+        SignalWarning: if the record has a fault, such as clipping, or peaks where it is not to be trusted; or
+            if it is too short to tell the harmonics of the drive, or what peaks may be, from one another.
 
     Raises:
         ChoiceError: if there is no such window.
@@ -89,7 +89,11 @@ def analyse_signal(
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
     origins = fundamentals(drive_frequency, known, () if left_out else predicted)
-    doubtful = doubts(signal.values, spectrum, drive_frequency, origins)
+    found = peaks(spectrum, limit)
+    doubtful = (
+        *doubts(signal, spectrum, drive_frequency, origins),
+        *band_doubts(signal.trusted, found),
+    )
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)
     return SpectrumAnalysis(
@@ -97,7 +101,7 @@ def analyse_signal(
         spectrum=spectrum,
         harmonics=None if drive_frequency is None else _harmonics(signal, drive_frequency),
         peaks=classify(
-            peaks(spectrum, limit),
+            found,
             spectrum.bin_width,
             drive_frequency,
             natural_frequencies,

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 DELIMITERS = ("comma", "semicolon", "tab")
 DECIMAL_SIGNS = ("point", "comma")
-MISSING_VALUES = ("refuse", "interpolate")
+MISSING_VALUES = ("refuse", "interpolate", "gap")
 
 
 def column(text: str) -> str:
