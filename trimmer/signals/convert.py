@@ -111,6 +111,7 @@ def convert(
             start=source.start + kernel.reach / source.sample_rate,
             trusted=band,
             full_scale=math.inf,
+            converted=source.converted + times,
         ),
         source=signal,
         cut=kernel.reach / source.sample_rate,

@@ -49,6 +49,11 @@ class Clipping:
     level: float
 
     @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "clipping"
+
+    @property
     def sentence(self) -> str:
         """What was found and what it means, without a full stop."""
         ends = (("largest", self.largest), ("smallest", self.smallest))
@@ -83,6 +88,11 @@ class Dropout:
     others: int
 
     @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "dropout"
+
+    @property
     def sentence(self) -> str:
         """What was found and what it means, without a full stop."""
         more = f" (as {self.others} more)" if self.others else ""
@@ -113,6 +123,11 @@ class FewSteps:
     unit: str
 
     @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "few steps"
+
+    @property
     def sentence(self) -> str:
         """What was found and what it means, without a full stop."""
         return (
@@ -138,6 +153,11 @@ class Offset:
     unit: str
 
     @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "offset"
+
+    @property
     def sentence(self) -> str:
         """What was found and what it means, without a full stop."""
         return (
@@ -156,7 +176,7 @@ A parabola that stays within one step for r samples has a curvature of at most 8
 so the next sample is at most 4 (1 + 2/r)^2 steps below: 11.1 for r = 3.
 """
 _SAME_LEVEL = 0.02
-_MOST = 0.8
+_MOST = 0.6
 _ROUGH = 0.3
 """Share of sign changes of the curvature that shows noise from sample to sample; noise alone has 2/3."""
 _STEEP = 2.0
@@ -238,8 +258,8 @@ class _Runs:
     def cut(self, which: Flags) -> bool:
         """Return whether most of some runs (m,) are cut off, rather than stand still.
 
-        A smooth motion comes to stand still with a last step that its curvature can take away; one that is
-        cut off comes with more. Noise would not stand still at all.
+        A smooth motion comes to stand still with a last step that the change of its steps can take away; one
+        that is cut off comes with more. Noise would not stand still at all.
         """
         inside = np.repeat(which, self.lengths)
         near = inside.copy()
@@ -250,15 +270,22 @@ class _Runs:
             return False
         if np.mean(curvature[1:] * curvature[:-1] < 0) > _ROUGH:
             return True
-        steps = np.abs(np.diff(self.values, prepend=self.values[0], append=self.values[-1]))
-        arriving = steps[np.maximum(self.begins[which] - 1, 0)]
-        leaving = steps[np.minimum(self.begins[which] + self.lengths[which] + 1, steps.size - 1)]
-        fast = np.minimum(arriving, leaving) > _STEEP * np.abs(curvature).max()
-        return bool(np.mean(fast) >= _MOST)
+        begins, ends = self.begins[which], self.begins[which] + self.lengths[which]
+        inner = (begins >= _SHORTEST_RUN) & (ends + _SHORTEST_RUN <= self.values.size)
+        arriving = [self.values[begins[inner] - back] for back in (1, 2, 3)]
+        leaving = [self.values[ends[inner] + on] for on in (0, 1, 2)]
+        fast = _is_fast(*arriving) & _is_fast(*leaving)
+        return bool(fast.size and np.mean(fast) >= _MOST)
 
     def at(self, value: float) -> Flags:
         """Which runs have a value, shape (m,)."""
         return np.asarray(self.values[self.begins] == value)
+
+
+def _is_fast(first: Reals, second: Reals, third: Reals) -> Flags:
+    """Return whether a step beside a run is larger than the change of steps there can take away."""
+    step = np.abs(first - second)
+    return np.asarray(step > _STEEP * np.abs(first - 2.0 * second + third))
 
 
 def _clipping(signal: Signal, runs: _Runs) -> Clipping | None:

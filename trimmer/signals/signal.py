@@ -43,6 +43,8 @@ class Signal:
         trusted: Frequencies at which the samples can be trusted, as far as that is known.
         notes: What was done to the samples or assumed, in sentences without a full stop.
         full_scale: Largest value that the device can give, in ``unit``, > 0; infinite if it is not known.
+        converted: How often it was differentiated after it was measured, negative if integrated: what was
+            white noise then grows with this power of the frequency.
 
     Raises:
         SignalError: if any of these does not hold.
@@ -57,6 +59,7 @@ class Signal:
     trusted: Band = EVERYWHERE
     notes: tuple[str, ...] = ()
     full_scale: float = math.inf
+    converted: int = 0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", checked_samples(self.values))
@@ -64,6 +67,7 @@ class Signal:
         for name in ("name", "unit"):
             require_instance(name, getattr(self, name), str, "a text")
         whole_number("interpolated", self.interpolated, 0)
+        whole_number("converted", self.converted)
         require_instance("trusted", self.trusted, Band, "a trimmer.Band")
         if not real_number("full_scale", self.full_scale, self.unit) > 0:
             raise SignalError(f"full_scale is {self.full_scale!r}: it must be positive, or infinite")

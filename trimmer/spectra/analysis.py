@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from trimmer.arguments import real_number, require_instance, truth_value
+from trimmer.arguments import real_number, require_instance, truth_value, whole_number
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
@@ -19,7 +19,7 @@ from trimmer.spectra.classification import (
 )
 from trimmer.spectra.doubts import band_doubts, doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
-from trimmer.spectra.peaks import peaks
+from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
@@ -87,9 +87,9 @@ def analyse_signal(
         require_positive("frequency of the drive", drive_frequency)
     closed_loop = truth_value("closed_loop", closed_loop)
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
-    spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
+    spectrum = replace(amplitude_spectrum(signal.values, signal.sample_rate, window), colour=signal.converted)
     origins = fundamentals(drive_frequency, known, () if left_out else predicted)
-    found = peaks(spectrum, limit)
+    found = _trusted_peaks(signal, spectrum, limit)
     doubtful = (
         *doubts(signal, spectrum, drive_frequency, origins),
         *band_doubts(signal.trusted, found),
@@ -111,6 +111,15 @@ def analyse_signal(
         doubts=doubtful,
         notes=(OPEN_LOOP,) if left_out else (),
     )
+
+
+def _trusted_peaks(signal: Signal, spectrum: Spectrum, limit: int) -> tuple[Peak, ...]:
+    """Find peaks; of a converted signal none outside its band, in whose flanks parts of lines are left."""
+    if not signal.converted:
+        return peaks(spectrum, limit)
+    found = peaks(spectrum)
+    whole_number("limit", limit, 1)
+    return tuple(peak for peak in found if peak.frequency in signal.trusted)[:limit]
 
 
 def _harmonics(signal: Signal, drive_frequency: float) -> HarmonicFit:
