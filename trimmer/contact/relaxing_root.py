@@ -1,9 +1,10 @@
-"""Where the gap closes while the spring behind the slot still relaxes, over a step of what it does not act on.
+"""Where the gap closes while the spring behind the slot still relaxes, over one step.
 
-The event function is g(s) + z exp(-decay s): a polynomial and a known exponential. Where g stays above the
-modulus of the second term there is no zero, and where g falls everywhere faster than that term can change
-there is at most one. An interval is halved until one or the other is so, and its later half is taken only if
-the earlier one has no zero; so the zero that is found is the first one.
+The spring does not act on what moves, so the event function is g(s) + z exp(-decay s): a polynomial and a
+known exponential. Where g stays above the modulus of the second term there is no zero, and where g falls
+everywhere faster than that term can change there is at most one. An interval is halved until one or the other
+is so, and its later half is taken only if the earlier one has no zero; so the zero that is found is the first
+one.
 """
 
 from __future__ import annotations
@@ -67,12 +68,12 @@ def _steepest_rise(bernstein: Reals) -> float:
     rise = bernstein[1] - bernstein[0]
     for i in range(1, COUNT - 1):
         rise = max(rise, bernstein[i + 1] - bernstein[i])
-    return rise
+    return float(rise)
 
 
 @compiled
 def _fallen(taylor: Reals, stretch: float, decay: float, low: float, high: float) -> float:
-    """Find the only zero of g(s) + stretch exp(-decay s) in an interval in which it falls, by Newton's method."""
+    """Find the only zero of g(s) + stretch exp(-decay s) in an interval in which it falls (Newton)."""
     point = low
     for _ in range(100):
         rest = stretch * math.exp(-decay * point)

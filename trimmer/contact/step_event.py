@@ -73,7 +73,7 @@ def _root(
 
 @inlined
 def _root_while_relaxing(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
-    """Find the first zero within a step in which a relaxing spring is left out, with its share added again."""
+    """Find the first zero within a step that leaves a relaxing spring out, which is added here."""
     owner = tables.owner[now, function]
     z = tables.relaxing_state[owner]
     stretch = tables.taylor[mode, function, z, 0] * work.state[z]

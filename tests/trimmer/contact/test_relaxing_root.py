@@ -62,7 +62,7 @@ def test_what_it_finds_is_the_first_zero(
     if found == UNSURE:
         return
     assert start > abs(stretch)
-    before = GRID < (found if found < NOWHERE else 2.0) - 1e-9
+    before = (found if found < NOWHERE else 2.0) - 1e-9 > GRID
     assert on_grid[before].min(initial=1.0) > -size
     if found < NOWHERE:
         at = mpmath.polyval(taylor[::-1], mpmath.mpf(found)) + stretch * mpmath.exp(
