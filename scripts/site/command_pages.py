@@ -1,4 +1,4 @@
-"""Pages of the command line reference: usage, options, examples and exit codes, from the parsers themselves."""
+"""Pages of the command line: usage, options, examples and exit codes, from the parsers themselves."""
 
 from __future__ import annotations
 
@@ -16,6 +16,9 @@ EXIT_CODES = (
     ("3", "a motion, a branch or a search that ended before what was asked for"),
     ("130", "interrupted"),
 )
+
+GROUPS = {"positional arguments": "Arguments", "options": "Options"}
+"""Titles in place of those of argparse."""
 
 
 def command_pages() -> dict[str, tuple[str, str]]:
@@ -44,7 +47,7 @@ def _overview(commands: Sequence[Command]) -> str:
             *rows,
             "\n## Rules for all commands\n",
             "- An option that would have no effect is an error, and so is a single value given twice.",
-            "- `-` is standard input where a file is read; pipes and `/dev/stdout` are written to as streams.",
+            "- `-` is standard input where a file is read; pipes and `/dev/stdout` are streams.",
             "- A file is replaced only if it is empty or of the kind that is written, or with `--overwrite`.",
             "- `--json` prints one object in SI units; [its keys](../../json.md).",
             "- Messages go to standard error, results to standard output.",
@@ -62,9 +65,7 @@ def _page(command: Command, parser: argparse.ArgumentParser) -> str:
     for group in parser._action_groups:
         rows = [_row(action, parser) for action in group._group_actions if action.help != argparse.SUPPRESS]
         if rows:
-            title = {"positional arguments": "Arguments", "options": "Options"}.get(
-                group.title or "", group.title
-            )
+            title = GROUPS.get(group.title or "", group.title)
             parts.append(f"## {title}\n\n| | meaning |\n| --- | --- |\n" + "\n".join(rows))
     parts.append("Exit codes are those of [all commands](index.md#exit-codes).")
     return "\n\n".join(parts) + "\n"

@@ -75,10 +75,10 @@ def _entry(package: str, name: str) -> str:
 def _overview(rooms: Mapping[str, list[str]]) -> str:
     lines = [
         "# Library",
-        "All names are imported from `trimmer`; each is loaded when it is first used. Lengths are in m, masses in"
-        " kg, times in s, forces in N; `omega` is in rad/s, `frequency` in Hz, `amplitude` is half of peak to peak,"
-        " `gap` the total clearance.",
-        "Errors that a user can correct are `TrimmerError`s. Results are frozen dataclasses.",
+        "All names are imported from `trimmer`; each is loaded when it is first used.",
+        "Lengths are in m, masses in kg, times in s, forces in N; `omega` is in rad/s, `frequency` in Hz,"
+        " `amplitude` is half of peak to peak, `gap` the total clearance. Results are frozen dataclasses;"
+        " errors that a user can correct are `TrimmerError`s.",
     ]
     for room, names in sorted(rooms.items(), key=_order):
         links = ", ".join(f"[`{name}`][trimmer.{name}]" for name in names)

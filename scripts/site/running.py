@@ -70,7 +70,7 @@ def _python(page: Path, block: Block, names: dict[str, object]) -> str:
 
 
 def _shell(page: Path, block: Block) -> str:
-    """Run commands: plain ones of this package in this process, since its imports take longer than its work."""
+    """Run commands: plain ones of this package in this process, as imports take longer than work."""
     commands = [line for line in block.content.replace("\\\n", " ").splitlines() if line.strip()]
     plain = all(line.startswith("trimmer ") and not _SHELL_SIGNS & set(line) for line in commands)
     code, text, complaint = _inside(commands) if plain else _outside(block.content)
