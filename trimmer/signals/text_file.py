@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from trimmer.files import read_content
+from trimmer.messages import near_file
 from trimmer.signals.signal import SignalError
 
 _UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
@@ -57,7 +58,8 @@ def _content(path: Path) -> bytes:
     try:
         return read_content(path)
     except FileNotFoundError:
-        raise SignalFileError(f"{path}: no such file") from None
+        advice = near_file(path) or "name a CSV file with a column of samples"
+        raise SignalFileError(f"{path}: no such file; {advice}") from None
     except IsADirectoryError:
         raise SignalFileError(f"{path}: is a folder; name the file of samples in it") from None
     except OSError as error:
