@@ -158,7 +158,7 @@ def _differences(earlier: ClaimsFile, built: Built) -> str:
 
 
 def _summary(built: Built) -> str:
-    from report.claim import Verdict
+    from report.verdict import Verdict
 
     verdicts = [finding.verdict for finding in built.document.findings]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict.value}" for verdict in Verdict)

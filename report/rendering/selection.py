@@ -6,7 +6,8 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from report.document import Chapter, Document
+from report.document.document import Document
+from report.document.thesis import Chapter
 from trimmer import TrimmerError
 from trimmer.messages import near_match
 

@@ -15,9 +15,10 @@ from trimmer.arguments import require_instance, whole_number
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, same_motion
 from trimmer.maps.motion_map import FEW
 from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
 from trimmer.progress import progress_bar
 from trimmer.response.response import MotionKind
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
 
 CONTINUED = 0.1
 """Difference of two orbits, relative to their sizes, up to which one is taken for the other carried on."""

@@ -12,8 +12,9 @@ from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
 from trimmer.progress import progress_bar
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

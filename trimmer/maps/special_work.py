@@ -16,10 +16,10 @@ from trimmer.branches.locus import Locus, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.maps.inputs import varied
-from trimmer.maps.runner import Runner
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
+from trimmer.runners.runner import Runner
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""

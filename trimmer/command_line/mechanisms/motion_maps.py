@@ -23,6 +23,7 @@ from trimmer.command_line.mechanisms.mechanism_options import (
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
+from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def _configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
     add_overwrite_option(parser)
-    parser.add_argument("--jobs", type=int, metavar="N", help="processes (default: as many as cores)")
+    add_runner_options(parser)
 
 
 def _add_search_options(parser: ArgumentParser) -> None:
@@ -111,6 +112,7 @@ def _check(arguments: Namespace) -> None:
         value = getattr(arguments, name)
         if value is not None and value < least:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
+    check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": MAP}}
     check_targets(arguments, targets, {"file": "the file of the mechanism"})
 
@@ -119,11 +121,8 @@ def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[floa
     """Return the map, and what was searched, in a sentence."""
     from trimmer.maps.coexistence import coexisting_motions
     from trimmer.maps.motion_map import motion_map
-    from trimmer.maps.runner import ProcessRunner, SerialRunner
 
-    runner = None
-    if arguments.jobs is not None:
-        runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs)
+    runner = chosen_runner(arguments)
     result = motion_map(
         mechanism,
         values,
@@ -151,10 +150,10 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
     if arguments.special is None:
         return None
     from trimmer.maps.motion_map import MapInterruptedError
-    from trimmer.maps.runner import ProcessRunner, SerialRunner
     from trimmer.maps.special_curves import special_curves
+    from trimmer.runners.processes import ProcessRunner
 
-    runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs, chunk=1)
+    runner = chosen_runner(arguments, chunk=1) or ProcessRunner(chunk=1)
     try:
         return special_curves(result, lines=arguments.special, runner=runner, quiet=arguments.quiet)
     except KeyboardInterrupt:
