@@ -16,7 +16,7 @@ from trimmer.command_line.command import Command
 from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import spectrum
+from trimmer.command_line.signals import compare, spectrum
 from trimmer.errors import TrimmerError
 
 ENTRY_POINT_GROUP = "trimmer.commands"
@@ -94,7 +94,7 @@ def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
 def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, compare.COMMAND),
         *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
     ]
