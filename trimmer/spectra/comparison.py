@@ -22,6 +22,7 @@ NEAR = 0.03
 _POINTS_PER_LINE = 32
 _HANN_LOSS = math.sqrt(1.5)
 _BETTER = 0.8
+_EXPLAINED = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,7 +197,15 @@ def _found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
         method="bounded",
         options={"xatol": 1e-5 * spectrum.bin_width},
     )
-    return float(best.x)
+    frequency = float(best.x)
+    explained = _fit(signal, simulated, frequency).explained
+    if explained < _EXPLAINED:
+        raise SignalError(
+            f"multiples of {frequency:.6g} Hz, the drive that is nearest to the {simulated.frequency:g} Hz "
+            f"of the simulation, explain only {100 * explained:.3g} % of the measurement's variance; say at which "
+            "frequency it was driven (--drive)"
+        )
+    return frequency
 
 
 def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> HarmonicFit:
