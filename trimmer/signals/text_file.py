@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from trimmer.files import read_content
+from trimmer.messages import near_file
 from trimmer.signals.signal import SignalError
 
 _UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
@@ -64,7 +65,8 @@ def _content(path: Path) -> bytes:
 def unreadable(path: Path, error: OSError) -> SignalFileError:
     """Return the error that says why a file cannot be read."""
     if isinstance(error, FileNotFoundError):
-        return SignalFileError(f"{path}: no such file")
+        advice = near_file(path) or "name a file of samples"
+        return SignalFileError(f"{path}: no such file; {advice}")
     if isinstance(error, IsADirectoryError):
         return SignalFileError(f"{path}: is a folder; name the file of samples in it")
     return SignalFileError(f"{path}: cannot be read: {error.strerror or error}")

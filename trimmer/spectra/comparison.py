@@ -202,8 +202,8 @@ def _found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     if explained < _EXPLAINED:
         raise SignalError(
             f"multiples of {frequency:.6g} Hz, the drive that is nearest to the {simulated.frequency:g} Hz "
-            f"of the simulation, explain only {100 * explained:.3g} % of the measurement's variance; say at which "
-            "frequency it was driven (--drive)"
+            f"of the simulation, explain only {100 * explained:.3g} % of the measurement's variance; say "
+            "at which frequency it was driven (--drive)"
         )
     return frequency
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
@@ -14,6 +14,7 @@ from trimmer.command_line.loops.loop_options import (
 )
 from trimmer.command_line.output_options import add_json_option
 from trimmer.command_line.parser import INTERRUPTED, tell
+from trimmer.command_line.patience import patience
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -42,7 +43,8 @@ def _run(arguments: Namespace) -> int:
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
             search = OrbitSearch(simulations=Simulations.ALWAYS) if arguments.simulate else None
-            orbits = periodic_orbits(loop, predictions, search=search)
+            with patience():
+                orbits = periodic_orbits(loop, predictions, search=search)
         except OrbitSearchInterrupted as interrupt:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
@@ -53,5 +55,20 @@ def _run(arguments: Namespace) -> int:
     return INTERRUPTED if interrupted else 0
 
 
-COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
+COMMAND = Command(
+    "orbits",
+    "exact limit cycles, with the error of harmonic balance",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer orbits --element friction --gap 4e-5",
+            "what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are",
+        ),
+        Example(
+            "trimmer orbits --element inertia --gap 4e-5 --simulate",
+            "the same with a load of inertia alone, and whether motions from 32 starts settle on more",
+        ),
+    ),
+)
 """The subcommand ``trimmer orbits``."""

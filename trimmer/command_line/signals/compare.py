@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -103,5 +103,21 @@ def _simulated(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
     return SimulatedLines(measures.amplitudes, frequency, count), motion.message
 
 
-COMMAND = Command("compare", "a measured motion beside what a mechanism settles to", _configure, _run)
+COMMAND = Command(
+    "compare",
+    "a measured motion beside what a mechanism settles to",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer compare vibration.csv --column q2-q4 --against examples/thesis-play.toml",
+            "which harmonics of vibration.csv (see `trimmer simulate --help`) the mechanism has too, in dB",
+        ),
+        Example(
+            "trimmer compare vibration.csv --column q2-q4 --against examples/thesis-play.toml "
+            "--set plays.bridge.gap=60um --plot compared.svg",
+            "the same with a wider play, and a picture of both spectra and of both waveforms",
+        ),
+    ),
+)
 """The subcommand ``trimmer compare``."""

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -185,4 +185,23 @@ def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
     )
 
 
-COMMAND = Command("spectrum", "spectrum of a measured signal, and what its peaks may be", _configure, _run)
+COMMAND = Command(
+    "spectrum",
+    "spectrum of a measured signal, and what its peaks may be",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --drive 110 --gap 4e-5 --wav vibration.wav",
+            "which peaks are harmonics of the drive, natural modes or limit cycles; and what it sounds like",
+        ),
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg",
+            "how high the five largest peaks are; see `trimmer simulate --help` for what wrote vibration.csv",
+        ),
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --to acceleration --average 8",
+            "the same as acceleration, with the band that can be trusted, and averaged by Welch's method",
+        ),
+    ),
+)
