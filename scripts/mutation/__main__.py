@@ -34,7 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     wanted = _parser().parse_args(arguments)
     FOLDER.joinpath("printed").mkdir(parents=True, exist_ok=True)
     if wanted.action in ("map", "all"):
-        record_map(wanted.processes)
+        record_map(wanted.processes, wanted.tests)
     if wanted.action in ("run", "all"):
         judge_mutants(wanted)
     if wanted.action in ("summary", "all"):
@@ -42,9 +42,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def record_map(processes: int) -> None:
+def record_map(processes: int, tests: str) -> None:
     """Record which test file runs which line, where that is not known."""
-    for file in record(copied(PROJECT, FOLDER / "0"), FOLDER, processes):
+    for file in record(copied(PROJECT, FOLDER / "0"), FOLDER, processes, tests):
         print(f"{file.seconds:6.1f} s  {file.path}  {file.failed and 'FAILS: ' + file.failed}", flush=True)
 
 
@@ -145,6 +145,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--seed", type=int, default=1, help="of the choice of places and changes (1)")
     parser.add_argument("--count", type=int, default=150, help="how many; a larger number goes on (150)")
     parser.add_argument("--only", default="", metavar="PATH", help="a folder or source, such as trimmer/balance")
+    parser.add_argument("--tests", default="", metavar="PATH", help="map only: a folder of tests, or a file")
     parser.add_argument("--processes", type=int, default=2, help="how many at a time (2)")
     parser.add_argument("--both", action="store_true", help="ask tests and claims, even if the first notices it")
     parser.add_argument("--again", action="store_true", help="judge those again that nothing has noticed")

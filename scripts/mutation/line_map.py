@@ -78,10 +78,10 @@ def read_map(root: Path, folder: Path) -> LineMap:
     return LineMap([file for file in latest.values() if file.is_current(root)])
 
 
-def record(tree: Tree, folder: Path, processes: int) -> Iterator[TestFile]:
-    """Run each test file that has no record, or an old one; yield it when it is recorded."""
+def record(tree: Tree, folder: Path, processes: int, only: str = "") -> Iterator[TestFile]:
+    """Run each test file, or those of a folder, without a record or with an old one; yield it when it is recorded."""
     known = {file.path for file in read_map(tree.root, folder).files}
-    missing = [path for path in test_files(tree.root) if path not in known]
+    missing = [path for path in test_files(tree.root) if path not in known and path.startswith(only)]
     with ThreadPoolExecutor(processes) as pool:
         for file in pool.map(partial(_record, tree, folder), missing):
             with (folder / MAP).open("a", encoding="utf-8") as lines:
