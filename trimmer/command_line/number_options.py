@@ -27,6 +27,21 @@ def positive(unit: str) -> Callable[[str], float]:
     return number
 
 
+def finite(unit: str) -> Callable[[str], float]:
+    """Make the type of an option whose values are finite numbers, in a unit."""
+
+    def number(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            raise ArgumentTypeError(f"{text!r} is not a finite number{f' ({unit})' if unit else ''}")
+        return value
+
+    return number
+
+
 def positive_whole(text: str) -> int:
     """Return the positive whole number that a text states, as the type of an option.
 

@@ -110,8 +110,8 @@ class Interconnection:
                 )
             if isinstance(component, ThresholdComponent) and component.slides and _slides(self, k):
                 raise UnsupportedMotionError(
-                    f"{label}: without hysteresis it would slide along the edge of the dead zone, which is not "
-                    "followed; give it hysteresis, or a system with two more poles than zeros"
+                    f"{label}: without hysteresis it would slide along the edge of the dead zone, which is "
+                    "not followed; give it hysteresis, or a system with two more poles than zeros"
                 )
             if component.continuous_rates and any(acts(self.C[k], self.B[:, j]) for j in jumping):
                 raise IllPosedLoopError(
