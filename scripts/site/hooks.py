@@ -58,7 +58,7 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     files.append(File.generated(config, PARAMETERS, content=parameter_page()))
     for source, target in {**COPIED, **_downloads()}.items():
         files.append(File.generated(config, target, abs_src_path=str(PROJECT / source)))
-    for target, source in [*_pictures(files)]:
+    for target, source in [*_pictures(files), *_gallery()]:
         files.append(File.generated(config, target, abs_src_path=str(source)))
     return files
 

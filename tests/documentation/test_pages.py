@@ -47,4 +47,4 @@ def test_most_blocks_are_run() -> None:
     found = [block for page in PAGES for block in blocks(page.read_text("utf-8"))]
     skipped = [block for block in found if block.comment.startswith("not run")]
     assert len(skipped) <= 5
-    assert sum(block.is_run for block in found) >= 50
+    assert sum(block.is_run for block in found) >= 45
