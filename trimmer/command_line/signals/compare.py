@@ -15,12 +15,13 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.mechanisms.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError
+from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
 from trimmer.files import STANDARD_INPUT
+from trimmer.messages import near_match
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -82,7 +83,8 @@ def _output(arguments: Namespace, mechanism: Mechanism) -> str:
     if arguments.output is None:
         raise OptionError(f"{arguments.against}: choose the output that was measured (--output): {listed}")
     if arguments.output not in names:
-        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}: {listed}")
+        there = near_match(arguments.output, names) or f"there are {listed}"
+        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}; {there}")
     return str(arguments.output)
 
 
