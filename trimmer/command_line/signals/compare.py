@@ -15,10 +15,10 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.mechanisms.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError
+from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
 from trimmer.files import STANDARD_INPUT
 
