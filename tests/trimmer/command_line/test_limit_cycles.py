@@ -93,6 +93,6 @@ def test_identify_gives_the_time_constant_or_says_that_there_is_none(capsys) -> 
     assert main([*words, "740", "--uncertainty", "1"]) == 0
     assert "M/D within 740 +- 1 Hz: " in capsys.readouterr().out
     assert main([*words, "740", "--uncertainty", "800"]) == 2
-    assert "frequency_uncertainty must be" in capsys.readouterr().err
+    assert "--uncertainty 800: must be zero or positive, less than --frequency" in capsys.readouterr().err
     assert main([*words, "-1"]) == 2
     assert "frequency must be positive" in capsys.readouterr().err
