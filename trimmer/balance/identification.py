@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,14 +15,17 @@ from trimmer.arguments import positive_number, real_number
 from trimmer.balance.element_curve import ElementCurve, GainTable
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
-from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import Problem, find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
+    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.balance.inverse_response import InverseResponse
@@ -83,8 +87,8 @@ class TimeConstantInterval:
     frequencies: tuple[float, float]
 
 
-@dataclass(frozen=True)
-class Identification:
+@dataclass(frozen=True, repr=False)
+class Identification(Tabular):
     """What a measured frequency tells of the load.
 
     Attributes:
@@ -97,6 +101,7 @@ class Identification:
         bands: All frequencies at which some M/D gives a limit cycle.
         nearest: With the limit cycle that is nearest in frequency, if the measured frequency lies outside all
             bands; None if it does not, or there is no limit cycle with any M/D.
+        gap: Total clearance, m.
     """
 
     frequency: float
@@ -105,6 +110,41 @@ class Identification:
     intervals: tuple[TimeConstantInterval, ...]
     bands: tuple[FeasibleBand, ...]
     nearest: IdentifiedTimeConstant | None
+    gap: float
+    _response: InverseResponse = field(compare=False)
+
+    def time_constants_at(self, frequency: float) -> tuple[IdentifiedTimeConstant, ...]:
+        """Find the time constants that give a limit cycle at another frequency, Hz, in rising order.
+
+        Raises:
+            WrongTypeError: if it is no number.
+            ValueError: if it is not positive and finite.
+        """
+        return _time_constants(self._response, self.gap, positive_number("frequency", frequency, "Hz"))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw M/D over the frequency of the limit cycle, with what was measured and what it gives.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.identification import draw_identification
+
+        return draw_identification(self, ax)
+
+    def _told(self) -> str:
+        return f"{self.frequency:.9g} Hz; {self.message}"
+
+    def _table(self) -> Table:
+        cycle = attributes(
+            amplitude=IN_UNIT_OF_INPUT, omega="rad/s", frequency="Hz", stable="", crossing_angle="rad"
+        )
+        of_cycle = (replace(each, of=attrgetter(f"limit_cycle.{each.name}")) for each in cycle)
+        columns = (*attributes(time_constant="s"), *of_cycle)
+        return Table("Time constants M/D of the load", self.time_constants, columns)
 
     @property
     def success(self) -> bool:
@@ -173,6 +213,8 @@ def identify_time_constant(
         intervals=tuple(_intervals(at, bands, frequency - spread, frequency + spread)),
         bands=bands,
         nearest=None if found else _nearest(at, bands, frequency),
+        gap=float(gap),
+        _response=response,
     )
 
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
+from trimmer.maps.drawing import categories, category
 
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.maps.cells import CellMotion, CellResult
-from trimmer.maps.drawing import categories, category
 from trimmer.maps.inputs import MapInputs, Settings
 from trimmer.maps.measures import Measures
 from trimmer.maps.result import MotionMap
