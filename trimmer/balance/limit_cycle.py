@@ -224,11 +224,12 @@ class HarmonicBalance(Tabular):
             [found, *(self.certificate.doubts or ["no other is in the range that was searched"])]
         )
 
-    def plot(self, ax: Axes | None = None) -> Axes:
+    def plot(self, ax: Axes | None = None, *, near: bool = False) -> Axes:
         """Draw G(j omega) and -1/N in the complex plane, with the limit cycles: full stable, open not.
 
         Args:
             ax: Where to draw; new axes if not given.
+            near: Show only what lies around the limit cycles and -1.
 
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
@@ -236,7 +237,7 @@ class HarmonicBalance(Tabular):
         """
         from trimmer.drawing.locus import draw_balance
 
-        return draw_balance(self, ax)
+        return draw_balance(self, ax, near=near)
 
     def _told(self) -> str:
         return self.message

@@ -38,7 +38,7 @@ def axes_for(ax: Axes | None, **size: Any) -> Axes:
     return figure.add_subplot()
 
 
-def add_legend(axes: Axes, handles: Iterable[Artist] | None = None) -> None:
+def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str = "") -> None:
     """Add a legend outside of the data in which each label stands once; none without a label.
 
     It stands at the right of wide axes, and under narrow ones.
@@ -46,12 +46,14 @@ def add_legend(axes: Axes, handles: Iterable[Artist] | None = None) -> None:
     Args:
         axes: Where.
         handles: What it shows; what has a label in the axes if not given.
+        title: What is to be said of all of them.
     """
     shown = axes.get_legend_handles_labels()[0] if handles is None else list(handles)
     once = {str(each.get_label()): each for each in shown}
     if not once:
         return
     look: dict[str, Any] = {"fontsize": "small", "borderaxespad": 0.0, "loc": "upper left"}
+    look |= {"title": title or None, "title_fontsize": "small"}
     figure = axes.get_figure(root=True)
     assert figure is not None
     if axes.get_position().width * figure.get_size_inches()[0] >= NARROW:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,10 +15,20 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Integers, Reals
 
+INK = "#404040"
+"""Colour of hatching."""
+NO_HATCHES: Mapping[int, str] = MappingProxyType({})
 SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)])
 
 
-def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers, colours: Mapping[int, str]) -> None:
+def draw_cells(
+    axes: Axes,
+    first: Reals,
+    second: Reals,
+    cells: Integers,
+    colours: Mapping[int, str],
+    hatches: Mapping[int, str] = NO_HATCHES,
+) -> None:
     """Draw cells as areas, one path for each colour, so that they change with the colours of a page.
 
     A cell reaches half way to the next value; values may come in any order.
@@ -28,6 +39,7 @@ def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers, colours
         second: Values of the rows, (n2,).
         cells: Numbers of colours, (n2, n1).
         colours: By their numbers.
+        hatches: Matplotlib's signs for the hatching of some of them, by their numbers.
     """
     columns, rows = np.argsort(first), np.argsort(second)
     across, up = edges(first[columns]), edges(second[rows])
@@ -41,6 +53,8 @@ def draw_cells(axes: Axes, first: Reals, second: Reals, cells: Integers, colours
         path = Path.make_compound_path(*places)
         look = {"facecolor": colours[number], "edgecolor": colours[number], "linewidth": 0.6}  # no seams
         axes.add_patch(PathPatch(path, gid=f"cells {number}", **look))
+        if hatches.get(number):
+            axes.add_patch(PathPatch(path, fill=False, linewidth=0, edgecolor=INK, hatch=hatches[number]))
     axes.set(xlim=(across[0], across[-1]), ylim=(up[0], up[-1]))
 
 

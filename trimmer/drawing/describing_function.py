@@ -23,6 +23,8 @@ LARGEST = 1e2
 POINTS = 1000
 SHOWN = 20.0
 """|1/N| that is shown of a locus at most, over its smallest."""
+LEAST = 3.0
+"""|1/N| up to which it is shown in any case, so that -1 is seen."""
 
 
 def draw_describing_function(element: Element, ax: Axes | None = None, omega: float | None = None) -> Axes:
@@ -31,8 +33,8 @@ def draw_describing_function(element: Element, ax: Axes | None = None, omega: fl
     gain = element.describing_function(amplitude, omega)
     axes = axes_for(ax)
     axes.semilogx(amplitude, abs(gain), **line(0))
-    axes.set_xlabel("amplitude A at the input, in its unit")
-    axes.set_ylabel("magnitude of N (solid), output over input")
+    axes.set_xlabel("amplitude A, unit of the input")
+    axes.set_ylabel("|N| (solid)")
     axes.set_ylim(bottom=0.0)
     axes.grid(alpha=0.3)
     phases = axes.twinx()
@@ -64,7 +66,7 @@ def draw_element_locus(element: Element, ax: Axes | None = None, omega: float | 
     draw_element_curve(axes, element, omega, "−1/N(A)", 1)
     curve = inverse(element, ratios_of(element, omega)[::-1], omega)  # by rising amplitude
     curve = curve[np.isfinite(curve)]
-    curve = curve[abs(curve) <= SHOWN * abs(curve).min()]
+    curve = curve[abs(curve) <= max(LEAST, SHOWN * abs(curve).min())]
     critical_point(axes)
     _fit(axes, np.append(curve, -1.0))
     middle = int(np.argmin(abs(_shares(curve) - 0.5)))

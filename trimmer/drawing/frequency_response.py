@@ -32,20 +32,26 @@ def decibels(gain: Complexes | Reals) -> Reals:
 
 def draw_summary(summary: LinearSummary, ax: Axes | None = None) -> Axes:
     """Draw |G| in dB over frequency, Hz, with peaks and dips; see ``LinearSummary.plot``."""
-    axes = axes_for(ax)
+    axes, name = axes_for(ax), f"{summary.output.label} over the pin"
     omega = telling_frequencies(summary.factored, reach=REACH)
-    axes.semilogx(omega / TURN, decibels(np.exp(summary.factored.log_gain(omega))), **line(0))
+    axes.semilogx(omega / TURN, decibels(np.exp(summary.factored.log_gain(omega))), label=name, **line(0))
     for extrema, marker, label in ((summary.peaks, "^", "peak"), (summary.antiresonances, "v", "dip")):
         places = [each for each in extrema if 0 < each.magnitude < np.inf]
         if places:
             levels = decibels(np.array([each.magnitude for each in places]))
-            look: dict[str, Any] = {"color": BLACK, "fillstyle": "none", "linestyle": "none", "label": label}
+            look: dict[str, Any] = {
+                "color": BLACK,
+                "fillstyle": "none",
+                "linestyle": "none",
+                "markersize": 4,
+                "label": label,
+            }
             axes.plot([each.omega / TURN for each in places], levels, marker, **look)
     for number, mode in enumerate(each for each in summary.modes if each.frequency > 0):
         axes.axvline(mode.frequency, label="" if number else "natural mode, damped", **DOTTED)
     axes.margins(x=0.0)
     axes.set_xlabel("frequency, Hz")
-    axes.set_ylabel(f"magnitude of {summary.output.label} over the pin, dB", parse_math=False)
+    axes.set_ylabel("magnitude, dB")
     axes.grid(alpha=0.3)
     add_legend(axes)
     return axes

@@ -32,24 +32,25 @@ def draw_identification(found: Identification, ax: Axes | None = None) -> Axes:
     low, high = found.frequency - found.frequency_uncertainty, found.frequency + found.frequency_uncertainty
     axes.axvspan(low, high, color="0.85", zorder=0)
     axes.axvline(found.frequency, color=BLACK, linestyle=":", linewidth=1.0, label="measured")
-    finite = [each for each in found.time_constants if math.isfinite(each.time_constant)]
+    finite = [each for each in found.time_constants if 0 < each.time_constant < math.inf]
     if finite:
         places = [found.frequency] * len(finite), [each.time_constant for each in finite]
         axes.plot(*places, "o", color=BLACK, markersize=5, linestyle="none", label="M/D found")
     name_axis(axes.xaxis, "frequency of the limit cycle", "Hz")
-    name_axis(axes.yaxis, "M/D of the load", "s")
+    axes.set_yscale("log")
+    axes.set_ylabel("M/D of the load, s")
     axes.grid(alpha=0.3)
     add_legend(axes)
     return axes
 
 
 def _draw_band(axes: Axes, found: Identification, band: FeasibleBand) -> None:
-    """Draw M/D over a band, stable limit cycles solid and others dashed; an infinite M/D is left out."""
+    """Draw M/D over a band: stable limit cycles solid, others dashed; M/D of 0 and infinity are left out."""
     each = [
         (frequency, one.time_constant, one.stable)
         for frequency in _frequencies(band)
         for one in found.time_constants_at(frequency)
-        if math.isfinite(one.time_constant)
+        if 0 < one.time_constant < math.inf
     ]
     for stable, look, dashes in ((True, colour(0), STABLE), (False, colour(1), UNSTABLE)):
         places = [(f, tau if kind is stable else math.nan) for f, tau, kind in each]

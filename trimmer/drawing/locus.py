@@ -8,6 +8,7 @@ import numpy as np
 
 from trimmer.drawing.along import Along
 from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.content import figure_of, new_figure
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import critical_point, limit_cycle
@@ -17,43 +18,82 @@ from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.motion.loops import ClosedLoop
 
-LARGEST_RATIO = 1e6
-"""Stands for an infinite domain of u = amplitude_scale/amplitude."""
+ANY = np.geomspace(1e-6, 1e6, 1800)
+"""u = amplitude_scale/amplitude where any amplitude will do."""
 SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 600), 1.0 - np.geomspace(0.5, 1e-9, 1200)[1:]])
 """Shares of the largest u, close together at both ends."""
+MARGIN = 0.08
+"""Free room around what is shown, as a share of it."""
+CLOSE = 0.25
+"""Share of the picture, across and up, within which limit cycles are enlarged."""
 FAR = 4.0
 """How far out a locus is shown that goes to infinity, in sizes of what is of interest."""
 
 
-def draw_balance(balance: HarmonicBalance, ax: Axes | None = None) -> Axes:
+def balance_figure(balance: HarmonicBalance) -> Figure:
+    """Draw G and -1/N; where the limit cycles lie close together for that, a second panel enlarges them."""
+    whole, near = _spans(balance)
+    if not near.size or (near > CLOSE * whole).any():
+        return figure_of(balance.plot)
+    figure = new_figure(7.2, 8.2)
+    upper, lower = figure.subplots(2)
+    balance.plot(upper)
+    draw_balance(balance, lower, near=True)
+    upper.set_title("all of G(jω)", fontsize="medium")
+    lower.set_title("around the limit cycles", fontsize="medium")
+    return figure
+
+
+def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool = False) -> Axes:
     """Draw G and -1/N, and mark the limit cycles; see ``HarmonicBalance.plot``.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
     """
-    if balance.loop is None:
-        raise ValueError("the result has no loop, so there is nothing to draw: make it with harmonic_balance")
-    axes, loop = axes_for(ax), balance.loop
-    factored = ZeroPoleGain.of(loop.system)
-    omega = telling_frequencies(factored, balance.certificate.omegas)
-    system_locus(axes, loop.system, omega, label="G(jω)", **line(0))
+    axes, loop = axes_for(ax), _loop(balance)
+    system_locus(axes, loop.system, _omegas(balance), label="G(jω)", **line(0))
     for number, (label, at) in enumerate(_frequencies(balance), start=1):
         draw_element_curve(axes, loop.element, at, label, number)
-    places = [complex(response_at(loop.system, cycle.omega)) for cycle in balance.limit_cycles]
-    for cycle, place in zip(balance.limit_cycles, places, strict=True):
+    for cycle, place in zip(balance.limit_cycles, _places(balance), strict=True):
         limit_cycle(axes, place, stable=cycle.stable, label=_words(cycle))
     critical_point(axes)
-    _frame(axes, response_at(loop.system, omega), places, factored)
+    _frame(axes, _places(balance, -1.0) if near and balance.limit_cycles else _shown(balance))
     axes.set_xlabel("real part")
     axes.set_ylabel("imaginary part")
     axes.grid(alpha=0.3)
-    add_legend(axes)
+    add_legend(axes, title="A: amplitude in the unit\nof the element's input" if balance.limit_cycles else "")
     return axes
+
+
+def _loop(balance: HarmonicBalance) -> ClosedLoop:
+    if balance.loop is None:
+        raise ValueError("the result has no loop, so there is nothing to draw: make it with harmonic_balance")
+    return balance.loop
+
+
+def _omegas(balance: HarmonicBalance) -> Reals:
+    return telling_frequencies(ZeroPoleGain.of(_loop(balance).system), balance.certificate.omegas)
+
+
+def _places(balance: HarmonicBalance, *others: complex) -> Complexes:
+    """Return where the limit cycles lie on G, and other places."""
+    omegas = np.array([cycle.omega for cycle in balance.limit_cycles])
+    return np.concatenate([response_at(_loop(balance).system, omegas), others])
+
+
+def _spans(balance: HarmonicBalance) -> tuple[Reals, Reals]:
+    """Return width and height of all that is shown, and of what is around the limit cycles, if any."""
+    near = _places(balance, -1.0) if balance.limit_cycles else np.empty(0)
+    whole, close = (
+        [np.ptp(each.real), np.ptp(each.imag)] if each.size else [] for each in (_shown(balance), near)
+    )
+    return np.array(whole), np.array(close)
 
 
 def draw_element_curve(axes: Axes, element: Element, omega: float | None, label: str, number: int) -> None:
@@ -65,7 +105,8 @@ def draw_element_curve(axes: Axes, element: Element, omega: float | None, label:
 
 def ratios_of(element: Element, omega: float | None) -> Reals:
     """Return u = amplitude_scale/amplitude over the domain of an element, close together at both ends."""
-    return min(float(element.domain(omega)), LARGEST_RATIO) * SHARES
+    largest = float(element.domain(omega))
+    return ANY if np.isinf(largest) else largest * SHARES
 
 
 def _frequencies(balance: HarmonicBalance) -> list[tuple[str, float | None]]:
@@ -84,14 +125,19 @@ def _words(cycle: LimitCycle) -> str:
     return f"{kind}: {cycle.frequency:.5g} Hz,\nA = {cycle.amplitude:.4g}"
 
 
-def _frame(axes: Axes, response: Complexes, places: list[complex], factored: ZeroPoleGain) -> None:
-    """Show G, -1 and the limit cycles, whatever -1/N does outside; of an infinite G what is near them."""
-    shown = response
+def _shown(balance: HarmonicBalance) -> Complexes:
+    """Return what is to be seen: G, -1 and limit cycles; of a G that goes to infinity what is near them."""
+    system = _loop(balance).system
+    response, places = response_at(system, _omegas(balance)), _places(balance, -1.0)
+    factored = ZeroPoleGain.of(system)
     if (factored.roots.real[factored.exponents < 0] == 0).any():
-        size = FAR * max([1.0, *map(abs, places)])
-        shown = response[abs(response) <= size]
-    shown = np.concatenate([shown, places, [-1.0]])
+        response = response[abs(response) <= FAR * abs(places).max()]
+    return np.concatenate([response, places])
+
+
+def _frame(axes: Axes, shown: Complexes) -> None:
+    """Show some places with a margin around them, whatever lies outside."""
     for parts, set_limits in ((shown.real, axes.set_xlim), (shown.imag, axes.set_ylim)):
         lowest, highest = float(parts.min()), float(parts.max())
-        margin = 0.06 * (highest - lowest or 1.0)
+        margin = MARGIN * (highest - lowest) or MARGIN
         set_limits(lowest - margin, highest + margin)

@@ -45,11 +45,13 @@ def draw_loop_motion(motion: Motion, ax: Axes | None = None) -> Axes:
 def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
     """Return the displacements of a loop at times, s: its output, and of a play its input and its output.
 
+    Without a drive the input of the play is less the output of the loop, and is left out.
     What an element gives that is no play is a force or of another unit, and is left out.
     """
     drawn = {f"output {motion.loop.model.output_labels[0]}": motion.output(times)}
     if isinstance(motion.loop.modes.system.components[0], BacklashComponent):
-        drawn["input of the play"] = motion.element_input(times)
+        if motion.loop.modes.system.drive is not None:
+            drawn["input of the play"] = motion.element_input(times)
         drawn["output of the play"] = motion.element_output(times)
     return drawn
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from trimmer.drawing.axes import add_legend, axes_for
 from trimmer.drawing.cells import draw_cells
 from trimmer.drawing.curves import add_curves
-from trimmer.drawing.kinds import categories, category, legend_of
+from trimmer.drawing.kinds import Category, categories, category, legend_of
 from trimmer.drawing.units import name_axis
 from trimmer.response.response import MotionKind
 
@@ -22,11 +23,11 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Integers
     from trimmer.maps.basin import Basin
-    from trimmer.maps.cells import CellMotion
     from trimmer.maps.result import MotionMap
 
 BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
 """Of the motions of a basin in turn: the colours of Okabe and Ito."""
+BASIN_HATCHES = ("", "", "//", "..", "\\\\", "xx", "")
 
 
 def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
@@ -46,19 +47,20 @@ def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[s
     return axes
 
 
-def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[tuple[str, str]]) -> None:
+def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
     """Draw areas of one colour each, by the numbers of their colours, (n2, n1)."""
-    colours = {number: colour for number, (_, colour) in enumerate(legend)}
+    colours = {number: each.colour for number, each in enumerate(legend)}
+    hatches = {number: each.hatch for number, each in enumerate(legend)}
     first, second = result.values
-    draw_cells(axes, first, second, numbers, colours)
+    draw_cells(axes, first, second, numbers, colours, hatches)
     for axis, place, unit in zip((axes.xaxis, axes.yaxis), result.places, result.units, strict=True):
         name_axis(axis, place, unit)
 
 
-def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[tuple[str, str]]) -> None:
+def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
     outputs = result.inputs.mechanism.outputs
     heights = (result.stroke if outputs else result.impacts)[0]
-    colours = [legend[number][1] for number in numbers]
+    colours = [legend[number].colour for number in numbers]
     axes.scatter(result.values[0], heights, c=colours, edgecolors="0.4", linewidths=0.4, s=14)
     if outputs:
         name_axis(axes.yaxis, f"{next(iter(outputs))}, peak to peak", "m")
@@ -71,14 +73,17 @@ def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
 def draw_basin(basin: Basin, ax: Axes | None = None) -> Axes:
     """Draw which motion is reached from where; see ``Basin.plot``."""
     axes = axes_for(ax)
-    legend = [(name, _colour(basin.motions, number)) for number, name in enumerate(basin.names)]
+    legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
     draw_areas(axes, basin.result, basin.number, legend)
     add_legend(axes, legend_of(legend))
     return axes
 
 
-def _colour(motions: tuple[CellMotion, ...], number: int) -> str:
+def _of_basin(basin: Basin, number: int) -> Category:
+    """Return name, colour and hatching of a motion: of its kind, or of its number if it repeats."""
+    motions, name = basin.motions, basin.names[number]
     if motions[number].kind is not MotionKind.PERIODIC:
-        return category(motions[number])[1]
+        return replace(category(motions[number]), name=name)
     before = sum(motion.kind is MotionKind.PERIODIC for motion in motions[:number])
-    return BASIN_COLOURS[before % len(BASIN_COLOURS)]
+    place = before % len(BASIN_COLOURS)
+    return Category(name, BASIN_COLOURS[place], BASIN_HATCHES[place])

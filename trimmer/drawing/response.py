@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from trimmer.response.response import Response, SettledMotion
 
 SIZE = (7.6, 7.2)
+CLOSE = 0.05
+"""Share of the phase plane within which a section is shown in the frame of that."""
 SHOWN = 8
 """Drive periods that are shown of a motion that does not repeat."""
 
@@ -36,11 +38,23 @@ def response_figure(response: Response) -> Figure:
     panels["plane"].set_title("phase plane", fontsize="small")
     for number, motion in enumerate(response.motions):
         _add_section(panels["section"], motion, f"{number + 1}: {motion.share:.0%} of the starts", number)
+    _frame(panels["section"], panels["plane"])
     panels["section"].set_title("at the start of each drive period", fontsize="small")
     if len(response.motions) > 1:
         add_legend(panels["section"])
     head(figure, response.mechanism.title)
     return figure
+
+
+def _frame(section: Axes, plane: Axes) -> None:
+    """Show as much as the phase plane does, where points lie so close together that they would look apart."""
+    limits = plane.get_xlim(), plane.get_ylim()
+    spans = [abs(high - low) for low, high in limits]
+    sizes = section.dataLim.size
+    if all(size < CLOSE * span for size, span in zip(sizes, spans, strict=True)):
+        section.set(xlim=limits[0], ylim=limits[1])
+        section.xaxis.set_major_formatter(plane.xaxis.get_major_formatter())
+        section.set_xlabel(plane.get_xlabel(), parse_math=False)
 
 
 def motion_figure(motion: MechanismMotion) -> Figure:

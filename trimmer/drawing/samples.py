@@ -36,7 +36,7 @@ def draw_time_response(response: TimeResponse, ax: Axes | None = None) -> Axes:
     for number, (name, values) in enumerate(response.named.items()):
         axes.plot(*thinned(response.time, values), label=name, **line(number))
     _finish(axes)
-    name_axis(axes.yaxis, "input and output, each in its unit", "")
+    name_axis(axes.yaxis, "signal, in its unit", "")
     add_legend(axes)
     return axes
 

@@ -94,7 +94,7 @@ def draw_harmonics(fit: HarmonicFit, ax: Axes | None = None) -> Axes:
     axes.vlines(orders[seen], floor, amplitudes[seen], color=colour(0), linewidth=1.2)
     axes.plot(orders[seen], amplitudes[seen], "o", color=BLACK, markersize=4, linestyle="none")
     axes.set_xlabel(f"order of the drive, {fit.frequency:.6g} Hz")
-    axes.set_ylabel("amplitude, in the unit of the signal")
+    axes.set_ylabel("amplitude, unit of the signal")
     axes.locator_params(axis="x", integer=True)
     axes.grid(alpha=0.3)
     return axes

@@ -19,9 +19,11 @@ if TYPE_CHECKING:
 
 HEIGHT = 0.06
 """Height of a strip, as a share of the axes."""
-NAME: dict[str, Any] = {"va": "center", "fontsize": "x-small", "parse_math": False}
 MOST = 0.45
 """Share of the axes that all strips take at most."""
+NAME: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points", "va": "center"}
+NAME |= {"fontsize": "x-small", "parse_math": False, "annotation_clip": False}
+"""How the name of a strip stands beside the axes."""
 
 
 @dataclass(frozen=True)
@@ -70,13 +72,7 @@ def draw_strips(axes: Axes, strips: Sequence[Strip]) -> None:
     for number, strip in enumerate(reversed(strips)):
         middle = height * (number + 0.5)
         _add_bars(axes, strip, middle, 0.7 * height)
-        look: dict[str, Any] = {
-            "transform": axes.transAxes,
-            "va": "center",
-            "fontsize": "x-small",
-            "parse_math": False,
-        }
-        axes.text(1.01, middle, strip.name, **look)
+        axes.annotate(strip.name, (1.0, middle), (5, 0), **NAME)
     axes.plot([0, 1], [room, room], transform=axes.transAxes, color="0.6", linewidth=0.6)
 
 

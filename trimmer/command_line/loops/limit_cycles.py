@@ -45,9 +45,9 @@ def _run(arguments: Namespace) -> int:
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     balance = harmonic_balance(loop, omegas)
     if arguments.plot is not None:
-        from trimmer.drawing.content import figure_of
+        from trimmer.drawing.locus import balance_figure
 
-        write_picture(arguments, figure_of(balance.plot))
+        write_picture(arguments, balance_figure(balance))
     show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
 
