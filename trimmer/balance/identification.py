@@ -12,6 +12,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from trimmer.arguments import positive_number, real_number
+from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
@@ -113,14 +114,16 @@ class Identification(Tabular):
     gap: float
     _response: InverseResponse = field(compare=False)
 
-    def time_constants_at(self, frequency: float) -> tuple[IdentifiedTimeConstant, ...]:
-        """Find the time constants that give a limit cycle at another frequency, Hz, in rising order.
+    def limit_cycles_with(self, time_constant: float) -> tuple[LimitCycle, ...]:
+        """Find the limit cycles with a load of another M/D, s, by rising frequency.
 
         Raises:
             WrongTypeError: if it is no number.
-            ValueError: if it is not positive and finite.
+            ValueError: if it is negative or NaN.
         """
-        return _time_constants(self._response, self.gap, positive_number("frequency", frequency, "Hz"))
+        curve = ElementCurve(ViscousBacklash(self.gap, time_constant))
+        found = solve_bounded(self._response, curve, None).result
+        return limit_cycles_at(LoopEquation(self._response, curve), found.u, found.x)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw M/D over the frequency of the limit cycle, with what was measured and what it gives.

@@ -39,7 +39,7 @@ def draw_curves(
         ax: Where; new axes if not given. The limits of axes that hold a map stay.
     """
     axes = axes_for(ax)
-    held = bool(axes.collections)
+    held = axes.has_data()
     handles = add_curves(axes, curves, hold=held)
     if not held:
         name_axis(axes.xaxis, places[0], units[0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import TYPE_CHECKING
 
@@ -14,21 +15,18 @@ from trimmer.drawing.units import name_axis
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from trimmer.arrays import Reals
-    from trimmer.balance.feasible_frequencies import FeasibleBand
     from trimmer.balance.identification import Identification
 
-POINTS = 60
-"""Frequencies of a band at which M/D is found."""
-BEYOND = 2.0
-"""How far beyond its lower end, or below its upper one, a band is drawn that has no other end."""
+POINTS = 49
+"""Time constants for which the limit cycles are found."""
+DECADES = 3.0
+"""How far M/D is drawn on either side of one over the angular frequency, and beyond what was found."""
 
 
 def draw_identification(found: Identification, ax: Axes | None = None) -> Axes:
     """Draw M/D over frequency; see ``Identification.plot``."""
     axes = axes_for(ax)
-    for band in found.bands:
-        _draw_band(axes, found, band)
+    _draw_bands(axes, found)
     low, high = found.frequency - found.frequency_uncertainty, found.frequency + found.frequency_uncertainty
     axes.axvspan(low, high, color="0.85", zorder=0)
     axes.axvline(found.frequency, color=BLACK, linestyle=":", linewidth=1.0, label="measured")
@@ -44,24 +42,28 @@ def draw_identification(found: Identification, ax: Axes | None = None) -> Axes:
     return axes
 
 
-def _draw_band(axes: Axes, found: Identification, band: FeasibleBand) -> None:
-    """Draw M/D over a band: stable limit cycles solid, others dashed; M/D of 0 and infinity are left out."""
-    each = [
-        (frequency, one.time_constant, one.stable)
-        for frequency in _frequencies(band)
-        for one in found.time_constants_at(frequency)
-        if 0 < one.time_constant < math.inf
+def _draw_bands(axes: Axes, found: Identification) -> None:
+    """Draw M/D over each band: stable limit cycles solid, others dashed."""
+    points = [
+        (cycle.frequency, time_constant, cycle.stable)
+        for time_constant in _time_constants(found)
+        for cycle in found.limit_cycles_with(time_constant)
     ]
-    for stable, look, dashes in ((True, colour(0), STABLE), (False, colour(1), UNSTABLE)):
-        places = [(f, tau if kind is stable else math.nan) for f, tau, kind in each]
-        if any(kind is stable for *_, kind in each):
+    for band in found.bands:
+        inside = [each for each in points if band.holds(each[0])]
+        for stable, group in itertools.groupby(inside, key=lambda each: each[2]):
+            frequencies, time_constants, _ = zip(*group, strict=True)
+            dashes, number = (STABLE, 0) if stable else (UNSTABLE, 1)
             label = "stable limit cycle" if stable else "unstable limit cycle"
-            axes.plot(*np.array(places).T, color=look, linestyle=dashes, label=label)
+            axes.plot(frequencies, time_constants, color=colour(number), linestyle=dashes, label=label)
 
 
-def _frequencies(band: FeasibleBand) -> Reals:
-    lower, upper = band.frequencies
-    lower = lower or upper / BEYOND
-    upper = upper if math.isfinite(upper) else lower * BEYOND
-    inside = np.sin(np.linspace(-np.pi / 2, np.pi / 2, POINTS + 2)[1:-1])  # close together at both ends
-    return np.asarray(lower + (upper - lower) * (1.0 + inside) / 2)
+def _time_constants(found: Identification) -> list[float]:
+    """Return time constants, s, in equal ratios around one over the angular frequency."""
+    middle = math.log10(1.0 / (2.0 * math.pi * found.frequency))
+    taken = [
+        math.log10(each.time_constant) for each in found.time_constants if 0 < each.time_constant < math.inf
+    ]
+    low, high = min([middle - DECADES, *taken]), max([middle + DECADES, *taken])
+    values: list[float] = np.logspace(low, high, POINTS).tolist()
+    return values

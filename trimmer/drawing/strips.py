@@ -88,5 +88,5 @@ def _add_bars(axes: Axes, strip: Strip, middle: float, height: float) -> None:
         look |= {"facecolor": COLOURS[1], "edgecolor": "white", "hatch": "////"}
     bars = PolyCollection(corners, **look)
     bars.set_transform(axes.get_xaxis_transform())
-    bars.set_gid(strip.name)
+    bars.set_label(f"_{strip.name}")  # no legend shows it
     axes.add_collection(bars, autolim=False)
