@@ -9,6 +9,7 @@ from typing import Any
 
 from trimmer.errors import TrimmerError
 from trimmer.files import read_content
+from trimmer.messages import near_file
 from trimmer.parameters import parameter_table
 
 
@@ -26,7 +27,7 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
     try:
         return read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
     except FileNotFoundError:
-        raise error(f"{path}: no such file; {advice}") from None
+        raise error(f"{path}: no such file; {near_file(path) or advice}") from None
     except IsADirectoryError:
         raise error(f"{path}: is a folder; name the file in it") from None
     except UnicodeDecodeError as reason:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document import Figure
+from report.document.figure import Figure
 from report.drawing.style import new_figure, style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence

@@ -139,7 +139,7 @@ def test_a_displacement_is_chosen_by_its_label() -> None:
     assert Displacement("q2", "q4") == Displacement(Body.CUTTER, Body.GUARD)
 
 
-@pytest.mark.parametrize("value", ["cutter", "q5", "", 2, None, True, Body.CUTTER])
+@pytest.mark.parametrize("value", ["output", "q5", "", 2, None, True, Body.CUTTER])
 def test_what_is_no_displacement_is_refused(value: Any) -> None:
     uses: list[Callable[[], object]] = [
         lambda: linear_model(P, [value]),

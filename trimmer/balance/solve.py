@@ -180,8 +180,20 @@ def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegio
         omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))
         edge = np.minimum(curve.edge(members.x_lower), curve.edge(members.x_upper))
         at_edge = bool((members.u_upper >= _AT_EDGE * edge).any())
+        if at_edge and _goes_on(curve):
+            # There N is the same at all smaller amplitudes.
+            amplitudes, at_edge = (0.0, amplitudes[1]), False
         regions.append(UndecidedRegion(amplitudes, omegas, at_edge))
     return tuple(regions)
+
+
+def _goes_on(curve: ElementCurve) -> bool:
+    """Return whether N exists beyond the edge and is not zero there, as that of a saturation."""
+    edge = curve.element.constant_from
+    if curve.depends_on_x or math.isinf(edge):
+        return False
+    beyond = complex(curve.value(np.full(1, 2.0 * edge), np.zeros(1))[0])
+    return beyond != 0 and math.isfinite(abs(beyond))
 
 
 def _amplitude_of_lowest(curve: ElementCurve, u: float) -> float:

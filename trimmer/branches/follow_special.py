@@ -11,11 +11,9 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
-from trimmer.branches.continuation import SILENCE
 from trimmer.branches.fitting import is_symmetric, shortest_map
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
@@ -26,6 +24,7 @@ from trimmer.branches.self_excited_map import SelfExcitedMap
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
+from trimmer.progress import progress_bar
 
 DEFAULT = LocusSettings()
 FIRST_STEP = 2e-3
@@ -165,13 +164,7 @@ def _first_point(search: _Search, values: Reals, state: Reals) -> _Point:
 def _followed(search: _Search, track: _Track, sign: float, settings: LocusSettings) -> LocusEnd:
     """Add point after point to a track, and return why it ends."""
     length = min(FIRST_STEP, settings.largest_step)
-    bar = tqdm(
-        desc=search.sought.kind.word,
-        unit=" points",
-        delay=SILENCE,
-        leave=False,
-        disable=True if settings.quiet else None,
-    )
+    bar = progress_bar(description=search.sought.kind.word, quiet=settings.quiet, unit=" points")
     with bar:
         while len(track.points) < settings.most_points:
             made = _step(search, track, sign, length)

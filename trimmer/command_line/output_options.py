@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentError, ArgumentParser, Namespace
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_write
@@ -15,6 +16,17 @@ if TYPE_CHECKING:
 def add_json_option(parser: ArgumentParser) -> None:
     """Add ``--json``."""
     parser.add_argument("--json", action="store_true", help="print JSON, with full precision and in SI units")
+
+
+def add_quiet_option(parser: ArgumentParser) -> None:
+    """Add ``--quiet``, unless a command of another package has one of its own."""
+    with suppress(ArgumentError):
+        parser.add_argument(
+            "--quiet",
+            action="store_true",
+            help="print nothing but errors on standard error: no progress, no notes; results, --json and "
+            "files stay as they are, but text that would make way for a file on standard output is left out",
+        )
 
 
 def add_plot_option(parser: ArgumentParser, what: str) -> None:

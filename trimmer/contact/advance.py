@@ -210,7 +210,7 @@ class _Progress:
         }
         for number, function in enumerate(self.modes[self.mode].functions):
             if function.action == ARRIVED:
-                sizes = tables.sizes[self.mode, number, :, :2].sum(axis=1)
+                sizes = tables.sizes[self.mode, number, :2].sum(axis=0)
                 if abs(function.row @ state) <= AT_REST * (sizes @ abs(state)):
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp) - contacts

@@ -11,6 +11,7 @@ from trimmer.motion.compilation import sources as sources_of_motion
 SOURCES = (
     "integration",
     "nodes",
+    "relaxing_root",
     "series",
     "statuses",
     "step_event",

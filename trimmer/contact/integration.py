@@ -197,7 +197,7 @@ def _is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: boo
                 value, size = 0.0, 0.0
                 for i in range(work.state.size):
                     value += tables.taylor[mode, function, i, 0] * work.state[i]
-                    sizes = tables.sizes[mode, function, i, 0] + tables.sizes[mode, function, i, 1]
+                    sizes = tables.sizes[mode, function, 0, i] + tables.sizes[mode, function, 1, i]
                     size += sizes * abs(work.state[i])
                 if abs(value) <= AT_REST * size:
                     found = False

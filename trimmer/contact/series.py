@@ -32,7 +32,7 @@ class ModeTables(NamedTuple):
         series: (N, (K + 1) N).
         terms: (LEVELS,).
         taylor: (functions, N, K + 1).
-        sizes: (functions, N, K + 1).
+        sizes: (functions, K + 1, N).
         bernstein_from_taylor: It is read, (MOST_ZEROS + 1, K + 1, K + 1).
     """
 
@@ -135,7 +135,7 @@ def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
                 value += term
                 modulus += abs(term)
             taylor[j, k] = value
-            sizes[j, k] = modulus
+            sizes[k, j] = modulus
 
 
 @inlined

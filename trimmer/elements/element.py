@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, TypeVar
 
@@ -58,6 +59,14 @@ class Element(ABC):
     @abstractmethod
     def amplitude_scale(self) -> float:
         """Natural scale of the amplitude, in the unit of the input; u = amplitude_scale / amplitude."""
+
+    @property
+    def constant_from(self) -> float:
+        """The u from which on N does not change with u any more; infinite if there is none, or none is known.
+
+        Below an amplitude a static element may be linear. A limit cycle there would be one of any amplitude.
+        """
+        return math.inf
 
     def describing_function(
         self, amplitude: ArrayLike, omega: ArrayLike | None = None, harmonic: int = 1
@@ -180,6 +189,15 @@ class Element(ABC):
         With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those
         of ``sensitivity``, and so is what is proven.
         """
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Bound how far N is from its value in the middle of u, on boxes in the domain, at constant omega.
+
+        An element whose |dN/du| is not bounded gives it. None: |dN/du| times half the width is a bound.
+
+        Arguments and errors are those of ``sensitivity``, and so is what is proven.
+        """
+        return None
 
     def small_gains(self) -> SmallGains | None:
         """Tell how N goes to zero at the edge of the domain; None if nothing is known of that.

@@ -52,6 +52,11 @@ class ElementAtFrequency(Element):
         """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale
 
+    @property
+    def constant_from(self) -> float:
+        """That of the element."""
+        return self.element.constant_from
+
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element at the frozen omega, in the shape of ``omega``."""
         return np.full(self._omegas(omega).shape, self.element.domain(self.omega))[()]
@@ -67,6 +72,11 @@ class ElementAtFrequency(Element):
         shape = range_shape(u_range, omega_range)
         bound = self.element.variation(u_range, (self.omega, self.omega))
         return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Return the element's bound at the frozen omega."""
+        bound = self.element.reach(u_range, (self.omega, self.omega))
+        return None if bound is None else np.broadcast_to(bound, range_shape(u_range, omega_range))[()]
 
     def small_gains(self) -> SmallGains | None:
         """Return what is known of the element if that does not depend on omega."""

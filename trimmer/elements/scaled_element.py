@@ -49,6 +49,11 @@ class ScaledElement(Element):
         """The scale of the element: a factor on the output leaves the input alone."""
         return self.element.amplitude_scale
 
+    @property
+    def constant_from(self) -> float:
+        """That of the element."""
+        return self.element.constant_from
+
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element, which the factor leaves alone."""
         return self.element.domain(omega)
@@ -62,6 +67,11 @@ class ScaledElement(Element):
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.variation(u_range, omega_range)
         return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Return the bound of the element times the modulus of the factor."""
+        bound = self.element.reach(u_range, omega_range)
+        return None if bound is None else abs(self.factor) * bound
 
     def small_gains(self) -> SmallGains | None:
         """Return what is known of the element, scaled."""

@@ -10,14 +10,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, same_motion
-from trimmer.maps.motion_map import FEW, SILENCE
+from trimmer.maps.motion_map import FEW
 from trimmer.maps.result import MotionMap, place_columns
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
+from trimmer.progress import progress_bar
 from trimmer.response.response import MotionKind
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table
 
@@ -130,8 +131,7 @@ def _tried(
     if runner is None:
         runner = ProcessRunner() if len(cells) > FEW else SerialRunner()
     results = runner.results(CellWork(inputs.mechanism, inputs.places, inputs.settings), cells)
-    hidden = True if quiet else None
-    bar = tqdm(results, f"round {number}", total=len(cells), delay=SILENCE, leave=False, disable=hidden)
+    bar = progress_bar(results, f"round {number}", quiet=quiet, total=len(cells))
     yield from sorted(bar, key=lambda found: found.number)
 
 

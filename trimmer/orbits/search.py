@@ -77,7 +77,7 @@ class RelaySearch:
         zeros: Zeros on this interval; not all are orbits, as the relay may switch in between.
         undecided: Parts of the interval that may hold others.
         grid: Number of durations on this interval, in a fixed ratio, from whose pairs orbits with two
-            switches at unequal distances were looked for.
+            switches at unequal distances were looked for; 0 if they were not.
     """
 
     half_periods: Interval
@@ -96,6 +96,8 @@ class RelaySearch:
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)
             sentence += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
+        if not self.grid:
+            return sentence
         return (
             f"{sentence}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
         )

@@ -15,7 +15,7 @@ from trimmer.contact.advance import Ending
 from trimmer.contact.layout import Rows
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import GROUND
-from trimmer.messages import listed
+from trimmer.messages import listed, near_match
 from trimmer.response.energy import MechanismEnergy, dry_force, energy_of
 from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
 from trimmer.showing.shown import Tabular, counted
@@ -233,4 +233,4 @@ class MechanismMotion(Tabular):
 def _require(kind: str, name: str, known: Collection[str]) -> None:
     if name not in known:
         there = f"there are {listed(known)}" if known else "there is none"
-        raise MechanismError(f"no {kind} is called {name!r}; {there}")
+        raise MechanismError(f"no {kind} is called {name!r}; {near_match(name, known) or there}")

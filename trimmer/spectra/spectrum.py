@@ -36,6 +36,8 @@ class Spectrum(Tabular):
         sample_rate: Sample rate of the signal, Hz.
         samples: Number of samples of the signal.
         mean: Mean of the signal, in its unit, which was subtracted before windowing.
+        colour: Power of the frequency with which noise is taken to grow: 0 for white noise, -2 where an
+            acceleration with white noise was integrated twice.
     """
 
     lines: Complexes
@@ -43,6 +45,7 @@ class Spectrum(Tabular):
     sample_rate: float
     samples: int
     mean: float
+    colour: int = 0
 
     @property
     def bin_width(self) -> float:
@@ -53,6 +56,12 @@ class Spectrum(Tabular):
     def frequency(self) -> Reals:
         """Frequency of each bin, Hz, from 0 to half the sample rate, in the shape of ``lines``."""
         return np.asarray(np.arange(self.lines.size) * self.bin_width)
+
+    @cached_property
+    def noise_shape(self) -> Reals:
+        """Amplitude of noise at each bin beside others, in the shape of ``lines``."""
+        bins = np.maximum(np.arange(self.lines.size, dtype=np.float64), 1.0)
+        return np.asarray(bins**self.colour)
 
     @cached_property
     def amplitude(self) -> Reals:

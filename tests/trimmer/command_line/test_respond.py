@@ -10,7 +10,7 @@ import pytest
 
 from tests.json_document import documented, keys
 from trimmer.command_line.main import main
-from trimmer.command_line.mechanisms.patience import patience
+from trimmer.command_line.patience import patience
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
@@ -91,7 +91,8 @@ def test_what_does_not_repeat_is_drawn_too(tmp_path: Path, capsys: pytest.Captur
     ("words", "named"),
     [
         (["respond", TWIN, "--state", "motor"], "write BODY=DISPLACEMENT,VELOCITY"),
-        (["respond", TWIN, "--state", "motr=1,2"], "'motr' is no body; there are motor, cutter"),
+        (["respond", TWIN, "--state", "motr=1,2"], "'motr' is no body; did you mean motor?"),
+        (["respond", TWIN, "--state", "saw=1,2"], "'saw' is no body; there are motor, cutter"),
         (["respond", TWIN, "--state", "motor=1kg,0"], "motor=1kg,0"),
         (["respond", TWIN, "--seed", "3"], "--seed has no effect without --starts"),
         (["respond", TWIN, "--set", "plays.bridge.gp=1"], "plays.bridge.gap"),

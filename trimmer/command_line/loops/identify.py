@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
@@ -52,5 +52,18 @@ def _run(arguments: Namespace) -> int:
 
 
 COMMAND = Command(
-    "identify", "time constant M/D of the load behind a backlash, from a measured frequency", _configure, _run
+    "identify",
+    "time constant M/D of the load behind a backlash, from a measured frequency",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer identify --gap 4e-5 --frequency 740 --channels displacement",
+            "which M/D of the load goes with a vibration that was measured at 740 Hz",
+        ),
+        Example(
+            "trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement",
+            "the same as an interval, if the measurement may be off by 2 Hz",
+        ),
+    ),
 )

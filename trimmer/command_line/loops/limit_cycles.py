@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -62,5 +62,22 @@ def _omega_range(arguments: Namespace) -> tuple[float, float] | None:
 
 
 COMMAND = Command(
-    "limit-cycles", "limit cycles by harmonic balance: amplitude, frequency, stability", _configure, _run
+    "limit-cycles",
+    "limit cycles by harmonic balance: amplitude, frequency, stability",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer limit-cycles --element friction --gap 4e-5",
+            "which vibrations a play of 40 um can keep up, and which of them are stable",
+        ),
+        Example(
+            "trimmer limit-cycles --element viscous --gap 4e-5 --time-constant 1e-3 --plot loci.svg",
+            "the same with a heavy load behind the play, and a picture of the curves that meet",
+        ),
+        Example(
+            "trimmer limit-cycles --element coulomb --force 0.5 --channels displacement",
+            "whether dry friction in place of the play can keep up a vibration",
+        ),
+    ),
 )

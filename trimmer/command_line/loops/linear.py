@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
@@ -34,5 +34,22 @@ def _run(arguments: Namespace) -> int:
 
 
 COMMAND = Command(
-    "linear", "modes, resonances, bandwidth and stability of the linear trimmer", _configure, _run
+    "linear",
+    "modes, resonances, bandwidth and stability of the linear trimmer",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer linear",
+            "at what frequencies the trimmer vibrates by itself, and how much each mode is damped",
+        ),
+        Example(
+            "trimmer linear --output q2 --channels displacement",
+            "the same where the cutter is watched from the ground, and the pin acts as in the thesis",
+        ),
+        Example(
+            "trimmer linear --parameters mine.toml --json",
+            "the same of a trimmer of your own, for a program; `trimmer parameters` writes mine.toml",
+        ),
+    ),
 )

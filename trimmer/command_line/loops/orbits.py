@@ -6,7 +6,7 @@ import warnings
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
@@ -16,6 +16,7 @@ from trimmer.command_line.loops.loop_options import (
 )
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, tell
+from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
     from trimmer.orbits.search import PeriodicOrbits
@@ -50,7 +51,8 @@ def _run(arguments: Namespace) -> int:
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
             search = OrbitSearch(simulations=Simulations.ALWAYS) if arguments.simulate else None
-            orbits = periodic_orbits(loop, predictions, search=search)
+            with patience():
+                orbits = periodic_orbits(loop, predictions, search=search)
         except OrbitSearchInterrupted as interrupt:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
@@ -76,5 +78,20 @@ def _draw(arguments: Namespace, orbits: PeriodicOrbits) -> bool:
     return True
 
 
-COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
+COMMAND = Command(
+    "orbits",
+    "exact limit cycles, with the error of harmonic balance",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer orbits --element friction --gap 4e-5",
+            "what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are",
+        ),
+        Example(
+            "trimmer orbits --element inertia --gap 4e-5 --simulate",
+            "the same with a load of inertia alone, and whether motions from 32 starts settle on more",
+        ),
+    ),
+)
 """The subcommand ``trimmer orbits``."""

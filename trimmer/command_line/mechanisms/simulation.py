@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.mechanisms.mechanism_options import add_set_option, chosen_mechanism
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
 from trimmer.command_line.output_options import add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
     from trimmer.motion.motion import Motion

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from threading import Timer
 
 from trimmer.command_line.parser import tell
+from trimmer.progress import is_silenced
 
 SOON = 2.0
 """Time after which the line is printed, s."""
@@ -17,7 +18,13 @@ LINE = (
 
 @contextmanager
 def patience(seconds: float = SOON) -> Iterator[None]:
-    """Print a line on standard error if what is done inside takes longer than some time, s."""
+    """Print a line on standard error if what is done inside takes longer than some time, s.
+
+    Nothing with ``--quiet``.
+    """
+    if is_silenced():
+        yield
+        return
     timer = Timer(seconds, tell, (LINE,))
     timer.daemon = True
     timer.start()

@@ -7,7 +7,9 @@ from collections.abc import Iterator
 import pytest
 
 from trimmer.errors import WorkerError
-from trimmer.maps.runner import AHEAD, CHUNK, ProcessRunner, SerialRunner
+from trimmer.runners.chunks import AHEAD
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import CHUNK, SerialRunner
 
 
 def square(number: int) -> int:

@@ -1,8 +1,4 @@
-"""Who does the work of the cells: this process, several on this computer, or what has the same interface.
-
-A cluster can take their place: it needs the one method of ``Runner``. Work and cells are pickled, and a
-result depends on its cell alone, so the order and the place in which cells are done never matter.
-"""
+"""The work of cells, done in several processes of this computer."""
 
 from __future__ import annotations
 
@@ -12,48 +8,19 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
-from itertools import islice
 from multiprocessing.connection import Connection
 from multiprocessing.connection import wait as wait_for
-from typing import Any, Protocol, TypeVar
+from typing import Any
 
 from tqdm import TMonitor
 
 from trimmer.arguments import whole_number
 from trimmer.errors import WorkerError
-
-Cell = TypeVar("Cell")
-Result = TypeVar("Result")
-
-CHUNK = 8
-"""Cells that go to a process at once: a tenth of a second of work, against a thousandth for the way there."""
-AHEAD = 3
-"""Chunks per process that are under way, so that no process waits and memory does not grow with the cells."""
-
-
-class Runner(Protocol):
-    """Does the work of cells, here or elsewhere."""
-
-    def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
-        """Yield the results of the cells as they come, in any order.
-
-        Args:
-            work: What is done with a cell; it can be pickled.
-            cells: The cells; they can be pickled. They are taken as they are needed.
-        """
-        ...
-
-
-@dataclass(frozen=True)
-class SerialRunner:
-    """Does one cell after the other in this process."""
-
-    def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
-        """Yield the results of the cells in their order."""
-        return map(work, cells)
+from trimmer.runners.chunks import handed_back
+from trimmer.runners.runner import CHUNK, Cell, Result
 
 
 @dataclass(frozen=True)
@@ -87,27 +54,23 @@ class ProcessRunner:
         Raises:
             WorkerError: if a process ended at once.
         """
-        remaining, count, context = iter(cells), self.count, _context()
+        context = _context()
         # A pipe, as the lock of an event would be lost with a process that is ended from outside.
         ended, end = context.Pipe(duplex=False)
-        pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
-        pending: set[Future[list[Result]]] = set()
+        pool = ProcessPoolExecutor(self.count, context, _begin, (work, ended))
+        whole = False
         try:
-            while True:
-                while len(pending) < AHEAD * count and (chunk := list(islice(remaining, self.chunk))):
-                    pending.add(pool.submit(_done, chunk))
-                if not pending:
-                    return
-                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    yield from future.result()
+            yield from handed_back(
+                lambda chunk: pool.submit(_done, chunk), cells, self.chunk, lambda: self.count
+            )
+            whole = True
         except BrokenProcessPool as error:
             raise WorkerError(
                 "a process that did the work of cells was ended from outside, perhaps as memory ran out: "
                 "go on with fewer processes"
             ) from error
         finally:
-            if pending:
+            if not whole:
                 # Nobody waits for what is under way, after an interrupt for example.
                 end.send_bytes(b"end")
             pool.shutdown(wait=True, cancel_futures=True)

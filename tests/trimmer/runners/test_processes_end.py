@@ -7,7 +7,7 @@ import os
 import threading
 import time
 
-from trimmer.maps.runner import ProcessRunner
+from trimmer.runners.processes import ProcessRunner
 
 
 def slow(number: int) -> int:
