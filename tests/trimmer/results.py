@@ -9,7 +9,7 @@ import numpy as np
 
 import trimmer
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer.maps.runner import SerialRunner
+from trimmer.runners.runner import SerialRunner
 
 GAP = 4e-5
 PLAY = trimmer.FrictionBacklash(GAP)

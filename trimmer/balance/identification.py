@@ -21,7 +21,7 @@ from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import Problem, find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.viscous_backlash import ViscousBacklash
-from trimmer.showing.shown import Tabular
+from trimmer.showing.shown import Record, Shown, Tabular
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -50,8 +50,8 @@ _BESIDE = 1e-6
 """How far inside a band, relative, a limit cycle is sought that exists up to its end only."""
 
 
-@dataclass(frozen=True)
-class IdentifiedTimeConstant:
+@dataclass(frozen=True, repr=False)
+class IdentifiedTimeConstant(Shown):
     """A time constant that gives a limit cycle at the measured frequency.
 
     Attributes:
@@ -72,9 +72,14 @@ class IdentifiedTimeConstant:
         """Whether that limit cycle is stable."""
         return self.limit_cycle.stable
 
+    def _told(self) -> str:
+        kind = "stable" if self.stable else "unstable"
+        at = f"{self.limit_cycle.frequency:.6g} Hz"
+        return f"M/D {self.time_constant:.6g} s, amplitude {self.amplitude:.6g}, {at}, {kind}"
+
 
 @dataclass(frozen=True)
-class TimeConstantInterval:
+class TimeConstantInterval(Record):
     """The time constants that give a limit cycle within a range of frequencies.
 
     Attributes:

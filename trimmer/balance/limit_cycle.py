@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from trimmer.showing.shown import Shown, Tabular, counted
+from trimmer.showing.shown import Record, Shown, Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ NEAR_TANGENCY = math.radians(5.0)
 
 
 @dataclass(frozen=True)
-class LimitCycle:
+class LimitCycle(Record):
     """A solution of 1 + N(A, omega) G(j omega) = 0 (equation 2.25 of the thesis).
 
     Attributes:
@@ -61,7 +61,7 @@ class LimitCycle:
 
 
 @dataclass(frozen=True)
-class UndecidedRegion:
+class UndecidedRegion(Record):
     """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
 
     Attributes:

@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arguments import positive_number, real_array, real_number, real_values
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
-from trimmer.showing.shown import Tabular
+from trimmer.showing.shown import Record, Tabular
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def _numbered(name: str, values: Reals) -> dict[str, Reals]:
 
 
 @dataclass(frozen=True)
-class SteadyState:
+class SteadyState(Record):
     """The output amplitude * sin(omega t + phase) that is left in the end when the input is a sine.
 
     Attributes:

@@ -17,7 +17,7 @@ from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
 from trimmer.motion.tables import TOGETHER, Log
 from trimmer.motion.taylor import DEGREE
-from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.shown import Record, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ EVENT_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Record):
     """A change of mode.
 
     Attributes:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
+from enum import Enum
 from html import escape
 from numbers import Complex, Integral, Real
 
@@ -30,6 +33,13 @@ def of_table(name: str, told: str, table: Table) -> str:
     return sentence(name, told) + (shown if table.items else "")
 
 
+def of_fields(name: str, content: Iterable[tuple[str, object]]) -> str:
+    """Return names and values as a table with a row for each."""
+    row = '<tr><th scope="row">{}</th><td>{}</td></tr>'
+    rows = "".join(row.format(escape(key), escape(as_text(value))) for key, value in content)
+    return f"<table><caption>{escape(name)}</caption><tbody>{rows}</tbody></table>"
+
+
 def _head(name: str, unit: str) -> str:
     return f'<th scope="col">{escape(f"{name}, {unit}" if unit else name)}</th>'
 
@@ -39,18 +49,19 @@ def _row(values: tuple[object, ...]) -> str:
 
 
 def as_text(value: object) -> str:
-    """Write a value for a reader: numbers with six digits, yes and no, nothing for what is not there."""
+    """Write a value for a reader: numbers with six digits, yes and no, nothing where there is none."""
     if value is None:
         return ""
-    if isinstance(value, Choice):
-        return value.word
+    if isinstance(value, Enum):
+        return value.word if isinstance(value, Choice) else str(value.value)
     if type(value).__name__ in ("bool", "bool_"):
         return "yes" if value else "no"
     if isinstance(value, Integral):
         return str(value)
     if isinstance(value, Real):
-        return f"{float(value):.6g}"
+        number = float(value)
+        return "" if math.isnan(number) else f"{number:.6g}"
     if isinstance(value, Complex):
-        number = complex(value)
-        return f"{number.real:.6g} {'−' if number.imag < 0 else '+'} {abs(number.imag):.6g}j"
+        pair = complex(value)
+        return f"{pair.real:.6g} {'−' if pair.imag < 0 else '+'} {abs(pair.imag):.6g}j"
     return str(value)

@@ -5,6 +5,7 @@ A dataclass that inherits from these says ``repr=False``, so that it keeps their
 
 from __future__ import annotations
 
+from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from trimmer.showing import html
@@ -33,6 +34,16 @@ class Shown:
 
     def _repr_html_(self) -> str:
         return html.sentence(type(self).__name__, _short(self._told()))
+
+
+class Record:
+    """A small result that is its fields; they are a table in a notebook. Its ``repr`` is the dataclass's."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        content = [(each.name, getattr(self, each.name)) for each in fields(self) if each.repr]  # type: ignore[arg-type]
+        return html.of_fields(type(self).__name__, content)
 
 
 class Tabular(Shown):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
-from operator import attrgetter
+from operator import attrgetter, itemgetter
 from typing import Any
 
 
@@ -61,3 +61,7 @@ def attributes(**units: str) -> tuple[Column, ...]:
 def arrays(**given: tuple[str, Any]) -> tuple[Column, ...]:
     """Return columns of arrays, (rows,), for rows that are numbered from 0: by name, unit and values."""
     return tuple(Column(name, unit, values.__getitem__) for name, (unit, values) in given.items())
+
+
+TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", itemgetter(1)))
+"""Columns of an energy balance, whose rows are names and energies."""
