@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 LARGEST = 1e2
 """Largest amplitude that is shown over the smallest one, or the scale over the smallest one."""
 POINTS = 1000
+MARGIN = 10.0
+"""Degrees of free room above and below the phase."""
 SHOWN = 20.0
 """|1/N| that is shown of a locus at most, over its smallest."""
 LEAST = 3.0
@@ -38,10 +40,10 @@ def draw_describing_function(element: Element, ax: Axes | None = None, omega: fl
     axes.set_ylim(bottom=0.0)
     axes.grid(alpha=0.3)
     phases = axes.twinx()
-    phases.semilogx(amplitude, _degrees(gain), **line(1))
     phases.set_ylabel("phase of N (dashed), degrees")
-    low, high = phases.get_ylim()
-    phases.set_ylim(min(low, -10.0), max(high, 10.0))
+    degrees = _degrees(gain)
+    phases.semilogx(amplitude, degrees, **line(1))
+    phases.set_ylim(min(float(degrees.min()), 0.0) - MARGIN, max(float(degrees.max()), 0.0) + MARGIN)
     return axes
 
 

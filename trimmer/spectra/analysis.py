@@ -79,7 +79,7 @@ class SpectrumAnalysis(Tabular):
         columns = (
             *(Column(name, unit, attrgetter(f"peak.{name}")) for name, unit in of_peak.items()),
             Column("explanation", "", lambda each: each.explanation and each.explanation.origin.label),
-            Column("distance_bins", "bins", lambda each: each.explanation and each.explanation.distance),
+            Column("distance_bins", "", lambda each: each.explanation and each.explanation.distance),
             Column("ambiguous", "", attrgetter("ambiguous")),
         )
         return Table("Peaks by amplitude", self.peaks, columns)
