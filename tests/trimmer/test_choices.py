@@ -107,7 +107,7 @@ def test_what_is_done_about_missing_values_is_chosen_by_its_word(tmp_path: Path)
     for refusal in ("refuse", MissingValues.REFUSE):
         with pytest.raises(ValueError, match="a value is missing"):
             missing(refusal, tmp_path)
-    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse or interpolate"):
+    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse, interpolate or gap"):
         missing("ignore", tmp_path)
 
 

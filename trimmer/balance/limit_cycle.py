@@ -123,6 +123,8 @@ class Certificate(Shown):
         index_sum: Sum of the indices of the limit cycles that were found.
         zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
             the winding number cannot be determined.
+        unproven: What is not proven because the element has no bounds, in sentences without a full stop; none
+            if it has them.
     """
 
     method: str
@@ -134,6 +136,7 @@ class Certificate(Shown):
     winding_number: int | None
     index_sum: int
     zero_on_axis: bool
+    unproven: tuple[str, ...] = ()
 
     @property
     def checked(self) -> bool:
@@ -155,9 +158,9 @@ class Certificate(Shown):
     @property
     def other_doubts(self) -> tuple[str, ...]:
         """The doubts that are about no undecided region."""
-        doubts = tuple(_doubts_of_gain(self.smallest_gain))
+        doubts = (*self.unproven, *_doubts_of_gain(self.smallest_gain))
         # Where something is undecided the winding number may well lack what is there.
-        return doubts if self.checked or self.undecided else (*doubts, self._failed_check())
+        return doubts if self.checked or self.undecided or self.unproven else (*doubts, self._failed_check())
 
     def _told(self) -> str:
         lowest, highest = self.omegas

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import io
+import logging
 import os
 import sys
 import warnings
@@ -20,7 +21,7 @@ from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import spectrum
+from trimmer.command_line.signals import compare, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
@@ -45,6 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         SystemExit: with the code, after help and for options that cannot be read.
     """
     _prepare_streams()
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells at length where it keeps its fonts
     if sys.stdout is None:
         tell("standard output is closed; send it to a file, or to /dev/null")
         return WRONG_USE
@@ -112,7 +114,7 @@ def installed_commands() -> list[Command]:
     """Return the commands of this package and those of others."""
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, compare.COMMAND),
         *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]

@@ -77,7 +77,7 @@ def _write_frequencies(axes: Axes, analysis: SpectrumAnalysis) -> None:
         if len(written) < LABELLED and not near:
             written.append(place[0])
             look: dict[str, Any] = {"fontsize": "x-small", "ha": "center", "textcoords": "offset points"}
-            axes.annotate(f"{place[0]:.6g}", place, (0, 5), **look)
+            axes.annotate(f"{place[0]:.6g}", place, (0, 7), **look)
 
 
 def _origin(classified: ClassifiedPeak) -> object:

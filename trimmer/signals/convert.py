@@ -98,7 +98,9 @@ def convert(
     spectrum = powers(source.values, source.sample_rate)
     limits = _Limits(source, times, spectrum)
     band = limits.band(lowest, highest, sensor_corner)
-    kernel = OmegaKernel.of(source, times, band)
+    # What was cut off below a band before needs not be cut off again, which would cost both ends.
+    passed = replace(band, lowest=0.0) if times > 0 and lowest is None else band
+    kernel = OmegaKernel.of(source, times, passed)
     values, end_error, end_bound = kernel.applied(source.values)
     inside = (spectrum.frequency >= band.lowest) & (spectrum.frequency <= band.highest)
     total = float(spectrum.total.sum()) or 1.0

@@ -249,7 +249,7 @@ def line_interval(power: float, noise: float, averages: float) -> tuple[float, f
     """
     if noise <= 0.0:
         return power, power
-    from scipy.special import chndtrinc
+    from scipy.special import chdtrc, chndtrinc
     from scipy.stats import norm
 
     freedom, outside = 2.0 * averages, 0.5 * (1.0 - CONFIDENCE)
@@ -258,8 +258,12 @@ def line_interval(power: float, noise: float, averages: float) -> tuple[float, f
         middle, half = math.sqrt(seen), float(norm.isf(outside))
         ends = [(middle + sign * half) ** 2 - (freedom - 1.0) for sign in (-1.0, 1.0)]
     else:
-        ends = [float(chndtrinc(seen, freedom, share)) for share in (1.0 - outside, outside)]
-    low, high = (max(0.0, end if math.isfinite(end) else 0.0) * noise / freedom for end in ends)
+        # Where noise alone would show as much, or as little, the equation has no solution above 0.
+        ends = [
+            float(chndtrinc(seen, freedom, share)) if float(chdtrc(freedom, seen)) < 1.0 - share else 0.0
+            for share in (1.0 - outside, outside)
+        ]
+    low, high = (max(0.0, end) * noise / freedom for end in ends)
     return low, high
 
 

@@ -35,6 +35,10 @@ def _run(arguments: Namespace) -> int:
 
     require_positive(arguments, "gap", "m")
     require_positive(arguments, "frequency", "Hz")
+    if not 0 <= arguments.uncertainty < arguments.frequency:
+        raise OptionError(
+            f"--uncertainty {arguments.uncertainty:g}: must be zero or positive, less than --frequency (Hz)"
+        )
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     G = linear_part(arguments)
     try:

@@ -198,5 +198,9 @@ COMMAND = Command(
             "trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg",
             "how high the five largest peaks are; see `trimmer simulate --help` for what wrote vibration.csv",
         ),
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --to acceleration --average 8",
+            "the same as acceleration, with the band that can be trusted, and averaged by Welch's method",
+        ),
     ),
 )
