@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.locus import Locus
+from trimmer.branches.loci.locus import Locus
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 SAME = 5e-3
