@@ -1,9 +1,9 @@
 """Limit cycles where no bounds of N are known: a grid of amplitude and frequency, and Newton's method.
 
 A cell of the grid is kept where the values of N + 1/G at its corners leave room for a zero: where a disk
-about their mean that holds them all, widened, holds zero. Where these are many, the linear function through the
-corners has to be zero in the cell or near it, too. Kept cells are cut again and again. Newton's method starts
-from those at last left where |N + 1/G| is less than in the cells beside them. That proves nothing.
+about their mean that holds them all, widened, holds zero. Where these are many, the linear function through
+the corners has to be zero in the cell or near it, too. Kept cells are cut again and again. Newton's method
+starts from those at last left where |N + 1/G| is less than in the cells beside them. That proves nothing.
 """
 
 from __future__ import annotations

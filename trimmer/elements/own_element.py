@@ -117,7 +117,14 @@ class StaticElement(UnboundedElement):
         return self._mean_slope(amplitude)
 
     def _period(self, phases: Reals, amplitude: float, omega: float) -> Reals:
+        return self._of(amplitude * np.sin(phases))
+
+    def _halves(self, phases: Reals, amplitude: float, omega: float) -> tuple[Reals, Reals]:
+        # The sine of a phase half a period later would be rounded otherwise, beside a kink too.
         given = amplitude * np.sin(phases)
+        return self._of(given), self._of(-given)
+
+    def _of(self, given: Reals) -> Reals:
         output = real_values("function", self.function(given))
         if output.shape != given.shape:
             raise WrongTypeError(f"function must return shape {given.shape}, not {output.shape}")

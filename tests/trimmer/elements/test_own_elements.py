@@ -1,4 +1,4 @@
-"""A user's own elements: quadrature with an error that can be read, harmonics, limit cycles without a proof."""
+"""A user's own elements: quadrature with an error that can be read, limit cycles without a proof."""
 
 from __future__ import annotations
 
@@ -84,9 +84,9 @@ def test_quadrature_is_the_closed_form_within_its_error(function, kinks, exact: 
     for amplitude in (0.3, 0.50001, 0.77, 3.1, 4e4):
         for harmonic in (1, 3, 7):
             estimate = element.describing_function_estimate(amplitude, harmonic=harmonic)
-            closed = complex(exact.describing_function(amplitude, harmonic=harmonic))
             size = 1.0 + abs(complex(exact.describing_function(amplitude)))
-            assert abs(estimate.value - closed) <= estimate.error + 1e-15
+            closed = complex(exact.describing_function(amplitude, harmonic=harmonic))
+            assert abs(estimate.value - closed) <= estimate.error + 4e-16 * size
             assert estimate.error < 3e-12 * size
             assert element.describing_function(amplitude, harmonic=harmonic) == estimate.value
     assert element.mean_gain(0.77) == pytest.approx(exact.mean_gain(0.77), rel=1e-4)
@@ -143,7 +143,9 @@ def test_limit_cycles_are_those_with_the_closed_form_but_not_certain(function, k
         own, sure = harmonic_balance(system, element), harmonic_balance(system, exact)
         if not sure.certificate.complete:
             continue
-        pairs = zip(own.limit_cycles, sure.limit_cycles, strict=True)
+        # Frequencies that agree to rounding leave their order open.
+        by_amplitude = (sorted(each.limit_cycles, key=lambda c: c.amplitude) for each in (own, sure))
+        pairs = zip(*by_amplitude, strict=True)
         for found, known in pairs:
             assert found.amplitude == pytest.approx(known.amplitude, rel=1e-8)
             assert found.omega == pytest.approx(known.omega, rel=1e-8)
