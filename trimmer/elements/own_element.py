@@ -131,5 +131,7 @@ class StaticElement(UnboundedElement):
         return np.asarray(output, dtype=float)
 
     def _breaks(self, amplitude: float, omega: float) -> Sequence[float]:
-        rises = [math.asin(abs(kink) / amplitude) for kink in self.kinks if abs(kink) < amplitude]
+        sizes = [abs(kink) for kink in self.kinks if abs(kink) < amplitude]
+        # To the last digit next to the peak too.
+        rises = [math.atan2(size, math.sqrt((amplitude - size) * (amplitude + size))) for size in sizes]
         return [phase for rise in rises for phase in (rise, math.pi - rise)]

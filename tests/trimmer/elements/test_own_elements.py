@@ -86,7 +86,9 @@ def test_quadrature_is_the_closed_form_within_its_error(function, kinks, exact: 
             estimate = element.describing_function_estimate(amplitude, harmonic=harmonic)
             size = 1.0 + abs(complex(exact.describing_function(amplitude)))
             closed = complex(exact.describing_function(amplitude, harmonic=harmonic))
-            assert abs(estimate.value - closed) <= estimate.error + 4e-16 * size
+            # The phase of a kink is as uncertain as the sine is rounded, which counts next to the peak.
+            rounding = 4e-16 * size / np.sqrt(1.0 - (0.5 / amplitude) ** 2) if amplitude > 0.5 else 1e-15
+            assert abs(estimate.value - closed) <= estimate.error + rounding
             assert estimate.error < 3e-12 * size
             assert element.describing_function(amplitude, harmonic=harmonic) == estimate.value
     assert element.mean_gain(0.77) == pytest.approx(exact.mean_gain(0.77), rel=1e-4)
@@ -167,6 +169,7 @@ def test_limit_cycles_warn_that_nothing_is_proven() -> None:
     assert not cycle.stable
 
 
+@pytest.mark.slow
 def test_limit_cycles_of_an_element_that_depends_on_frequency() -> None:
     class Late(OwnElement):
         amplitude_scale = 1e-3
