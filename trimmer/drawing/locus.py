@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from trimmer.motion.loops import ClosedLoop
 
 _POINTS = 4000
+_POINTS_INTEGRATED = 120
 _SIZE = (6.4, 5.0)
 
 
@@ -68,8 +69,10 @@ def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[st
 
 
 def _inverse(element: Element, omega: float | None) -> Complexes:
-    largest = min(float(element.domain(omega)), 1e6)
-    u = largest * np.concatenate([np.geomspace(1e-6, 0.5, _POINTS), 1.0 - np.geomspace(0.5, 1e-9, _POINTS)])
+    largest = min(float(element.domain(omega)), element.constant_from, 1e6)
+    # Without a closed form each point is integrated.
+    points = _POINTS if element.has_bounds else _POINTS_INTEGRATED
+    u = largest * np.concatenate([np.geomspace(1e-6, 0.5, points), 1.0 - np.geomspace(0.5, 1e-9, points)])
     gain = element.describing_function(element.amplitude_scale / u, omega)
     return np.asarray(-1.0 / gain[gain != 0])
 
