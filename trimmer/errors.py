@@ -68,3 +68,7 @@ class WorkerError(TrimmerError, RuntimeError):
 
 class MissingPackageError(TrimmerError, ImportError):
     """A package that few need is not installed; the message says how to install it."""
+
+
+class FitError(TrimmerError, ValueError):
+    """Numbers of a mechanism cannot be fitted to a measurement; the message says why and what to do."""

@@ -186,7 +186,7 @@ def compare_motions(
     measured = signal.in_si()
     found = drive_frequency is None
     frequency = (
-        _found_frequency(measured, simulated)
+        found_frequency(measured, simulated)
         if drive_frequency is None
         else real_number("drive_frequency", drive_frequency, "Hz")
     )
@@ -211,8 +211,16 @@ def compare_motions(
     )
 
 
-def _found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
-    """Find the drive: the largest line near its harmonics, and what explains most beside it."""
+def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
+    """Find the drive: the largest line near its harmonics, and what explains most beside it.
+
+    Args:
+        signal: The measured motion, SI.
+        simulated: What is looked for: frequency, period and number of lines count.
+
+    Raises:
+        SignalError: if there is no such line, or it explains little.
+    """
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
     near = [
         peak.frequency / order
@@ -262,12 +270,21 @@ def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> Harmoni
 
 
 def _alignment(measured: Complexes, simulated: Complexes) -> tuple[float, float]:
-    """Return the angle of the first line by which the simulation is turned, rad, and the residual there.
+    """Return the angle of the first line by which the simulation is turned, rad, and the residual there."""
+    angle = best_angle(measured * simulated.conj())
+    orders = np.arange(1, measured.size + 1)
+    return angle, _residual(measured, simulated * np.exp(1j * orders * angle))
+
+
+def best_angle(products: Complexes) -> float:
+    """Return the angle of the first line by which simulated lines are to be turned to agree best, rad.
 
     The sum of measured times conjugate simulated lines over all angles is a Fourier series; its largest value
     is searched on a grid finer than its fastest term, and from there by Newton's method.
+
+    Args:
+        products: Measured times conjugate simulated line of each order 1, 2, ..., shape (n,).
     """
-    products = measured * simulated.conj()
     orders = np.arange(1, products.size + 1)
     points = _POINTS_PER_LINE * products.size
     grid = np.arange(points) * (2 * np.pi / points)
@@ -280,7 +297,7 @@ def _alignment(measured: Complexes, simulated: Complexes) -> tuple[float, float]
         if bend >= 0.0:
             break
         angle -= slope / bend
-    return angle, _residual(measured, simulated * np.exp(1j * orders * angle))
+    return angle
 
 
 def _residual(measured: Complexes, simulated: Complexes) -> float:

@@ -1,0 +1,259 @@
+"""The lines of a measured motion at multiples of its drive, and the noise between them.
+
+All lines together are the waveform averaged over the periods of the motion (Parseval), so that a fit to them
+is one to the waveform with the noise of each frequency as its weight; nothing is counted twice.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Flags, Reals
+from trimmer.fitting.stray import LISTED, StrayLine, fraction_of, peaks_of, repeats_after
+from trimmer.signals.quantity import Quantity
+from trimmer.signals.signal import Signal, SignalError
+from trimmer.spectra.comparison import SimulatedLines, found_frequency
+from trimmer.spectra.harmonics import MOST_HARMONICS, HarmonicFit, fit_harmonics
+from trimmer.spectra.window import Window
+
+MOST_ORDERS = 40
+"""Multiples of the drive that are looked at."""
+FEWEST_PERIODS = 12
+"""Periods of the motion in a record; with fewer no noise is seen between the lines."""
+FEWEST_BINS = 60
+"""Bins between lines from which the noise of a line is taken at least, as far as there are so many."""
+GUARD = 2.5
+"""Bins beside a line that are not noise: the half width of the window's main lobe, and some."""
+RARE = 1e-3
+"""Probability with which noise alone makes a line somewhere."""
+SMALLEST_NOISE = 1e-7
+"""Noise, as a share of an output's largest line, below which more is not asked of a fit."""
+_SHARED = 1.944
+"""Bins of a Hann window that scatter as one: 1 + 2 (4/9 + 1/36)."""
+_BLOCK = 8192
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredLines:
+    """A measured motion as lines.
+
+    Attributes:
+        signals: The record of each output, SI, all with the same times.
+        frequency: That of the drive, Hz.
+        found: Whether it was found in the measurement; else it was given.
+        period_count: Drive periods k after which the motion repeats.
+        lines: Complex amplitudes at p/k of the drive, p = 1 ... m, with t = 0 at the first sample, in the
+            units of the signals, (m, outputs).
+        factors: Cholesky factors of the covariance of real or imaginary parts, (m, outputs, outputs).
+        freedom: Degrees of freedom of the noise that is estimated for a line.
+        strays: Lines at no multiple of 1/k of the drive, largest first.
+        noiseless: Whether the noise was so small that ``SMALLEST_NOISE`` stands for it.
+    """
+
+    signals: Mapping[str, Signal]
+    frequency: float
+    found: bool
+    period_count: int
+    lines: Complexes
+    factors: Complexes
+    freedom: float
+    strays: tuple[StrayLine, ...]
+    noiseless: bool
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return tuple(self.signals)
+
+    @property
+    def derivatives(self) -> tuple[int, ...]:
+        """How often each output is differentiated in its signal."""
+        return tuple(each.quantity.derivatives for each in self.signals.values())
+
+    @property
+    def deviations(self) -> Reals:
+        """Standard deviation of the real or imaginary part of each line, (m, outputs)."""
+        return np.sqrt(np.einsum("pij,pij->pi", self.factors, self.factors.conj()).real)
+
+    @property
+    def frequencies(self) -> Reals:
+        """Frequency of each line, Hz, (m,)."""
+        return np.asarray(np.arange(1, len(self.lines) + 1) * (self.frequency / self.period_count))
+
+    @property
+    def periods(self) -> float:
+        """Drive periods in the record."""
+        return next(iter(self.signals.values())).duration * self.frequency
+
+    def whitened(self, lines: Complexes) -> Complexes:
+        """Return lines, (m, outputs), in coordinates in which each part of the noise has variance 1."""
+        return np.asarray(np.linalg.solve(self.factors, lines[..., None])[..., 0])
+
+
+def measure_lines(
+    signals: Mapping[str, Signal], near: float, drive_frequency: float | None = None
+) -> MeasuredLines:
+    """Take the lines of a steady motion out of its record.
+
+    Args:
+        signals: The record of each output, with the same times.
+        near: Frequency near which the drive is looked for, Hz.
+        drive_frequency: That of the drive, Hz, if it is known.
+
+    Raises:
+        SignalError: if a signal is no motion, they have unlike times, there is no drive, or the record is
+            too short.
+    """
+    signals = {name: _motion(signal) for name, signal in signals.items()}
+    first = next(iter(signals.values()))
+    if any((each.values.size, each.sample_rate) != (first.values.size, first.sample_rate) for each in signals.values()):
+        raise SignalError("the signals have unlike numbers of samples or rates: give one record of all outputs")
+    frequency = drive_frequency or max(
+        (found_frequency(each, _looked_for(each, near)) for each in [first])
+    )
+    found = drive_frequency is None
+    measured = _Record(signals, frequency, found, 1).measured()
+    periods = repeats_after(measured.strays)
+    if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
+        return _Record(signals, frequency, found, periods).measured()
+    return measured
+
+
+def _motion(signal: Signal) -> Signal:
+    if signal.quantity is Quantity.OTHER:
+        raise SignalError(
+            f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
+            "velocity or an acceleration; say what it is (--unit)"
+        )
+    return signal.in_si()
+
+
+def _looked_for(signal: Signal, near: float) -> SimulatedLines:
+    return SimulatedLines(np.ones(MOST_HARMONICS, dtype=complex), near)
+
+
+@dataclass(frozen=True, eq=False)
+class _Record:
+    """A record, and the frequency of its lines; attributes as of ``MeasuredLines``."""
+
+    signals: Mapping[str, Signal]
+    frequency: float
+    found: bool
+    period_count: int
+
+    @property
+    def first(self) -> Signal:
+        return next(iter(self.signals.values()))
+
+    @property
+    def step(self) -> float:
+        return self.frequency / self.period_count
+
+    @property
+    def bin_width(self) -> float:
+        return 1.0 / self.first.duration
+
+    def measured(self) -> MeasuredLines:
+        count = self._count()
+        fits = [
+            fit_harmonics(each.values, each.sample_rate, self.step, count, Window.HANN)
+            for each in self.signals.values()
+        ]
+        lines = np.array([fit.coefficients for fit in fits]).T
+        rests = np.array([_rest(*each) for each in zip(self.signals.values(), fits, strict=True)])
+        between, strays = self._between(rests)
+        covariances, freedom, smallest = self._noise(lines, rests, between)
+        seen = (abs(lines) ** 2 > 2 * math.log(lines.size / RARE) * _diagonals(covariances)).any(axis=1)
+        if not seen.any():
+            raise SignalError(
+                f"no multiple of the drive at {self.frequency:.6g} Hz stands out of the noise; say at which "
+                "frequency it was driven (--drive)"
+            )
+        last = int(np.flatnonzero(seen)[-1]) + 1
+        kept = min(count, max(math.ceil(1.25 * last) + 2 * self.period_count, 3 * self.period_count))
+        return MeasuredLines(
+            self.signals, self.frequency, self.found, self.period_count, lines[:kept],
+            np.linalg.cholesky(covariances[:kept]), freedom, strays, bool(smallest),
+        )
+
+    def _count(self) -> int:
+        """Return how many lines the record shows."""
+        rate, samples = self.first.sample_rate, self.first.values.size
+        if self.first.duration * self.step < FEWEST_PERIODS:
+            raise SignalError(
+                f"the record holds {self.first.duration * self.frequency:.3g} periods of the drive at "
+                f"{self.frequency:.6g} Hz; {FEWEST_PERIODS * self.period_count} or more are needed, so that "
+                "noise is seen between the lines: measure longer"
+            )
+        highest = 0.5 * rate * (1.0 - 2 * Window.HANN.half_width / samples)
+        highest = min(highest, *(each.trusted.highest for each in self.signals.values()))
+        count = min(math.floor(highest / self.step), MOST_ORDERS * self.period_count, (samples - 1) // 2)
+        if count < self.period_count:
+            raise SignalError(f"samples at {rate:g} Hz show no drive at {self.frequency:g} Hz")
+        return count
+
+    def _between(self, rests: Complexes) -> tuple[Flags, tuple[StrayLine, ...]]:
+        """Return which bins hold noise alone, (bins,), and the lines that stand out of it."""
+        frequencies = np.arange(rests.shape[1]) * self.bin_width
+        apart = abs(frequencies - self.step * np.rint(frequencies / self.step))
+        free = (apart > GUARD * self.bin_width) & (frequencies > GUARD * self.bin_width)
+        free[-1] = False
+        strays: list[StrayLine] = []
+        for name, rest in zip(self.signals, rests, strict=True):
+            power = 0.5 * abs(rest) ** 2
+            floor = _floor(power, free)
+            ratio = np.where(free, power / np.where(floor > 0, floor, np.inf), 0.0)
+            for place in peaks_of(ratio, math.log(free.sum() / RARE)):
+                free[max(place - 3, 0) : place + 4] = False
+                at = float(frequencies[place])
+                fraction = fraction_of(at, self.frequency, self.bin_width)
+                strays.append(StrayLine(name, at, float(abs(rest[place])), float(ratio[place]), fraction))
+        largest = sorted(strays, key=lambda each: -each.ratio)
+        return free, tuple(largest[:LISTED])
+
+    def _noise(self, lines: Complexes, rests: Complexes, between: Flags) -> tuple[Complexes, float, bool]:
+        """Return the covariance of each line's parts, its degrees of freedom, and whether it was too small."""
+        places = np.flatnonzero(between)
+        centres = np.arange(1, len(lines) + 1) * self.step / self.bin_width
+        outputs, used = len(rests), min(FEWEST_BINS, len(places))
+        if used < 4 * outputs:
+            raise SignalError("the record is too short to see noise between its lines: measure longer")
+        covariances = np.empty((len(lines), outputs, outputs), dtype=complex)
+        counts = []
+        for row, centre in enumerate(centres):
+            distances = abs(places - centre)
+            reach = max(0.5 * self.period_count * self.step / self.bin_width, np.partition(distances, used - 1)[used - 1])
+            near = rests[:, places[distances <= reach]]
+            covariances[row] = 0.5 * near @ near.conj().T / near.shape[1]
+            counts.append(near.shape[1])
+        least = (SMALLEST_NOISE * abs(lines).max(axis=0)) ** 2
+        small = _diagonals(covariances) < least
+        covariances += np.where(small, least, 0.0)[:, :, None] * np.eye(outputs)
+        return covariances, 2 * float(np.median(counts)) / _SHARED, bool(small.any())
+
+
+def _diagonals(covariances: Complexes) -> Reals:
+    return np.einsum("pii->pi", covariances).real
+
+
+def _rest(signal: Signal, fit: HarmonicFit) -> Complexes:
+    """Return the amplitudes with a Hann window of what the lines leave, (bins,)."""
+    values = signal.values.copy()
+    for begin in range(0, values.size, _BLOCK):
+        block = slice(begin, min(begin + _BLOCK, values.size))
+        values[block] -= fit.at(np.arange(block.start, block.stop) / signal.sample_rate)
+    weights = Window.HANN.samples(values.size)
+    return np.asarray(2.0 * np.fft.rfft(values * weights) / weights.sum())
+
+
+def _floor(power: Reals, free: Flags) -> Reals:
+    """Return the mean power of noise around each bin, from medians over stretches of free bins, (bins,)."""
+    places = np.flatnonzero(free)
+    pieces = np.array_split(places, max(1, len(places) // FEWEST_BINS))
+    centres = np.array([piece.mean() for piece in pieces])
+    levels = np.array([np.median(power[piece]) for piece in pieces]) / math.log(2.0)
+    return np.asarray(np.interp(np.arange(power.size), centres, levels))

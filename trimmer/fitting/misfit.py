@@ -1,0 +1,119 @@
+"""The whitened distance between measured and simulated lines, with the origin of time free."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.fitting.measured import MeasuredLines
+from trimmer.fitting.model import Model, ModelMotion
+from trimmer.spectra.comparison import best_angle
+
+STEP = 1e-5
+"""Difference of a coordinate from which derivatives are taken; orbits are exact to about 1e-13."""
+ROUGH = 0.1
+"""Share by which the two one-sided derivatives may differ before a smaller difference is tried."""
+SMALLER = 1e-2
+"""By how much smaller that is."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A motion of the model, shifted in time so that it agrees best.
+
+    Attributes:
+        motion: The motion.
+        angle: By which its first line is turned, rad.
+        lines: Its lines after that, (m, outputs).
+        residual: Real and imaginary parts of the whitened differences, (2 m outputs,).
+    """
+
+    motion: ModelMotion
+    angle: float
+    lines: Complexes
+    residual: Reals
+
+    @property
+    def coordinates(self) -> Reals:
+        """Those of the unknowns, (unknowns,)."""
+        return self.motion.coordinates
+
+    @property
+    def chi_square(self) -> float:
+        """Sum of the squares of the residual."""
+        return float(self.residual @ self.residual)
+
+
+@dataclass(frozen=True, eq=False)
+class Misfit:
+    """The distance of a model from a measurement.
+
+    Attributes:
+        measured: The measurement.
+        model: The model.
+    """
+
+    measured: MeasuredLines
+    model: Model
+
+    @cached_property
+    def _whitened(self) -> Complexes:
+        return self.measured.whitened(self.measured.lines)
+
+    @property
+    def size(self) -> int:
+        """Number of residuals."""
+        return 2 * self.measured.lines.size
+
+    def settled(self, coordinates: Reals) -> Fitted | None:
+        """Return what the mechanism settles to from its start; None if it repeats otherwise or never."""
+        motion = self.model.settled(coordinates)
+        return None if motion is None else self._aligned(motion)
+
+    def continued(self, coordinates: Reals, near: Fitted) -> Fitted | None:
+        """Return the motion that goes on from one of neighbouring numbers; None if there is none."""
+        motion = self.model.continued(coordinates, near.motion)
+        return None if motion is None else self._aligned(motion)
+
+    def _aligned(self, motion: ModelMotion) -> Fitted:
+        simulated = self.measured.whitened(motion.lines)
+        angle = best_angle((self._whitened * simulated.conj()).sum(axis=1))
+        turn = np.exp(1j * angle * np.arange(1, len(simulated) + 1))[:, None]
+        apart = (simulated * turn - self._whitened).ravel()
+        return Fitted(motion, angle, motion.lines * turn, np.concatenate([apart.real, apart.imag]))
+
+    def jacobian(self, fitted: Fitted) -> Reals:
+        """Return the derivative of the residual by the coordinates, (residuals, unknowns).
+
+        The origin of time is fitted anew on both sides, so that what it can take up is not in the derivative.
+        A column is zero where no neighbouring motion is found.
+        """
+        columns = [self._column(fitted, place) for place in range(len(fitted.coordinates))]
+        return np.array(columns).T
+
+    def _column(self, fitted: Fitted, place: int) -> Reals:
+        column, rough = self._difference(fitted, place, STEP)
+        if rough > ROUGH:
+            finer, rougher = self._difference(fitted, place, SMALLER * STEP)
+            column = finer if rougher < rough else column
+        return column
+
+    def _difference(self, fitted: Fitted, place: int, step: float) -> tuple[Reals, float]:
+        """Return the derivative by one coordinate, and by how much it differs from side to side."""
+        sides = []
+        for sign in (1.0, -1.0):
+            coordinates = fitted.coordinates.copy()
+            coordinates[place] += sign * step
+            other = self.continued(coordinates, fitted)
+            if other is not None:
+                sides.append(sign * (other.residual - fitted.residual) / step)
+        if not sides:
+            return np.zeros(self.size), 0.0
+        mean = np.mean(sides, axis=0)
+        if len(sides) == 1:
+            return mean, 0.0
+        size = float(np.linalg.norm(mean))
+        return mean, float(np.linalg.norm(sides[0] - sides[1])) / size if size else 0.0

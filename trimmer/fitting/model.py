@@ -1,0 +1,123 @@
+"""The exact orbit of a mechanism for values of its unknown numbers, as lines of its outputs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.flow import ExactFlow
+from trimmer.errors import MechanismError
+from trimmer.fitting.unknowns import Unknown, values_at
+from trimmer.response.fourier import fourier
+from trimmer.response.motion_signals import output_rows
+from trimmer.response.orbit import orbit_of
+from trimmer.response.settling import Settling
+from trimmer.response.shooting import Patience, Return, solve
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
+
+SETTLED_WITHIN = 400
+"""Drive periods in which a motion has to settle."""
+PATIENCE = Patience(iterations=12, halvings=4, followed=2)
+"""With which an orbit is continued from a neighbouring one."""
+
+
+@dataclass(frozen=True, eq=False)
+class ModelMotion:
+    """A stable periodic motion of the mechanism.
+
+    Attributes:
+        coordinates: Those of the unknowns, (unknowns,).
+        orbit: The motion.
+        lines: Complex amplitudes at p/k of the drive, in the quantities that are measured, (m, outputs).
+    """
+
+    coordinates: Reals
+    orbit: MechanismOrbit
+    lines: Complexes
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """The motion of a mechanism over its unknown numbers.
+
+    Attributes:
+        mechanism: The mechanism, driven at the measured frequency.
+        unknowns: The numbers.
+        outputs: Names of the outputs that are measured.
+        derivatives: How often each of them is differentiated.
+        period_count: Drive periods k after which the motion is to repeat.
+        count: Number m of lines.
+    """
+
+    mechanism: Mechanism
+    unknowns: Sequence[Unknown]
+    outputs: tuple[str, ...]
+    derivatives: tuple[int, ...]
+    period_count: int
+    count: int
+
+    def mechanism_at(self, coordinates: Reals) -> Mechanism:
+        """Return the mechanism with the numbers of coordinates, (unknowns,).
+
+        Raises:
+            MechanismError: if the numbers do not go together.
+        """
+        mechanism = self.mechanism
+        for unknown, value in zip(self.unknowns, values_at(self.unknowns, coordinates), strict=True):
+            mechanism = mechanism.with_value(unknown.place, value)
+        return mechanism
+
+    def settled(self, coordinates: Reals) -> ModelMotion | None:
+        """Return what the mechanism settles to from its start; None if that repeats otherwise, or never."""
+        flow = self._flow(coordinates)
+        return None if flow is None else self._settled(flow, coordinates, flow.rest())
+
+    def continued(self, coordinates: Reals, near: ModelMotion) -> ModelMotion | None:
+        """Return the stable motion that goes on from that of neighbouring numbers; None if there is none.
+
+        Where the motion has lost its stability or vanished, it is followed from there to what it settles to.
+        """
+        flow = self._flow(coordinates)
+        if flow is None:
+            return None
+        instant = flow.at(near.orbit.instant.state, like=near.orbit.instant)
+        return self._solved(flow, coordinates, instant) or self._settled(flow, coordinates, instant)
+
+    def _flow(self, coordinates: Reals) -> ExactFlow | None:
+        try:
+            return ExactFlow(self.mechanism_at(coordinates))
+        except MechanismError:
+            return None
+
+    def _settled(self, flow: ExactFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
+        orbit = Settling(flow, instant).until_settled(SETTLED_WITHIN)
+        if orbit is None or self.period_count % orbit.period_count:
+            return None
+        return self._solved(flow, coordinates, orbit.instant)
+
+    def _solved(self, flow: ExactFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
+        shot = solve(Return(flow, self.period_count), instant, patience=PATIENCE)
+        if shot is None:
+            return None
+        orbit = orbit_of(flow, shot, self.period_count)
+        if not (orbit.stable or orbit.neutral):
+            return None
+        return ModelMotion(coordinates, orbit, self._lines(orbit))
+
+    def _lines(self, orbit: MechanismOrbit) -> Complexes:
+        course = orbit.course
+        rows = output_rows(orbit.mechanism, course.modes.layout)
+        signals = course.nodes.states @ np.array([rows[name] for name in self.outputs]).T
+        omega = 2 * np.pi / course.duration
+        orders = np.arange(1, self.count + 1)[:, None]
+        lines = fourier(course, signals - signals.mean(axis=0), omega, self.count)
+        return np.asarray(lines * (1j * omega * orders) ** np.array(self.derivatives))

@@ -1,0 +1,59 @@
+"""Lines of a measurement that are not at multiples of the drive: fractions of it, and others."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.arrays import Reals
+
+MOST_PERIODS = 8
+"""Largest number of drive periods after which a measured motion is taken to repeat."""
+NEAR = 1.5
+"""Distance in bins within which a line is that of a fraction."""
+LISTED = 5
+"""Stray lines that are kept, the largest."""
+
+
+@dataclass(frozen=True)
+class StrayLine:
+    """A line between the harmonics of the drive.
+
+    Attributes:
+        output: Name of the output.
+        frequency: Hz.
+        amplitude: In the unit of the signal.
+        ratio: Its power over that of the noise around it.
+        fraction: (p, q) if it is at p/q of the drive, q up to 8; None for another.
+    """
+
+    output: str
+    frequency: float
+    amplitude: float
+    ratio: float
+    fraction: tuple[int, int] | None
+
+
+def fraction_of(frequency: float, drive: float, bin_width: float) -> tuple[int, int] | None:
+    """Return the fraction of the drive at a frequency, Hz, with the smallest denominator; None if far off."""
+    for periods in range(2, MOST_PERIODS + 1):
+        order = round(frequency * periods / drive)
+        near = abs(frequency - order * drive / periods) <= NEAR * bin_width
+        if near and order >= 1 and math.gcd(order, periods) == 1:
+            return order, periods
+    return None
+
+
+def repeats_after(strays: tuple[StrayLine, ...]) -> int:
+    """Return the number of drive periods after which a motion with such lines repeats, at most 8; else 1."""
+    periods = math.lcm(*(each.fraction[1] for each in strays if each.fraction is not None))
+    return periods if periods <= MOST_PERIODS else 1
+
+
+def peaks_of(power: Reals, limit: float) -> list[int]:
+    """Return the places of local maxima of powers, (n,), above a limit."""
+    inside = power[1:-1]
+    rising = (inside > limit) & (inside >= power[:-2]) & (inside > power[2:])
+    return [int(place) + 1 for place in np.flatnonzero(rising)]
