@@ -52,6 +52,7 @@ from .elements.viscous_backlash import ViscousBacklash as ViscousBacklash
 from .elements.viscous_friction import ViscousFriction as ViscousFriction
 from .ensembles.limit_cycles import SampledLimitCycles as SampledLimitCycles
 from .ensembles.limit_cycles import sampled_limit_cycles as sampled_limit_cycles
+from .errors import FitError as FitError
 from .errors import FrequencyRangeError as FrequencyRangeError
 from .errors import IllPosedLoopError as IllPosedLoopError
 from .errors import LinearElementError as LinearElementError
@@ -69,6 +70,10 @@ from .errors import WorkerError as WorkerError
 from .errors import WrongTypeError as WrongTypeError
 from .files import FileWriteError as FileWriteError
 from .files import write_atomically as write_atomically
+from .fitting.fit import FitSettings as FitSettings
+from .fitting.fit import fit_mechanism as fit_mechanism
+from .fitting.result import Fit as Fit
+from .fitting.result import FittedNumber as FittedNumber
 from .linear.crossings import RealAxisCrossing as RealAxisCrossing
 from .linear.crossings import gain_crossings as gain_crossings
 from .linear.crossings import real_axis_crossings as real_axis_crossings

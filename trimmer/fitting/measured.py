@@ -110,12 +110,11 @@ def measure_lines(
     """
     signals = {name: _motion(signal) for name, signal in signals.items()}
     first = next(iter(signals.values()))
-    if any((each.values.size, each.sample_rate) != (first.values.size, first.sample_rate) for each in signals.values()):
-        raise SignalError("the signals have unlike numbers of samples or rates: give one record of all outputs")
-    frequency = drive_frequency or max(
-        (found_frequency(each, _looked_for(each, near)) for each in [first])
-    )
+    if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:
+        raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")
     found = drive_frequency is None
+    looked_for = SimulatedLines(np.ones(MOST_HARMONICS, dtype=complex), near)
+    frequency = found_frequency(first, looked_for) if drive_frequency is None else drive_frequency
     measured = _Record(signals, frequency, found, 1).measured()
     periods = repeats_after(measured.strays)
     if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
@@ -130,10 +129,6 @@ def _motion(signal: Signal) -> Signal:
             "velocity or an acceleration; say what it is (--unit)"
         )
     return signal.in_si()
-
-
-def _looked_for(signal: Signal, near: float) -> SimulatedLines:
-    return SimulatedLines(np.ones(MOST_HARMONICS, dtype=complex), near)
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,7 +221,7 @@ class _Record:
         counts = []
         for row, centre in enumerate(centres):
             distances = abs(places - centre)
-            reach = max(0.5 * self.period_count * self.step / self.bin_width, np.partition(distances, used - 1)[used - 1])
+            reach = max(0.5 * self.frequency / self.bin_width, np.partition(distances, used - 1)[used - 1])
             near = rests[:, places[distances <= reach]]
             covariances[row] = 0.5 * near @ near.conj().T / near.shape[1]
             counts.append(near.shape[1])

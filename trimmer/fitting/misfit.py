@@ -80,10 +80,20 @@ class Misfit:
 
     def _aligned(self, motion: ModelMotion) -> Fitted:
         simulated = self.measured.whitened(motion.lines)
-        angle = best_angle((self._whitened * simulated.conj()).sum(axis=1))
-        turn = np.exp(1j * angle * np.arange(1, len(simulated) + 1))[:, None]
-        apart = (simulated * turn - self._whitened).ravel()
+        apart, angle, turn = self._turned(self._whitened, simulated)
         return Fitted(motion, angle, motion.lines * turn, np.concatenate([apart.real, apart.imag]))
+
+    @staticmethod
+    def _turned(measured: Complexes, simulated: Complexes) -> tuple[Complexes, float, Complexes]:
+        """Return differences, (m outputs,), the angle by which the first line is turned, and that of each."""
+        angle = best_angle((measured * simulated.conj()).sum(axis=1))
+        turn = np.exp(1j * angle * np.arange(1, len(simulated) + 1))[:, None]
+        return (simulated * turn - measured).ravel(), angle, turn
+
+    def opposite(self, fitted: Fitted) -> float:
+        """Return the chi-square of the same motion if the measurement had the opposite sign."""
+        simulated = self.measured.whitened(fitted.motion.lines)
+        return float(np.sum(abs(self._turned(-self._whitened, simulated)[0]) ** 2))
 
     def jacobian(self, fitted: Fitted) -> Reals:
         """Return the derivative of the residual by the coordinates, (residuals, unknowns).

@@ -1,0 +1,258 @@
+"""``fit_mechanism``: numbers of a mechanism from a measured steady motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import real_number, require_instance, require_instances, whole_number
+from trimmer.errors import FitError
+from trimmer.fitting.judgement import judge
+from trimmer.fitting.measured import SMALLEST_NOISE, measure_lines
+from trimmer.fitting.minimum import nearby_minimum
+from trimmer.fitting.misfit import Misfit
+from trimmer.fitting.model import SETTLED_WITHIN, Model
+from trimmer.fitting.profile import Profile, Side
+from trimmer.fitting.result import Fit, FittedNumber
+from trimmer.fitting.search import search
+from trimmer.fitting.unknowns import unknowns_of
+from trimmer.fitting.weak import weak_directions
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.messages import near_match
+from trimmer.progress import progress_bar
+from trimmer.signals.faults import faults
+from trimmer.signals.signal import Signal, SignalError
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.fitting.measured import MeasuredLines
+    from trimmer.fitting.misfit import Fitted
+    from trimmer.fitting.search import Searched
+    from trimmer.fitting.unknowns import Unknown
+
+OTHER_FREQUENCY = 1e-4
+"""Relative difference from which the measured drive is told to be another one."""
+MOST_RESTARTS = 4
+"""How often the fit begins anew where a profile has met a better one."""
+OPPOSITE = 0.5
+"""Share of chi-square below which the opposite sign of the measurement is told to fit better."""
+
+
+@dataclass(frozen=True)
+class FitSettings:
+    """How numbers are fitted.
+
+    Attributes:
+        starts: Number of starts; those after the first are random.
+        spread: Factor by which numbers differ from their start at most in these.
+        seed: Of the random starts.
+        confidence: Probability with which an interval is to hold the true number.
+    """
+
+    starts: int = 5
+    spread: float = 2.0
+    seed: int = 0
+    confidence: float = 0.95
+
+    def __post_init__(self) -> None:
+        whole_number("starts", self.starts, 1)
+        whole_number("seed", self.seed, 0)
+        if not 1 < real_number("spread", self.spread) <= 100:
+            raise FitError(f"spread is {self.spread!r}: it must be above 1, and 100 at most")
+        if not 0 < real_number("confidence", self.confidence) < 1:
+            raise FitError(f"confidence is {self.confidence!r}: it must be between 0 and 1")
+
+
+def fit_mechanism(
+    mechanism: Mechanism,
+    measured: Mapping[str, Signal],
+    free: Sequence[str] = (),
+    *,
+    drive_frequency: float | None = None,
+    settings: FitSettings | None = None,
+) -> Fit:
+    """Fit numbers of a mechanism to a measured steady motion of one or several of its outputs.
+
+    The squares of the differences of all lines of the drive are least, each weighed with the noise that is
+    seen between the lines; that is a fit of the waveform averaged over the drive periods. The simulated
+    motion is the exact periodic one, stable, in the quantity that was measured. When the measurement began
+    within the drive's period is not known, and is fitted too. Noise is taken to be Gaussian and stationary;
+    means are not compared, because sensors have offsets.
+
+    Args:
+        mechanism: The mechanism with the numbers from which the fit begins; it has a frequency.
+        measured: The record of each output that was measured: displacement, velocity or acceleration.
+        free: Dotted places of the numbers to fit; by default gap, stiffness and damping of each play and the
+            force of each friction.
+        drive_frequency: That of the drive in the measurement, Hz; looked for near that of the mechanism if not
+            given.
+        settings: How is fitted.
+
+    Raises:
+        FitError: if nothing can be fitted: no frequency, no such output, no number, or no start at which the
+            motion repeats as the measured one does.
+        SignalError: if the measurement cannot be used: no motion, no drive in it, too short.
+        MechanismError: if there is no such number.
+        WrongTypeError: if an argument is of another type.
+    """
+    settings = settings or FitSettings()
+    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    require_instance("settings", settings, FitSettings, "a trimmer.FitSettings")
+    free = require_instances("free", free, str, "a dotted place")
+    frequency = _checked(mechanism, measured)
+    if drive_frequency is not None and not 0 < real_number("drive_frequency", drive_frequency, "Hz") < np.inf:
+        raise SignalError(f"drive_frequency is {drive_frequency!r}: it must be positive and finite")
+    unknowns = unknowns_of(mechanism, free)
+    lines = measure_lines(measured, frequency, drive_frequency)
+    if len(unknowns) + 1 >= 2 * lines.lines.size:
+        raise FitError(
+            f"{len(unknowns)} numbers cannot be fitted to {lines.lines.size} lines; fit fewer (--free)"
+        )
+    driven = mechanism.with_value("frequency", lines.frequency)
+    count = len(lines.lines)
+    model = Model(driven, unknowns, lines.outputs, lines.derivatives, lines.period_count, count)
+    misfit = Misfit(lines, model)
+    searched = search(misfit, settings.starts, settings.spread, settings.seed)
+    if searched is None:
+        raise FitError(_nothing_found(misfit, settings))
+    return _result(mechanism, misfit, searched, settings)
+
+
+def _checked(mechanism: Mechanism, measured: Mapping[str, Signal]) -> float:
+    """Return the frequency of a mechanism that has the outputs that were measured."""
+    require_instance("measured", measured, Mapping, "signals by the names of outputs")
+    if mechanism.frequency is None:
+        raise FitError("the mechanism has no drive, and only driven motions are fitted; give it a frequency")
+    if not measured:
+        raise FitError("nothing was measured: give the signal of one output at least")
+    for name, signal in measured.items():
+        require_instance(f"the signal of {name}", signal, Signal, "a trimmer.Signal")
+        if name not in mechanism.outputs:
+            there = near_match(name, mechanism.outputs) or f"there are {', '.join(mechanism.outputs) or 'none'}"
+            raise FitError(f"the mechanism has no output {name!r}; {there}")
+    return mechanism.frequency
+
+
+def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
+    from trimmer.response.settling import orbit_from_rest
+
+    orbit = orbit_from_rest(misfit.model.mechanism, SETTLED_WITHIN)
+    does = f"repeats after {_periods(orbit.period_count)}" if orbit else "does not repeat"
+    where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
+    return (
+        f"the measured motion repeats after {_periods(misfit.measured.period_count)}, but from {where} that of the "
+        f"mechanism does not, with the numbers of the file it {does}: begin with other numbers (--set), or with "
+        "more starts (--starts)"
+    )
+
+
+def _periods(count: int) -> str:
+    return "one drive period" if count == 1 else f"{count} drive periods"
+
+
+def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: FitSettings) -> Fit:
+    from scipy.stats import f
+
+    measured, unknowns = misfit.measured, misfit.model.unknowns
+    allowed = float(f.ppf(settings.confidence, 1, measured.freedom))
+    best, jacobian, sides = _profiled(misfit, searched.best, allowed)
+    searched = replace(searched, best=best)
+    numbers = tuple(
+        _number(unknown, float(at), *each)
+        for unknown, at, each in zip(unknowns, best.coordinates, sides, strict=True)
+    )
+    angle = best.angle % (2 * np.pi)
+    return Fit(
+        mechanism=misfit.model.mechanism_at(best.coordinates),
+        before=mechanism,
+        numbers=numbers,
+        confidence=settings.confidence,
+        measured=measured,
+        simulated=best.lines,
+        shift=(2 * np.pi - angle) / (2 * np.pi) * measured.period_count / measured.frequency,
+        orbit=best.motion.orbit,
+        searched=searched,
+        judgement=judge(measured, best, len(unknowns)),
+        weak=weak_directions(unknowns, jacobian, allowed),
+        notes=tuple(_notes(mechanism, misfit, best)),
+    )
+
+
+def _profiled(
+    misfit: Misfit, best: Fitted, allowed: float
+) -> tuple[Fitted, Reals, list[tuple[Side, Side]]]:
+    """Return the fit, its derivative, and both sides of each profile; anew where one meets a better fit."""
+    count = len(best.coordinates)
+    sides: list[tuple[Side, Side]] = []
+    for _ in range(MOST_RESTARTS):
+        jacobian, better = misfit.jacobian(best), None
+        sides = []
+        for place in progress_bar(range(count), "intervals"):
+            profile = Profile(misfit, best, jacobian, place, allowed)
+            sides.append((profile.side(-1.0), profile.side(1.0)))
+            better = next((each.better for each in sides[-1] if each.better is not None), None)
+            if better is not None:
+                break
+        if better is None:
+            return best, jacobian, sides
+        best = nearby_minimum(misfit, better, np.ones(count, dtype=bool))
+    unknown = Side(None, 0.0)
+    return best, misfit.jacobian(best), [*sides, *[(unknown, unknown)] * (count - len(sides))]
+
+
+def _number(unknown: Unknown, at: float, lower: Side, upper: Side) -> FittedNumber:
+    ends = [None if side.end is None else unknown.value(side.end) for side in (lower, upper)]
+    notes = [
+        _open(unknown, side, word)
+        for side, word in ((lower, "lower"), (upper, "upper"))
+    ]
+    return FittedNumber(
+        unknown.place, unknown.unit, unknown.start, unknown.value(at), ends[0], ends[1],
+        unknown.value(lower.reached), unknown.value(upper.reached), notes[0], notes[1],
+    )
+
+
+def _open(unknown: Unknown, side: Side, word: str) -> str:
+    """Return why an end of an interval is open; empty if it is not."""
+    if side.end is not None:
+        return ""
+    if side.better is not None:
+        return f"the {word} end is not known, because better fits were met on the way to it; more starts may help"
+    reached = f"{unknown.value(side.reached):.4g} {unknown.unit}"
+    if side.lost:
+        return f"the {word} end is open: beyond {reached} no stable motion of this kind was found"
+    return f"the {word} end is open: {reached} fits within the noise too, and no end was found up to there"
+
+
+def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
+    measured = misfit.measured
+    assert mechanism.frequency is not None
+    apart = measured.frequency / mechanism.frequency - 1.0
+    if abs(apart) > OTHER_FREQUENCY:
+        yield (
+            f"the measured drive, {measured.frequency:.8g} Hz, is {100 * apart:+.3g} % off that of the file, "
+            f"{mechanism.frequency:.8g} Hz; the motion was simulated at the measured one"
+        )
+    for name, signal in measured.signals.items():
+        before = f"{name}: " if len(measured.signals) > 1 else ""
+        yield from (f"{before}{fault.sentence}" for fault in faults(signal))
+    if measured.noiseless:
+        yield (
+            "hardly any noise is seen between the lines, so that it was taken to be "
+            f"{SMALLEST_NOISE:g} of the largest line: the intervals say what such noise would leave open"
+        )
+    if misfit.opposite(best) < OPPOSITE * best.chi_square:
+        yield "with the opposite sign of the measurement the fit would be better: is the sensor mounted the other way round (--scale -1)?"
+    yield from _kind(measured, best)
+
+
+def _kind(measured: MeasuredLines, best: Fitted) -> Iterator[str]:
+    orbit = best.motion.orbit
+    if orbit.period_count != measured.period_count:
+        yield (
+            f"the measured motion repeats after {_periods(measured.period_count)}, the fitted one after "
+            f"{_periods(orbit.period_count)}: no start led to a motion of the measured kind"
+        )

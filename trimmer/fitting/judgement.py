@@ -1,0 +1,161 @@
+"""Whether the mechanism explains the measurement: chi-square, and what is left at which harmonics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.messages import listed
+
+if TYPE_CHECKING:
+    from trimmer.fitting.measured import MeasuredLines
+    from trimmer.fitting.misfit import Fitted
+
+UNLIKELY = 1e-3
+"""Probability below which noise alone does not explain what is left."""
+NAMED = 6
+"""Harmonics that a sentence names at most, those with the largest excess."""
+
+
+@dataclass(frozen=True)
+class Excess:
+    """A line that the fit misses by more than the noise.
+
+    Attributes:
+        output: Name of the output.
+        order: p and k of the line at p/k of the drive.
+        ratio: Modulus of the difference over its standard deviation in noise, 1.4 in the mean square.
+        difference: Modulus of the difference, in the unit of the signal.
+        share: That over the measured line.
+    """
+
+    output: str
+    order: tuple[int, int]
+    ratio: float
+    difference: float
+    share: float
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """How well a fit explains a measurement.
+
+    Attributes:
+        chi_square: Sum of the squares of the whitened residual.
+        freedom: Number of residuals less unknowns and the origin of time.
+        probability: That noise alone gives as much or more.
+        excesses: Lines that are missed, largest ratio first.
+        sentences: What is to be said, without full stops; the first one is the verdict.
+    """
+
+    chi_square: float
+    freedom: int
+    probability: float
+    excesses: tuple[Excess, ...]
+    sentences: tuple[str, ...]
+
+    @property
+    def reduced(self) -> float:
+        """Chi-square over its degrees of freedom: about 1 where noise alone is left."""
+        return self.chi_square / self.freedom
+
+    @property
+    def explained(self) -> bool:
+        """Whether noise alone may be what is left."""
+        return self.probability >= UNLIKELY
+
+
+def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int) -> Judgement:
+    """Hold what a fit leaves against the noise.
+
+    Args:
+        measured: The measurement.
+        fitted: The fit.
+        unknowns: Number of fitted numbers.
+    """
+    from scipy.stats import f
+
+    freedom = max(2 * measured.lines.size - unknowns - 1, 1)
+    # Each line has a noise of its own, so that altogether many more are known than of one.
+    known = max(measured.freedom * max(len(measured.lines) / _shared(measured), 1.0), 1.0)
+    probability = float(f.sf(fitted.chi_square / freedom, freedom, known))
+    excesses = _excesses(measured, fitted)
+    judged = Judgement(fitted.chi_square, freedom, probability, excesses, ())
+    sentences = tuple(_sentences(measured, fitted, judged))
+    return Judgement(fitted.chi_square, freedom, probability, excesses, sentences)
+
+
+def _shared(measured: MeasuredLines) -> float:
+    """Return how many lines share the noise that is seen between two of them."""
+    bins = measured.freedom * 1.944 / 2
+    return max(bins / max(measured.periods, 1.0), 1.0)
+
+
+def _excesses(measured: MeasuredLines, fitted: Fitted) -> tuple[Excess, ...]:
+    """Return the lines that noise alone would miss as far with a probability of 1e-3 among all of them."""
+    from scipy.stats import f
+
+    apart = abs(fitted.lines - measured.lines)
+    ratios = apart / measured.deviations
+    limit = np.sqrt(2 * f.isf(UNLIKELY / ratios.size, 2, measured.freedom))
+    found = [
+        Excess(
+            measured.outputs[place],
+            (int(row) + 1, measured.period_count),
+            float(ratios[row, place]),
+            float(apart[row, place]),
+            float(apart[row, place] / abs(measured.lines[row, place])),
+        )
+        for row, place in np.argwhere(ratios > limit)
+    ]
+    return tuple(sorted(found, key=lambda each: -each.ratio))
+
+
+def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> Iterator[str]:
+    left = float(np.linalg.norm(fitted.lines - measured.lines) / np.linalg.norm(measured.lines))
+    told = f"reduced chi-square {judged.reduced:.3g} with {judged.freedom} degrees of freedom"
+    if judged.explained:
+        yield f"the mechanism explains the measurement within its noise: {told}"
+    else:
+        yield (
+            f"the mechanism does not explain the measurement: {told}, where noise alone gives about 1; "
+            f"{100 * left:.2g} % rms of the lines is left. The intervals know of the noise alone, and not of what "
+            "the mechanism lacks"
+        )
+    if judged.excesses:
+        yield f"more than noise is left {_where(judged)}"
+    fractions = [each for each in measured.strays if each.fraction is not None]
+    named = dict.fromkeys(f"{p}/{q}" for p, q in (each.fraction for each in fractions if each.fraction))
+    if measured.period_count > 1:
+        yield f"the measured motion repeats after {measured.period_count} drive periods, and so does the fitted one"
+    if named:
+        yield (
+            f"the measurement has lines at {listed(named)} of the drive, which a motion that repeats after "
+            f"{_periods(measured.period_count)} does not have"
+        )
+    others = [each for each in measured.strays if each.fraction is None]
+    if others:
+        told = listed(dict.fromkeys(f"{each.frequency:.6g} Hz" for each in others))
+        yield f"the measurement has lines at {told}, which are no fraction of the drive; they are left out"
+
+
+def _periods(count: int) -> str:
+    return "one drive period" if count == 1 else f"{count} drive periods"
+
+
+def _where(judged: Judgement) -> str:
+    several = len({each.output for each in judged.excesses}) > 1
+    named = [
+        f"{_order(each.order)}{f' of {each.output}' if several else ''} ({each.ratio:.3g} standard deviations)"
+        for each in judged.excesses[:NAMED]
+    ]
+    more = len(judged.excesses) - len(named)
+    return f"at {'harmonic' if len(named) == 1 else 'harmonics'} {listed(named)}{f', and {more} more' if more else ''}"
+
+
+def _order(order: tuple[int, int]) -> str:
+    p, k = order
+    return f"{p // k}" if p % k == 0 else f"{p}/{k}"

@@ -1,0 +1,138 @@
+"""The result of a fit: numbers with intervals, how well they explain the measurement, and what they are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table, attributes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.fitting.judgement import Judgement
+    from trimmer.fitting.measured import MeasuredLines
+    from trimmer.fitting.search import Searched
+    from trimmer.fitting.weak import WeakDirection
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
+
+
+@dataclass(frozen=True)
+class FittedNumber:
+    """A number with its interval.
+
+    Attributes:
+        place: Its dotted place.
+        unit: SI unit.
+        start: What it was before.
+        value: What it is after.
+        lower, upper: Ends of its interval of 95 %; None where it is open.
+        lowest, highest: How far the profile was followed to either side and still fitted.
+        lower_note, upper_note: Why an end is open, without a full stop; empty where it is not.
+    """
+
+    place: str
+    unit: str
+    start: float
+    value: float
+    lower: float | None
+    upper: float | None
+    lowest: float
+    highest: float
+    lower_note: str = ""
+    upper_note: str = ""
+
+    @property
+    def sentences(self) -> Iterator[str]:
+        """Why the interval is open, if it is."""
+        for note in (self.lower_note, self.upper_note):
+            if note:
+                yield f"{self.place}: {note}"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Fit(Tabular):
+    """Numbers of a mechanism fitted to a measured motion.
+
+    Attributes:
+        mechanism: The mechanism with the fitted numbers, driven at the measured frequency.
+        before: The mechanism as it was.
+        numbers: The fitted numbers.
+        confidence: Probability with which an interval holds the true number, if the mechanism is the true one.
+        measured: The lines of the measurement.
+        simulated: Those of the fitted motion, shifted in time so that both agree best, (m, outputs).
+        shift: By how much later a drive period of the simulation begins than the measurement, s.
+        orbit: The fitted motion.
+        searched: What the starts came to.
+        judgement: How well it explains the measurement.
+        weak: What the measurement cannot tell apart.
+        notes: What else is to be said, in sentences without full stops.
+    """
+
+    mechanism: Mechanism
+    before: Mechanism
+    numbers: tuple[FittedNumber, ...]
+    confidence: float
+    measured: MeasuredLines
+    simulated: Complexes
+    shift: float
+    orbit: MechanismOrbit
+    searched: Searched
+    judgement: Judgement
+    weak: tuple[WeakDirection, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def period(self) -> float:
+        """Time after which the fitted motion repeats, s."""
+        return self.measured.period_count / self.measured.frequency
+
+    @property
+    def agreement(self) -> str:
+        """What the starts came to, as a sentence without a full stop."""
+        searched = self.searched
+        if searched.starts == 1:
+            return "one start alone was tried, so a better fit elsewhere is not excluded (--starts)"
+        told = f"{searched.agreeing} of {searched.starts} starts came to this fit"
+        if searched.elsewhere:
+            told += (
+                f", {len(searched.elsewhere)} to worse ones (chi-square {searched.elsewhere[0]:.4g} or more "
+                f"against {self.judgement.chi_square:.4g})"
+            )
+        if searched.lost:
+            told += f", and {searched.lost} began where the motion does not repeat as the measured one does"
+        return told
+
+    def waveforms(self, output: str, points: int = 400) -> tuple[Reals, Reals, Reals]:
+        """Return times, s, and measured and simulated lines of an output added up over a period, (points,)."""
+        place = self.measured.outputs.index(output)
+        times = np.asarray(np.arange(points) * (self.period / points))
+        turned = np.exp(2j * np.pi * np.outer(self.measured.frequencies, times))
+        lines = self.measured.lines[:, place], self.simulated[:, place]
+        return times, (lines[0] @ turned).real, (lines[1] @ turned).real
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the first output over a period: averaged measurement and simulation.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.fit import draw_waveform
+
+        return draw_waveform(self, self.measured.outputs[0], ax)
+
+    def _told(self) -> str:
+        return f"{counted(len(self.numbers), 'number')}, {self.judgement.sentences[0]}"
+
+    def _table(self) -> Table:
+        columns: tuple[Column, ...] = attributes(self.numbers, place="", unit="", start="", value="", lower="", upper="")
+        return Table("Fitted numbers, in their units", range(len(self.numbers)), columns)
