@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-ENOUGH = 3e-3
+ENOUGH = 1e-2
 """Decrease of chi-square that is not worth a step."""
-MOST_STEPS = 25
+MOST_STEPS = 15
 LONGEST = 0.7
 """Largest change of a coordinate in one step."""
 SHORTEST = 0.05
@@ -38,7 +38,7 @@ def nearby_minimum(misfit: Misfit, fitted: Fitted, free: Flags, jacobian: Reals 
     """
     if not free.any():
         return fitted
-    slope = misfit.jacobian(fitted) if jacobian is None else jacobian
+    slope = misfit.jacobian(fitted, free) if jacobian is None else jacobian
     fresh = jacobian is None
     for _ in range(MOST_STEPS):
         step, promised = _step(misfit, fitted, slope, free)
@@ -49,7 +49,7 @@ def nearby_minimum(misfit: Misfit, fitted: Fitted, free: Flags, jacobian: Reals 
             break
         fresh = gained < FAITHFUL * promised or trial is None
         if fresh:
-            slope = misfit.jacobian(fitted)
+            slope = misfit.jacobian(fitted, free)
     return fitted
 
 

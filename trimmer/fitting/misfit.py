@@ -7,9 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.fitting.measured import MeasuredLines
-from trimmer.fitting.model import Model, ModelMotion
+from trimmer.fitting.model import GOES_ON, Model, ModelMotion
 from trimmer.spectra.comparison import best_angle
 
 STEP = 1e-5
@@ -73,9 +73,9 @@ class Misfit:
         motion = self.model.settled(coordinates)
         return None if motion is None else self._aligned(motion)
 
-    def continued(self, coordinates: Reals, near: Fitted) -> Fitted | None:
-        """Return the motion that goes on from one of neighbouring numbers; None if there is none."""
-        motion = self.model.continued(coordinates, near.motion)
+    def continued(self, coordinates: Reals, near: Fitted, settling: int = GOES_ON) -> Fitted | None:
+        """Return the motion that goes on from one of neighbouring numbers; see ``Model.continued``."""
+        motion = self.model.continued(coordinates, near.motion, settling)
         return None if motion is None else self._aligned(motion)
 
     def _aligned(self, motion: ModelMotion) -> Fitted:
@@ -95,14 +95,21 @@ class Misfit:
         simulated = self.measured.whitened(fitted.motion.lines)
         return float(np.sum(abs(self._turned(-self._whitened, simulated)[0]) ** 2))
 
-    def jacobian(self, fitted: Fitted) -> Reals:
+    def jacobian(self, fitted: Fitted, free: Flags | None = None) -> Reals:
         """Return the derivative of the residual by the coordinates, (residuals, unknowns).
 
         The origin of time is fitted anew on both sides, so that what it can take up is not in the derivative.
         A column is zero where no neighbouring motion is found.
+
+        Args:
+            fitted: Where.
+            free: Coordinates that count, (unknowns,); columns of the others are left zero.
         """
-        columns = [self._column(fitted, place) for place in range(len(fitted.coordinates))]
-        return np.array(columns).T
+        slope = np.zeros((self.size, len(fitted.coordinates)))
+        for place in range(len(fitted.coordinates)):
+            if free is None or free[place]:
+                slope[:, place] = self._column(fitted, place)
+        return slope
 
     def _column(self, fitted: Fitted, place: int) -> Reals:
         column, rough = self._difference(fitted, place, STEP)
@@ -117,7 +124,7 @@ class Misfit:
         for sign in (1.0, -1.0):
             coordinates = fitted.coordinates.copy()
             coordinates[place] += sign * step
-            other = self.continued(coordinates, fitted)
+            other = self.continued(coordinates, fitted, settling=0)
             if other is not None:
                 sides.append(sign * (other.residual - fitted.residual) / step)
         if not sides:

@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     from trimmer.response.orbit import MechanismOrbit
 
 SETTLED_WITHIN = 400
-"""Drive periods in which a motion has to settle."""
+"""Drive periods in which a motion has to settle from its start."""
+GOES_ON = 48
+"""Drive periods in which it has to settle again where it has lost its stability, or has vanished."""
 PATIENCE = Patience(iterations=12, halvings=4, followed=2)
 """With which an orbit is continued from a neighbouring one."""
 
@@ -79,18 +81,22 @@ class Model:
     def settled(self, coordinates: Reals) -> ModelMotion | None:
         """Return what the mechanism settles to from its start; None if that repeats otherwise, or never."""
         flow = self._flow(coordinates)
-        return None if flow is None else self._settled(flow, coordinates, flow.rest())
+        return None if flow is None else self._settled(flow, coordinates, flow.rest(), SETTLED_WITHIN)
 
-    def continued(self, coordinates: Reals, near: ModelMotion) -> ModelMotion | None:
+    def continued(
+        self, coordinates: Reals, near: ModelMotion, settling: int = GOES_ON
+    ) -> ModelMotion | None:
         """Return the stable motion that goes on from that of neighbouring numbers; None if there is none.
 
-        Where the motion has lost its stability or vanished, it is followed from there to what it settles to.
+        Where the motion has lost its stability or vanished, it is followed from there to what it settles to,
+        for at most so many drive periods.
         """
         flow = self._flow(coordinates)
         if flow is None:
             return None
         instant = flow.at(near.orbit.instant.state, like=near.orbit.instant)
-        return self._solved(flow, coordinates, instant) or self._settled(flow, coordinates, instant)
+        found = self._solved(flow, coordinates, instant)
+        return found if found is not None or not settling else self._settled(flow, coordinates, instant, settling)
 
     def _flow(self, coordinates: Reals) -> ExactFlow | None:
         try:
@@ -98,8 +104,10 @@ class Model:
         except MechanismError:
             return None
 
-    def _settled(self, flow: ExactFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
-        orbit = Settling(flow, instant).until_settled(SETTLED_WITHIN)
+    def _settled(
+        self, flow: ExactFlow, coordinates: Reals, instant: Instant, within: int
+    ) -> ModelMotion | None:
+        orbit = Settling(flow, instant).until_settled(within)
         if orbit is None or self.period_count % orbit.period_count:
             return None
         return self._solved(flow, coordinates, orbit.instant)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-CLOSE = 0.02
+CLOSE = 0.03
 """Relative error of the root of the excess at which an end counts as found."""
 BETTER = 0.3
 """By how much a profile may fall below the fit before the fit begins anew there."""

@@ -16,12 +16,14 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-MOST_EVALUATIONS = 60
+MOST_EVALUATIONS = 40
 """Orbits of one start, those for derivatives not counted."""
 LOST = 10.0
 """Size of the residual where no motion is found, over that of the start."""
 AGREES = 1.0
 """Excess of chi-square over the least one within which a start has come to the same fit."""
+WORTH = 1.5
+"""Chi-square over the least one up to which a fit is made exact."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +61,9 @@ def search(misfit: Misfit, starts: int, spread: float, seed: int) -> Searched | 
             found.append(_Descent(misfit, begun).lowest())
     if not found:
         return None
+    least, free = min(each.chi_square for each in found), np.ones(len(misfit.model.unknowns), dtype=bool)
+    near = WORTH * least + misfit.size
+    found = [nearby_minimum(misfit, each, free) if each.chi_square <= near else each for each in found]
     best = min(found, key=lambda each: each.chi_square)
     others = sorted(each.chi_square for each in found if each.chi_square > best.chi_square + AGREES)
     return Searched(best, starts, len(found) - len(others), tuple(others), starts - len(found))
@@ -92,10 +97,9 @@ class _Descent:
         least, largest = bounds_of(self.misfit.model.unknowns)
         least_squares(
             self._residual, self.begun.coordinates, self._jacobian, bounds=(least, largest),
-            x_scale="jac", xtol=1e-9, ftol=1e-9, gtol=1e-12, max_nfev=MOST_EVALUATIONS,
+            x_scale="jac", xtol=1e-8, ftol=1e-6, gtol=1e-12, max_nfev=MOST_EVALUATIONS,
         )
-        best = min(self.tried.values(), key=lambda each: each.chi_square)
-        return nearby_minimum(self.misfit, best, np.ones(len(least), dtype=bool))
+        return min(self.tried.values(), key=lambda each: each.chi_square)
 
     def _residual(self, coordinates: Reals) -> Reals:
         fitted = self.tried.get(coordinates.tobytes()) or self.misfit.continued(coordinates.copy(), self.near)

@@ -15,7 +15,7 @@ from trimmer.messages import listed
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
-TOLD = 0.1
+TOLD = math.log(1.1)
 """Change of a coordinate, 10 % of the number, that a measurement should tell from none."""
 PART = 0.15
 """Share of the largest change below which a number does not take part in a combination."""
