@@ -1,0 +1,189 @@
+"""``trimmer fit``: numbers of a mechanism from a measured steady motion."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_read,
+    file_to_write,
+    show,
+)
+from trimmer.command_line.mechanisms.mechanism_options import (
+    add_mechanism_options,
+    add_seed_option,
+    chosen_mechanism,
+)
+from trimmer.command_line.number_options import positive, positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.command_line.patience import patience
+from trimmer.command_line.signals.signal_options import (
+    ChosenRecording,
+    add_record_options,
+    chosen_recording,
+)
+from trimmer.files import MECHANISM, STANDARD_INPUT, write_atomically
+from trimmer.messages import near_match
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.signals.signal import Signal
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_mechanism_options(parser)
+    parser.add_argument(
+        "measured",
+        type=file_to_read,
+        metavar="MEASURED",
+        help="CSV file with the samples, one row each, or WAV file; - for CSV from standard input",
+    )
+    parser.add_argument(
+        "--free",
+        action="append",
+        default=[],
+        metavar="PLACE",
+        help="number to fit, such as plays.bridge.gap; may be repeated (default: gap, stiffness and damping of "
+        "each play, and the force of each friction, where greater than zero)",
+    )
+    parser.add_argument(
+        "--measured-as",
+        action="append",
+        default=[],
+        metavar="OUTPUT=COLUMN",
+        help="which column measures which output of the mechanism, by name or number; may be repeated "
+        "(default: columns with the names of outputs, or the only column and the only output)",
+    )
+    add_record_options(parser)
+    parser.add_argument(
+        "--drive",
+        type=positive("Hz"),
+        metavar="HZ",
+        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
+    )
+    parser.add_argument(
+        "--starts",
+        type=positive_whole,
+        default=5,
+        metavar="N",
+        help="number of starts; those after the first one are random, up to twice or half of each number "
+        "(default: 5)",
+    )
+    add_seed_option(parser)
+    parser.add_argument(
+        "--output", type=file_to_write, metavar="FILE", help="write the mechanism with the fitted numbers"
+    )
+    add_json_option(parser)
+    add_plot_option(parser, "measured over fitted waveform and lines, and what is left,")
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.signals.fit_text import ShownFit, as_json, as_text
+    from trimmer.fitting.fit import FitSettings, fit_mechanism
+    from trimmer.signals.signal import SignalError
+
+    _check(arguments)
+    mechanism = chosen_mechanism(arguments)
+    chosen = _recordings(arguments, mechanism)
+    try:
+        with patience():
+            fit = fit_mechanism(
+                mechanism,
+                {name: each.signal for name, each in chosen.items()},
+                arguments.free,
+                drive_frequency=arguments.drive,
+                settings=FitSettings(starts=arguments.starts, seed=arguments.seed),
+            )
+    except SignalError as error:
+        raise OptionError(f"{arguments.measured}: {error}") from error
+    if arguments.plot is not None:
+        from trimmer.drawing.fit import fit_figure
+
+        write_picture(arguments, fit_figure(fit))
+    if arguments.output is not None:
+        write_atomically(arguments.output, fit.mechanism.to_toml(), overwrite=arguments.overwrite)
+    shown = ShownFit(arguments.file, arguments.measured, arguments.output, chosen, fit)
+    show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.output)
+    return 0
+
+
+def _check(arguments: Namespace) -> None:
+    if arguments.file == arguments.measured == STANDARD_INPUT:
+        raise OptionError("mechanism and measurement cannot both be read from standard input: name a file")
+    if arguments.starts == 1:
+        refuse_unused(arguments, ["seed"], "--starts")
+    if arguments.seed < 0:
+        raise OptionError(f"--seed {arguments.seed}: must not be negative")
+    sources = {"file": "the file of the mechanism", "measured": "the file of the measurement"}
+    check_targets(arguments, {"output": {"": MECHANISM}, "plot": PICTURES}, sources)
+
+
+def _recordings(arguments: Namespace, mechanism: Mechanism) -> dict[str, ChosenRecording]:
+    """Read what was measured of each output."""
+    columns = _columns(arguments, mechanism)
+    if len(columns) > 1:
+        refuse_unused(arguments, ["scale", "unit"], "a single column; with several their headings say units")
+        if arguments.measured == STANDARD_INPUT:
+            raise OptionError("several columns cannot be read from standard input: name a file")
+    found = {name: chosen_recording(_reading(arguments, column)) for name, column in columns.items()}
+    if len({_times(each.signal) for each in found.values()}) > 1:
+        raise OptionError(f"{arguments.measured}: the columns have unlike times, because values are missing")
+    return found
+
+
+def _times(signal: Signal) -> tuple[float, float, int]:
+    return signal.start, signal.sample_rate, signal.values.size
+
+
+def _reading(arguments: Namespace, column: str | None) -> Namespace:
+    """Return the options with which one column is read."""
+    channel = None
+    return Namespace(**{**vars(arguments), "file": arguments.measured, "column": column, "channel": channel, "to": None})
+
+
+def _columns(arguments: Namespace, mechanism: Mechanism) -> dict[str, str | None]:
+    """Return the column of each output that was measured."""
+    outputs = list(mechanism.outputs)
+    if not outputs:
+        raise OptionError(f"{arguments.file}: the mechanism has no output that could be measured; add [outputs]")
+    if arguments.measured_as:
+        return dict(_paired(text, outputs) for text in arguments.measured_as)
+    named = [name for name in outputs if name in _headings(arguments.measured)]
+    if named:
+        return {name: name for name in named}
+    if len(outputs) == 1:
+        return {outputs[0]: None}
+    raise OptionError(
+        f"{arguments.measured}: no column has the name of an output; say which measures which "
+        f"(--measured-as {outputs[0]}=COLUMN); outputs are {', '.join(outputs)}"
+    )
+
+
+def _paired(text: str, outputs: list[str]) -> tuple[str, str]:
+    output, equals, column = text.rpartition("=")
+    if not equals or not output or not column:
+        raise OptionError(f"--measured-as {text}: write OUTPUT=COLUMN, such as {outputs[0]}=2")
+    if output not in outputs:
+        there = near_match(output, outputs) or f"there are {', '.join(outputs)}"
+        raise OptionError(f"--measured-as {text}: the mechanism has no output {output!r}; {there}")
+    return output, column
+
+
+def _headings(file: Path) -> list[str]:
+    """Return the names of the columns of a file; none of one without headings, or from standard input."""
+    from trimmer.signals.csv_layout import CsvLayout
+    from trimmer.signals.csv_table import read_table
+    from trimmer.signals.read_wav import is_wav
+    from trimmer.signals.signal import split_heading
+
+    if file == STANDARD_INPUT or is_wav(file):
+        return []
+    return [split_heading(heading)[0] for heading in read_table(file, CsvLayout()).headings or ()]

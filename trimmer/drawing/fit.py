@@ -1,0 +1,101 @@
+"""The picture of a measured motion over the fitted one: waveform over a period, lines, and what is left."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.content import new_figure
+from trimmer.drawing.look import BLACK, COLOURS
+from trimmer.drawing.units import name_axis
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from trimmer.arrays import Reals
+    from trimmer.fitting.result import Fit
+
+WIDTH, HEIGHT = 6.6, 8.0
+"""Inches of the picture of one output."""
+BINS = 200
+"""Places of a period at which samples are averaged."""
+MEASURED, SIMULATED = BLACK, COLOURS[1]
+
+
+def fit_figure(fit: Fit) -> Figure:
+    """Draw waveform, what is left of it, and lines, of each output in a column of its own."""
+    outputs = fit.measured.outputs
+    figure = new_figure(WIDTH * len(outputs), HEIGHT)
+    panels = figure.subplots(3, len(outputs), squeeze=False, height_ratios=(3, 1.4, 3))
+    for column, output in enumerate(outputs):
+        draw_waveform(fit, output, panels[0, column])
+        draw_rest(fit, output, panels[1, column])
+        draw_lines(fit, output, panels[2, column])
+    return figure
+
+
+def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
+    """Draw the measurement averaged over its periods, and the fitted motion; see ``Fit.plot``."""
+    axes, signal = axes_for(ax), fit.measured.signals[output]
+    times, _, simulated = fit.waveforms(output)
+    folded, means = averaged(fit, output)
+    count = int(fit.measured.periods / fit.measured.period_count)
+    look = {"linestyle": "none", "color": MEASURED, "markersize": 3}
+    axes.plot(folded, means, "o", label=f"measured,\nmean of {count} periods", **look)
+    axes.plot(times, simulated, color=SIMULATED, linewidth=1.4, label="fitted")
+    name_axis(axes.xaxis, "time in the period", "s")
+    name_axis(axes.yaxis, f"{output}, {signal.quantity.word}", signal.unit)
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def draw_rest(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
+    """Draw averaged measurement less fitted motion over a period, and the rms of the noise of that mean."""
+    axes, signal = axes_for(ax), fit.measured.signals[output]
+    place = fit.measured.outputs.index(output)
+    times, measured, simulated = fit.waveforms(output)
+    noise = float(np.linalg.norm(fit.measured.deviations[:, place]))
+    axes.axhspan(-2 * noise, 2 * noise, color="0.85", linewidth=0, label="noise of the lines,\ntwice its rms")
+    axes.plot(times, measured - simulated, color=MEASURED, linewidth=1.0, label="lines: measured\nless fitted")
+    name_axis(axes.xaxis, "time in the period", "s")
+    name_axis(axes.yaxis, "left", signal.unit)
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def draw_lines(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
+    """Draw measured and fitted lines, what is left of them, and the noise between them."""
+    axes, signal = axes_for(ax), fit.measured.signals[output]
+    place = fit.measured.outputs.index(output)
+    frequencies = fit.measured.frequencies
+    measured, simulated = fit.measured.lines[:, place], fit.simulated[:, place]
+    noise = np.sqrt(2.0) * fit.measured.deviations[:, place]
+    axes.semilogy(frequencies, noise, color="0.6", linestyle=":", label="noise, rms")
+    axes.plot(frequencies, abs(measured), "o", color=MEASURED, linestyle="none", markersize=4, label="measured")
+    axes.plot(frequencies, abs(simulated), "x", color=SIMULATED, linestyle="none", markersize=7, label="fitted")
+    look = {"color": COLOURS[0], "linestyle": "none", "markersize": 4, "markerfacecolor": "none"}
+    axes.plot(frequencies, abs(measured - simulated), "s", label="left", **look)
+    axes.set_ylim(bottom=max(0.1 * float(noise.min()), 1e-9 * float(abs(measured).max())))
+    name_axis(axes.xaxis, "frequency", "Hz")
+    axes.set_ylabel(f"amplitude, {signal.unit}", parse_math=False)
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def averaged(fit: Fit, output: str) -> tuple[Reals, Reals]:
+    """Return times in the period, s, and means of the samples near them about the mean of all."""
+    signal = fit.measured.signals[output]
+    turns = np.arange(signal.values.size) / (signal.sample_rate * fit.period) % 1.0
+    cells = (turns * BINS).astype(int)
+    counts = np.bincount(cells, minlength=BINS)
+    with np.errstate(invalid="ignore"):
+        means = np.bincount(cells, signal.values - signal.values.mean(), BINS) / counts
+        middles = np.bincount(cells, turns, BINS) / counts
+    seen = counts > 0
+    return np.asarray(middles[seen] * fit.period), np.asarray(means[seen])
