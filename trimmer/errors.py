@@ -68,3 +68,7 @@ class UncertaintyError(TrimmerError, ValueError):
 
 class WorkerError(TrimmerError, RuntimeError):
     """A process that did the work of cells ended at once, as when memory runs out."""
+
+
+class MissingPackageError(TrimmerError, ImportError):
+    """A package that few need is not installed; the message says how to install it."""
