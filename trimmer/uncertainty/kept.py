@@ -14,6 +14,7 @@ import json
 import math
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +27,24 @@ if TYPE_CHECKING:
     from trimmer.uncertainty.samples import SampleInputs
 
 FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Keeping:
+    """Where samples are kept as soon as they are done.
+
+    Attributes:
+        path: The file; None to keep none.
+        resume: Go on with it.
+        overwrite: Replace it.
+    """
+
+    path: Path | None = None
+    resume: bool = False
+    overwrite: bool = False
+
+
+NOWHERE = Keeping()
 
 
 def header(inputs: SampleInputs) -> dict[str, Any]:

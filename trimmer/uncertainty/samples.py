@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.design.targets import Measure, Target
+from trimmer.design.targets import Target
 from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 from trimmer.errors import MechanismError, UncertaintyError
 from trimmer.maps.inputs import varied
@@ -18,6 +18,7 @@ from trimmer.response.response import MotionKind
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty import kept
+from trimmer.uncertainty.kept import NOWHERE, Keeping
 from trimmer.uncertainty.points import Plan
 
 if TYPE_CHECKING:
@@ -195,9 +196,7 @@ def sample_mechanism(
     settings: SampleSettings | None = None,
     *,
     runner: Runner | None = None,
-    path: Path | None = None,
-    resume: bool = False,
-    overwrite: bool = False,
+    keeping: Keeping = NOWHERE,
     quiet: bool = False,
 ) -> Samples:
     """Draw samples of a mechanism and find what each of them settles to.
@@ -208,9 +207,7 @@ def sample_mechanism(
         file: The mechanism, its targets, and what scatters.
         settings: How samples are drawn and looked at.
         runner: Who does the work; by default processes on all cores, for a few samples this one.
-        path: Where each sample is kept as soon as it is done.
-        resume: Go on with that file.
-        overwrite: Replace that file.
+        keeping: Where each sample is kept as soon as it is done.
         quiet: Show no progress bar.
 
     Raises:
@@ -219,27 +216,25 @@ def sample_mechanism(
         FileWriteError: if the file cannot be written.
     """
     inputs = sample_inputs(file.mechanism, file.uncertainty, settings or SampleSettings())
-    trials = trials_of(inputs, runner, path, resume=resume, overwrite=overwrite, quiet=quiet)
+    trials = trials_of(inputs, runner, keeping, quiet=quiet)
     return Samples(inputs, file.targets, all_measures(file.mechanism), trials)
 
 
 def trials_of(
     inputs: SampleInputs,
     runner: Runner | None = None,
-    path: Path | None = None,
+    keeping: Keeping = NOWHERE,
     *,
-    resume: bool = False,
-    overwrite: bool = False,
     quiet: bool = False,
 ) -> tuple[Trial, ...]:
     """Return what each possible sample does, in the order of the samples."""
     asked = all_measures(inputs.mechanism)
     done: dict[int, Trial] = {}
-    if path is not None and resume:
-        done = dict(kept.resumed(path, inputs, asked))
-    elif path is not None:
-        kept.begin(path, inputs, overwrite=overwrite)
-    for number, trial in _computed(inputs, asked, done, runner, path, quiet):
+    if keeping.path is not None and keeping.resume:
+        done = dict(kept.resumed(keeping.path, inputs, asked))
+    elif keeping.path is not None:
+        kept.begin(keeping.path, inputs, overwrite=keeping.overwrite)
+    for number, trial in _computed(inputs, asked, done, runner, keeping.path, quiet):
         done[number] = trial
     return tuple(done[number] for number in np.flatnonzero(inputs.possible).tolist())
 
@@ -268,8 +263,3 @@ def _computed(
         for result in results if path is None else kept.appended(path, results):
             bar.update()
             yield result
-
-
-def values_asked(asked: Sequence[Asked], measure: Measure) -> list[Asked]:
-    """Return those that ask for a kind of measure."""
-    return [each for each in asked if each.measure is measure]
