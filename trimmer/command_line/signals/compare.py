@@ -15,10 +15,10 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.mechanisms.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError
+from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
 from trimmer.files import STANDARD_INPUT
 
@@ -40,7 +40,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--drive",
         type=positive("Hz"),
         metavar="HZ",
-        help="frequency of the drive in the measurement (default: found within 3 % of the mechanism's)",
+        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
     )
     add_json_option(parser)
     add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
