@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +17,9 @@ from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 NEAR = 0.03
 """How far from that of the simulation the frequency of the drive is looked for, relative."""
@@ -41,6 +45,7 @@ class SimulatedLines:
     period_count: int = 1
 
     def __post_init__(self) -> None:
+        lines: NDArray[Any]
         try:
             lines = np.asarray(self.displacement)
         except ValueError:  # nested lists of unequal length
