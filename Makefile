@@ -22,7 +22,7 @@ report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, 
 
 # Pictures are kept in build/site-pictures until their page or script, or the package, changes.
 docs: .venv/for-development ## build the site, build/site/index.html; fails on a broken link or a block that prints something else
-	@NO_MKDOCS_2_WARNING=1 MPLBACKEND=agg python -m mkdocs build --quiet --strict
+	@NO_MKDOCS_2_WARNING=1 MPLBACKEND=agg python -m mkdocs build --strict # not --quiet: that hides warnings from --strict
 	@echo build/site/index.html
 
 # BLAS with several threads is slower here: its matrices are small, and the cells already use all cores.

@@ -138,7 +138,10 @@ def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool 
     except OSError as error:
         if isinstance(error, FileWriteError):
             raise
-        raise FileWriteError(f"{path} cannot be written: {error.strerror or error}") from error
+        reason = f"{error.strerror or error}; name another place"
+        if isinstance(error, FileExistsError | NotADirectoryError):
+            reason = "a file stands where its folder would be; name another place"
+        raise FileWriteError(f"{path} cannot be written: {reason}") from error
 
 
 def check_replaceable(path: Path, kind: FileKind | None) -> None:
@@ -155,7 +158,8 @@ def check_replaceable(path: Path, kind: FileKind | None) -> None:
     except OSError as error:
         if isinstance(error, FileWriteError):
             raise
-        raise FileWriteError(f"{path} cannot be replaced: {error.strerror or error}") from error
+        reason = f"{error.strerror or error}; name another file"
+        raise FileWriteError(f"{path} cannot be replaced: {reason}") from error
     if head and _kind(head) is not kind:
         what = f"is no {kind.name}" if kind else "is a file of another kind"
         raise FileWriteError(

@@ -22,10 +22,10 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         advice: Where a file to start from comes from, for the message of a file that is not there.
 
     Raises:
-        TrimmerError: of the type that is given, if the file cannot be read or is no text.
+        TrimmerError: of the type that is given, if the file cannot be read, is empty or is no text.
     """
     try:
-        return read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
+        text = read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
     except FileNotFoundError:
         raise error(f"{path}: no such file; {near_file(path) or advice}") from None
     except IsADirectoryError:
@@ -34,7 +34,10 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         message = f"{path}: not UTF-8 text (byte {reason.start}); save it as UTF-8 plain text"
         raise error(message) from reason
     except OSError as reason:
-        raise error(f"{path}: cannot be read: {reason.strerror or reason}") from reason
+        raise error(f"{path}: cannot be read: {reason.strerror or reason}; {advice}") from reason
+    if not text.strip():
+        raise error(f"{path}: is empty; {advice}")
+    return text
 
 
 def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict[str, Any]:

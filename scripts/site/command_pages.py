@@ -4,26 +4,21 @@ from __future__ import annotations
 
 import argparse
 import html
+import re
 from collections.abc import Iterator, Sequence
 
 from trimmer.command_line import main as command_line
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.main import installed_commands
 
-EXIT_CODES = (
-    ("0", "done"),
-    ("1", "an error of the program itself"),
-    ("2", "wrong use, or a file or output that cannot be used"),
-    ("3", "a motion, a branch or a search that ended before what was asked for"),
-    ("130", "interrupted"),
-)
-
+CODE = re.compile(r"(\d+) ([^;.]+)")
 GROUPS = {"positional arguments": "Arguments", "options": "Options"}
 """Titles in place of those of argparse."""
 
 
 def command_pages() -> dict[str, tuple[str, str]]:
     """Return title and Markdown of each page by its name; ``index`` lists the commands."""
-    commands = command_line._commands()
+    commands = installed_commands()
     parsers = _parsers(command_line._parser(commands))
     pages = {each.name: (f"trimmer {each.name}", _page(each, parsers[each.name])) for each in commands}
     return {"index": ("Overview", _overview(commands)), **pages}
@@ -38,7 +33,7 @@ def _parsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentPars
 
 def _overview(commands: Sequence[Command]) -> str:
     rows = [f"| [`trimmer {each.name}`]({each.name}.md) | {each.help} |" for each in commands]
-    codes = [f"| {code} | {meaning} |" for code, meaning in EXIT_CODES]
+    codes = [f"| {code} | {meaning} |" for code, meaning in CODE.findall(command_line.EXIT_CODES)]
     return "\n".join(
         [
             "# Command line\n",
@@ -61,7 +56,7 @@ def _overview(commands: Sequence[Command]) -> str:
 
 def _page(command: Command, parser: argparse.ArgumentParser) -> str:
     parts = [f"# trimmer {command.name}", _sentence(parser.description or command.help)]
-    parts += [f'```text title="Usage"\n{_usage(parser)}\n```', *_examples(command)]
+    parts += [f'```text title="Usage"\n{_usage(parser)}\n```', *_examples(command.examples)]
     for group in parser._action_groups:
         rows = [_row(action, parser) for action in group._group_actions if action.help != argparse.SUPPRESS]
         if rows:
@@ -75,10 +70,11 @@ def _usage(parser: argparse.ArgumentParser) -> str:
     return parser.format_usage().removeprefix("usage: ").rstrip()
 
 
-def _examples(command: Command) -> Iterator[str]:
-    examples = getattr(command, "examples", ())
+def _examples(examples: Sequence[Example]) -> Iterator[str]:
     if examples:
-        yield "## Examples\n\n" + "\n\n".join(str(example) for example in examples)
+        yield "## Examples"
+    for example in examples:
+        yield f"{_sentence(example.purpose)}\n\n```sh\n{example.words}\n```"
 
 
 def _row(action: argparse.Action, parser: argparse.ArgumentParser) -> str:

@@ -13,6 +13,7 @@ from mkdocs.exceptions import BuildError
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
 from scripts.site.example_scripts import ExampleScript, ScriptError, example_scripts, run_script
 from scripts.site.gallery import gallery_pages
@@ -20,9 +21,11 @@ from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import with_mathml
 from scripts.site.pictures import kept, own_pictures
 from scripts.site.running import PageError, run_page
+from scripts.site.schema_tables import mechanism_keys, parameter_page
 
 PROJECT = Path(__file__).resolve().parents[2]
 LIBRARY, COMMANDS, GALLERY = "reference/library", "reference/command-line", "gallery"
+MECHANISM, PARAMETERS = "mechanism.md", "reference/parameters.md"
 COPIED = {
     "report/fonts/stix-two-math.woff2": "fonts/stix-two-math.woff2",
     "report/fonts/STIX-Two-Math-LICENSE.txt": "fonts/STIX-Two-Math-LICENSE.txt",
@@ -52,6 +55,7 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     for folder, pages in _pages.items():
         for name, (_, content) in pages.items():
             files.append(File.generated(config, f"{folder}/{name}.md", content=content))
+    files.append(File.generated(config, PARAMETERS, content=parameter_page()))
     for source, target in {**COPIED, **_downloads()}.items():
         files.append(File.generated(config, target, abs_src_path=str(PROJECT / source)))
     for target, source in [*_pictures(files), *_gallery()]:
@@ -60,13 +64,21 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
 
 
 def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
-    """Let links between ``docs`` and ``examples`` lead to where these are in the site."""
+    """Let links between ``docs`` and ``examples`` lead to where these are in the site, and add tables."""
+    if page.file.src_uri == MECHANISM:
+        markdown = f"{markdown}\n{mechanism_keys()}"
     return OUTSIDE.sub(lambda match: f"]({_inside(match[1], page)}", markdown)
 
 
 def on_page_content(html: str, **_: Any) -> str:
     """Turn formulas into MathML."""
     return with_mathml(html)
+
+
+def on_post_build(*, config: MkDocsConfig) -> None:
+    """Look whether something would be loaded from elsewhere."""
+    if found := list(loaded_from_elsewhere(Path(config.site_dir))):
+        raise BuildError("loaded from elsewhere:\n" + "\n".join(found))
 
 
 def _section(config: MkDocsConfig, title: str) -> list[Any]:

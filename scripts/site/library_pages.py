@@ -36,14 +36,20 @@ def library_pages(project: Path) -> dict[str, tuple[str, str]]:
 
 
 def public_names(stub: str) -> dict[str, list[str]]:
-    """Return the public names by the room they come from, sorted without regard to case."""
+    """Return the public names by the room they come from: functions, classes, errors."""
     rooms: dict[str, list[str]] = {}
     for statement in ast.parse(stub).body:
         if isinstance(statement, ast.ImportFrom) and statement.module is not None:
             first, *deeper = statement.module.split(".")
             names = rooms.setdefault(first if deeper else BASICS, [])
             names += [alias.asname or alias.name for alias in statement.names]
-    return {room: sorted(names, key=str.lower) for room, names in rooms.items()}
+    return {room: sorted(names, key=_rank) for room, names in rooms.items()}
+
+
+def _rank(name: str) -> tuple[int, str]:
+    """Put functions before classes, and errors last."""
+    is_error = name.endswith(("Error", "Warning", "Interrupted"))
+    return 2 if is_error else 0 if name.islower() else 1, name.lower()
 
 
 def _order(entry: tuple[str, list[str]]) -> str:
@@ -55,17 +61,11 @@ def _title(room: str) -> str:
 
 
 def _page(room: str, names: list[str]) -> str:
-    blocks = [f"# {_title(room)}", f"```python\nfrom trimmer import {_example(names)}\n```"]
-    blocks += [_entry("trimmer", name) for name in names]
+    blocks = [f"# {_title(room)}", *(_entry("trimmer", name) for name in names)]
     if room == "mechanism":
-        blocks += ["## Parts\n\n```python\nfrom trimmer.mechanism import Body, Link\n```"]
+        blocks += ["## Parts\n\nThese are imported from `trimmer.mechanism`."]
         blocks += [_entry("trimmer.mechanism", name) for name in PARTS]
     return "\n\n".join(blocks) + "\n"
-
-
-def _example(names: list[str]) -> str:
-    functions = [name for name in names if name.islower()]
-    return (functions or names)[0]
 
 
 def _entry(package: str, name: str) -> str:

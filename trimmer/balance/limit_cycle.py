@@ -114,6 +114,8 @@ class Certificate:
         index_sum: Sum of the indices of the limit cycles that were found.
         zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
             the winding number cannot be determined.
+        unproven: What is not proven because the element has no bounds, in sentences without a full stop; none
+            if it has them.
     """
 
     method: str
@@ -125,6 +127,7 @@ class Certificate:
     winding_number: int | None
     index_sum: int
     zero_on_axis: bool
+    unproven: tuple[str, ...] = ()
 
     @property
     def checked(self) -> bool:
@@ -146,9 +149,9 @@ class Certificate:
     @property
     def other_doubts(self) -> tuple[str, ...]:
         """The doubts that are about no undecided region."""
-        doubts = tuple(_doubts_of_gain(self.smallest_gain))
+        doubts = (*self.unproven, *_doubts_of_gain(self.smallest_gain))
         # Where something is undecided the winding number may well lack what is there.
-        return doubts if self.checked or self.undecided else (*doubts, self._failed_check())
+        return doubts if self.checked or self.undecided or self.unproven else (*doubts, self._failed_check())
 
     def _failed_check(self) -> str:
         if self.winding_number is None:

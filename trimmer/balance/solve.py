@@ -20,6 +20,7 @@ from trimmer.balance.limit_cycle import (
 from trimmer.balance.loop import loop_equation
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.proportional import solve_proportional
+from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
@@ -55,7 +56,7 @@ def limit_cycles(
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     undecided = undecided_regions(outcome.result.undecided, equation.curve)
-    doubts = list(doubts_of_search(undecided, outcome.smallest_gain))
+    doubts = [*unproven(equation.curve, outcome), *doubts_of_search(undecided, outcome.smallest_gain)]
     if omega_range is None and not outcome.outside_excluded:
         doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
     for doubt in doubts:
@@ -88,6 +89,9 @@ def harmonic_balance(
     limit cycles beyond a million times the outermost roots are not excluded if -1/G and
     N get parallel there faster than linearly, as without damping; give the range that matters then.
 
+    An element without bounds, as one of python-control's or a user's own, is searched on a grid
+    (``trimmer.balance.sampled``), and the certificate says that nothing is proven then.
+
     Args:
         loop: The closed loop; or ``system, element`` in its place. The system is rational, proper, continuous
             in time, with one input and one output; it may be unstable. A delay must be approximated, as by
@@ -108,6 +112,7 @@ def harmonic_balance(
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
+    element_has_bounds = equation.curve.element.has_bounds
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
@@ -115,9 +120,10 @@ def harmonic_balance(
         boxes=outcome.result.examined,
         undecided=undecided_regions(outcome.result.undecided, equation.curve),
         smallest_gain=outcome.smallest_gain,
-        winding_number=winding_number(equation, outcome.omegas),
+        winding_number=winding_number(equation, outcome.omegas) if element_has_bounds else None,
         index_sum=sum(cycle.index for cycle in cycles),
         zero_on_axis=_has_zero_on_axis(equation.response, outcome.omegas),
+        unproven=unproven(equation.curve, outcome),
     )
     return HarmonicBalance(cycles, certificate)
 
@@ -136,6 +142,8 @@ def _solve(
         _require_positive(frozen_omega)
         element = element.at(frozen_omega)
     equation = loop_equation(loop.system, element)
+    if not equation.curve.element.has_bounds:
+        return equation, solve_sampled(equation.response, equation.curve, given)
     unbounded = bool(np.isinf(equation.curve.edge(np.zeros(1))).any())
     solve = solve_proportional if unbounded else solve_bounded
     return equation, solve(equation.response, equation.curve, given)

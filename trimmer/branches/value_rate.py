@@ -20,19 +20,22 @@ from trimmer.contact.flow import Course
 from trimmer.contact.machine import Machine
 from trimmer.contact.statuses import FREE
 from trimmer.motion.compilation import kept
+from trimmer.motion.linear_combination import copy
 from trimmer.motion.taylor import DEGREE
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
-    def entry(flow: Reals, change: Reals, step: float, duration: float, state: Reals, tangent: Reals) -> None:
+    def entry(
+        flow: Reals, change: Reals, step: float, duration: float, state: Reals, tangent: Reals, room: Reals
+    ) -> None:
         """Follow a state and its derivative, both (N,), in place, over a duration, s, in steps."""
         sources  # noqa: B018
-        size = state.size
-        x, y, next_x, next_y = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
-        left = duration
+        size, left = state.size, duration
+        x, y, next_x, next_y = room[0], room[1], room[2], room[3]
         while left > 0.0:
             h = min(step, left)
-            x[:], y[:] = state, tangent
+            copy(state, size, x)
+            copy(tangent, size, y)
             for k in range(1, DEGREE + 2):
                 for i in range(size):
                     x_sum, y_sum = 0.0, 0.0
@@ -115,7 +118,8 @@ class ValueChange:
         change = (other.flow - own.flow) / self.step
         begun, tangent = state.copy(), tangent.copy()
         stretched = tangent.copy()
-        _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent)
+        room = np.empty((4, len(state)))
+        _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
         for contact, z in enumerate(modes.machine.relaxing_state):
             if z >= 0 and own.statuses[contact] == FREE:
                 rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]

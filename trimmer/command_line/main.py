@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import io
+import logging
 import os
 import sys
 import warnings
@@ -45,6 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         SystemExit: with the code, after help and for options that cannot be read.
     """
     _prepare_streams()
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells at length where it keeps its fonts
     if sys.stdout is None:
         tell("standard output is closed; send it to a file, or to /dev/null")
         return WRONG_USE

@@ -16,7 +16,6 @@ SOURCES = (
     "statuses",
     "step_event",
     "tables",
-    "variation",
     "work",
 )
 """Modules that compiled code is made of, apart from those of ``trimmer.motion``."""

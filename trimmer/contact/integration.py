@@ -24,7 +24,7 @@ from trimmer.contact.statuses import (
 from trimmer.contact.step_event import NO_EVENT, first_event
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Log, Work
-from trimmer.motion.compilation import inlined, kept
+from trimmer.motion.compilation import called, inlined, kept
 from trimmer.motion.linear_combination import (
     combine,
     copy,
@@ -277,7 +277,7 @@ def _reason(fired: int) -> int:
     return reason
 
 
-@inlined
+@called
 def _period(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
     """Integrate to the end of a period; ``REACHED_END`` is that of the period."""
     done, row, mode, time, steps_left, fired, jumped = place
@@ -329,7 +329,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, Place]]:
             reason = LOG_FULL
         return reason, place
 
-    return kept(entry, allocates=False)
+    return kept(entry)
 
 
 _compiled_entry = _entry(sources())

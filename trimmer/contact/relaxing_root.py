@@ -15,14 +15,11 @@ from trimmer.arrays import Reals
 from trimmer.motion.compilation import compiled
 from trimmer.motion.first_event import NOWHERE, halve
 from trimmer.motion.linear_combination import any_below, copy
-from trimmer.motion.taylor import DEGREE
 
 UNSURE = -1.0
 """In place of a fraction of the step: shorter steps must decide."""
 HALVINGS = 12
 """Halvings after which shorter steps are to decide."""
-COUNT = DEGREE + 1
-"""Coefficients of a polynomial."""
 
 
 @compiled
@@ -39,34 +36,37 @@ def relaxing_root(bernstein: Reals, taylor: Reals, stretch: float, decay: float,
     Returns:
         The zero, ``NOWHERE`` for none, or ``UNSURE``.
     """
-    piece, left, right = pieces[0], pieces[1], pieces[2]
-    copy(bernstein, COUNT, piece)
+    piece, left, right, count = pieces[0], pieces[1], pieces[2], taylor.size
+    copy(bernstein, count, piece)
     low, width, margin, root = 0.0, 1.0, abs(stretch), UNSURE
     for _ in range(HALVINGS if piece[0] > margin else 0):
-        if not any_below(piece, COUNT, margin):
+        if not any_below(piece, count, margin):
             root = NOWHERE
             break
-        if piece[COUNT - 1] < -margin and _steepest_rise(piece) * (COUNT - 1) < -decay * width * margin:
+        if (
+            piece[count - 1] < -margin
+            and _steepest_rise(piece, count) * (count - 1) < -decay * width * margin
+        ):
             root = _fallen(taylor, stretch, decay, low, low + width)
             break
-        halve(piece, COUNT, left, right)
+        halve(piece, count, left, right)
         width *= 0.5
-        if not any_below(left, COUNT, margin):
-            copy(right, COUNT, piece)
+        if not any_below(left, count, margin):
+            copy(right, count, piece)
             low += width
             margin = abs(stretch) * math.exp(-decay * low)
-        elif left[COUNT - 1] < -margin:
-            copy(left, COUNT, piece)
+        elif left[count - 1] < -margin:
+            copy(left, count, piece)
         else:
             break
     return root
 
 
 @compiled
-def _steepest_rise(bernstein: Reals) -> float:
+def _steepest_rise(bernstein: Reals, count: int) -> float:
     """Return the largest difference of neighbouring coefficients: a bound of the slope, over the degree."""
     rise = bernstein[1] - bernstein[0]
-    for i in range(1, COUNT - 1):
+    for i in range(1, count - 1):
         rise = max(rise, bernstein[i + 1] - bernstein[i])
     return float(rise)
 
@@ -78,7 +78,7 @@ def _fallen(taylor: Reals, stretch: float, decay: float, low: float, high: float
     for _ in range(100):
         rest = stretch * math.exp(-decay * point)
         value, slope = 0.0, 0.0
-        for k in range(COUNT - 1, -1, -1):
+        for k in range(taylor.size - 1, -1, -1):
             slope = slope * point + value
             value = value * point + taylor[k]
         value += rest

@@ -56,7 +56,7 @@ def _root(
         The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
     """
     state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, tables.sizes[now, function]
-    combine(state, tables.taylor[now, function], COUNT, taylor)
+    combine(state, tables.taylor[now, function], taylor.size, taylor)
     rounding, root, jumped = ROUNDING * combined_moduli(state, sizes[0]), NOWHERE, False
     zeros = _zeros(taylor, state, sizes, known, at_start)
     if zeros < COUNT and not within(bernstein, rounding):  # Otherwise it stays at zero.
@@ -77,7 +77,7 @@ def _root_while_relaxing(tables: Tables, work: Work, mode: int, now: int, functi
     owner = tables.owner[now, function]
     z = tables.relaxing_state[owner]
     stretch = tables.taylor[mode, function, z, 0] * work.state[z]
-    combine(work.state, tables.taylor[now, function], COUNT, work.taylor)
+    combine(work.state, tables.taylor[now, function], work.taylor.size, work.taylor)
     decay = tables.relaxation[mode, owner] * tables.step[now]
     return relaxing_root(work.bernstein, work.taylor, stretch, decay, work.pieces)
 

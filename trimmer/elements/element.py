@@ -60,6 +60,11 @@ class Element(ABC):
         """Natural scale of the amplitude, in the unit of the input; u = amplitude_scale / amplitude."""
 
     @property
+    def has_bounds(self) -> bool:
+        """Whether ``sensitivity`` and ``variation`` are finite bounds, on which a certificate can rest."""
+        return True
+
+    @property
     def constant_from(self) -> float:
         """The u from which on N does not change with u any more; infinite if there is none, or none is known.
 
@@ -231,12 +236,15 @@ class Element(ABC):
 
     # The results of arithmetic are elements themselves, so their modules need this one first.
     def __add__(self, other: Element) -> SumOfElements:
+        from trimmer.elements.control_element import is_element
         from trimmer.elements.sum_of_elements import SumOfElements
 
-        return SumOfElements((self, other)) if isinstance(other, Element) else NotImplemented
+        return SumOfElements((self, other)) if is_element(other) else NotImplemented
 
     def __sub__(self, other: Element) -> SumOfElements:
-        return self + (-other) if isinstance(other, Element) else NotImplemented
+        from trimmer.elements.control_element import adopted, is_element
+
+        return self + (-adopted("other", other)) if is_element(other) else NotImplemented
 
     def __mul__(self, factor: float) -> ScaledElement:
         from trimmer.elements.scaled_element import ScaledElement

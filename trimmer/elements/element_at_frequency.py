@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.arguments import positive_number, require_instance
+from trimmer.arguments import positive_number
 from trimmer.elements.bounds import range_shape
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -39,7 +40,7 @@ class ElementAtFrequency(Element):
     omega: float
 
     def __post_init__(self) -> None:
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
         positive_number("omega", self.omega, "rad/s")
 
     @property
@@ -51,6 +52,11 @@ class ElementAtFrequency(Element):
     def amplitude_scale(self) -> float:
         """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether the element has bounds."""
+        return self.element.has_bounds
 
     @property
     def constant_from(self) -> float:

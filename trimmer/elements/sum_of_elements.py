@@ -11,6 +11,7 @@ import numpy as np
 
 from trimmer.arguments import require_instances
 from trimmer.elements.bounds import range_shape
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -36,8 +37,9 @@ class SumOfElements(Element):
     terms: tuple[Element, ...]
 
     def __post_init__(self) -> None:
-        terms = require_instances("terms", self.terms, Element, "an element, such as FrictionBacklash(4e-5)")
-        object.__setattr__(self, "terms", terms)
+        terms = require_instances("terms", self.terms, object, "an element")
+        adopted_terms = tuple(adopted(f"terms[{place}]", term) for place, term in enumerate(terms))
+        object.__setattr__(self, "terms", adopted_terms)
         if not self.terms:
             raise ValueError("terms must hold at least one element")
 
@@ -50,6 +52,11 @@ class SumOfElements(Element):
     def amplitude_scale(self) -> float:
         """The scale of the first term; u of the sum is that of this term."""
         return self.terms[0].amplitude_scale
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether all terms have bounds."""
+        return all(term.has_bounds for term in self.terms)
 
     @property
     def constant_from(self) -> float:

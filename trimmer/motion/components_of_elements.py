@@ -17,6 +17,7 @@ from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements.unbounded import UnboundedElement
 from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import UnsupportedMotionError
@@ -112,7 +113,8 @@ def _component(element: Element) -> Component:
             return CornerComponent(element.threshold, 0.0, element.slope)
         case ViscousFriction():
             return ViscousComponent(element.damping)
-    raise UnsupportedMotionError(f"{element!r} has no description in time")
+    reason = ": it is known by its output over a period only" if isinstance(element, UnboundedElement) else ""
+    raise UnsupportedMotionError(f"{element!r} has no description in time{reason}")
 
 
 def _relay(relay: Relay) -> Component:

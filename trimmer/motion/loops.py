@@ -12,6 +12,7 @@ import control
 import numpy as np
 
 from trimmer.arguments import finite_number, require_instance
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.stored_system import restored, stored
 from trimmer.motion.components_of_elements import RigidComponent, components_of
@@ -142,7 +143,7 @@ class ClosedLoop(Loop):
 
     def __post_init__(self) -> None:
         require_system(self.system)
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the input -y of the element.
@@ -186,7 +187,7 @@ class OpenLoop(Loop):
 
     def __post_init__(self) -> None:
         require_system(self.system)
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
         require_instance("drive", self.drive, Drive, "a trimmer.Drive")
 
     def interconnection(self) -> Interconnection:

@@ -12,11 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trimmer.contact.compilation import sources
-from trimmer.contact.relaxing_root import COUNT, UNSURE, relaxing_root
+from trimmer.contact.relaxing_root import UNSURE, relaxing_root
 from trimmer.motion.compilation import kept
 from trimmer.motion.first_event import NOWHERE
-from trimmer.motion.taylor import bernstein_from_taylor
+from trimmer.motion.taylor import DEGREE, bernstein_from_taylor
 
+COUNT = DEGREE + 1
 GRID = np.linspace(0.0, 1.0, 4_001)
 
 

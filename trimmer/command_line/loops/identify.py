@@ -32,6 +32,10 @@ def _run(arguments: Namespace) -> int:
 
     require_positive(arguments, "gap", "m")
     require_positive(arguments, "frequency", "Hz")
+    if not 0 <= arguments.uncertainty < arguments.frequency:
+        raise OptionError(
+            f"--uncertainty {arguments.uncertainty:g}: must be zero or positive, less than --frequency (Hz)"
+        )
     G = linear_part(arguments)
     try:
         found = identify_time_constant(
