@@ -179,6 +179,7 @@ def test_volts_become_displacement_with_the_sensitivity(capsys, tmp_path: Path) 
     [
         (["{wav}", "--column", "1"], "--column has no effect without a CSV file; this one is a WAV file"),
         (["{wav}", "--channel", "1", "--resample"], "--resample has no effect on a WAV file"),
+        (["none.wav", "--channel", "1"], "none.wav: no such file"),
         (["{csv}", "--channel", "1"], "--channel has no effect without a WAV file"),
         (["{csv}", "--lowest", "5"], "--lowest has no effect without --as"),
         (["{csv}", "--gaps", "split", "--from", "9"], "no sample lies from 9 s"),

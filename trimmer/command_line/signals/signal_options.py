@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.number_options import finite, positive, positive_whole
 from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
     from trimmer.signals.faults import Fault
@@ -213,7 +214,7 @@ def _check(arguments: Namespace, wav: bool) -> None:
         for name, given in (("--ignore-time", arguments.ignore_time), ("--resample", arguments.resample)):
             if given:
                 raise OptionError(f"{name} has no effect on a WAV file, which has no stamps: leave it out")
-    else:
+    elif arguments.file == STANDARD_INPUT or arguments.file.exists():
         refuse_unused(arguments, ["channel"], "a WAV file")
     if arguments.quantity is None:
         refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--as, which converts")
