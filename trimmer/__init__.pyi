@@ -15,14 +15,14 @@ from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
 from .branches.branch import BranchEnd as BranchEnd
 from .branches.follow import follow as follow
-from .branches.follow_special import follow_special as follow_special
 from .branches.followed import BalancedOrbit as BalancedOrbit
 from .branches.followed import FollowedBranch as FollowedBranch
 from .branches.followed import FollowedOrbit as FollowedOrbit
-from .branches.locus import Locus as Locus
-from .branches.locus import LocusEnd as LocusEnd
-from .branches.locus import LocusRanges as LocusRanges
-from .branches.locus import LocusSettings as LocusSettings
+from .branches.loci.follow_special import follow_special as follow_special
+from .branches.loci.locus import Locus as Locus
+from .branches.loci.locus import LocusEnd as LocusEnd
+from .branches.loci.locus import LocusRanges as LocusRanges
+from .branches.loci.locus import LocusSettings as LocusSettings
 from .branches.outputs import OutputMeasure as OutputMeasure
 from .branches.settings import FollowSettings as FollowSettings
 from .branches.special import SpecialKind as SpecialKind
@@ -58,6 +58,7 @@ from .errors import LinearElementError as LinearElementError
 from .errors import MapError as MapError
 from .errors import MapFileError as MapFileError
 from .errors import MechanismError as MechanismError
+from .errors import MissingPackageError as MissingPackageError
 from .errors import OrbitNotFoundError as OrbitNotFoundError
 from .errors import OrbitNotFoundWarning as OrbitNotFoundWarning
 from .errors import TrimmerError as TrimmerError
