@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, all_measures
+from trimmer.design.trial import Asked, TrialWork, all_measures
 from trimmer.uncertainty.balance import Balanced, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.kept import NOWHERE, Keeping
@@ -81,6 +81,7 @@ def study_samples(
         indices: Whether Sobol indices are wanted; they choose the samples themselves.
         balanced: How many samples are looked at by harmonic balance too.
     """
+    warm_up(file)
     begin = time.perf_counter()
     if indices:
         samples, found = _with_indices(file, settings, runner, keeping, quiet)
@@ -90,6 +91,11 @@ def study_samples(
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
     return Study(samples, found, beside, rate)
+
+
+def warm_up(file: SampleFile) -> None:
+    """Follow a motion for two periods, so that what is compiled is compiled once and before the clock runs."""
+    TrialWork(file.mechanism, (), (), 2)(())
 
 
 def _with_indices(

@@ -57,8 +57,8 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--indices",
         action="store_true",
-        help="Sobol indices: which number matters for what; takes N times as many samples as numbers scatter, "
-        "and twice N more; needs pip install 'trimmer[sensitivity]'",
+        help="Sobol indices: which number matters for what; of D numbers that scatter this takes N (D + 2) "
+        "samples; needs pip install 'trimmer[sensitivity]'",
     )
     parser.add_argument(
         "--balance",
