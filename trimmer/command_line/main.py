@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import codecs
 import io
-import logging
 import os
 import sys
 import warnings
@@ -46,13 +45,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         SystemExit: with the code, after help and for options that cannot be read.
     """
     _prepare_streams()
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells at length where it keeps its fonts
     if sys.stdout is None:
         tell("standard output is closed; send it to a file, or to /dev/null")
         return WRONG_USE
     try:
         try:
             parsed = _parsed(arguments)
+            _hush_drawing()
             with silenced() if parsed.quiet else _warnings_told():
                 code: int = parsed.run(parsed)
         finally:
@@ -89,6 +88,13 @@ def _warnings_told() -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.showwarning = told  # type: ignore[assignment]
         yield
+
+
+def _hush_drawing() -> None:
+    """Keep Matplotlib from telling at length where it keeps its fonts if there is no home to keep them in."""
+    import logging
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
 def _prepare_streams() -> None:

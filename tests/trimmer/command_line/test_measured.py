@@ -242,4 +242,4 @@ def test_another_frequency_is_told(capsys, oscillator: Path) -> None:
     assert any("--set frequency=20Hz" in note for note in printed["notes"])
     told = refused(capsys, *words, "--set", "frequency=25Hz")
     assert "explain only" in told and "--drive" in told
-    assert "there is no output 'x': mass" in refused(capsys, *words, "--output", "x")
+    assert "there is no output 'x'; there are mass" in refused(capsys, *words, "--output", "x")

@@ -20,6 +20,7 @@ from trimmer.command_line.parser import OptionError
 from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
 from trimmer.files import STANDARD_INPUT
+from trimmer.messages import near_match
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -39,7 +40,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--drive",
         type=positive("Hz"),
         metavar="HZ",
-        help="frequency of the drive in the measurement (default: found within 3 % of the mechanism's)",
+        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
     )
     add_json_option(parser)
     add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
@@ -81,7 +82,8 @@ def _output(arguments: Namespace, mechanism: Mechanism) -> str:
     if arguments.output is None:
         raise OptionError(f"{arguments.against}: choose the output that was measured (--output): {listed}")
     if arguments.output not in names:
-        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}: {listed}")
+        there = near_match(arguments.output, names) or f"there are {listed}"
+        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}; {there}")
     return str(arguments.output)
 
 

@@ -52,6 +52,7 @@ def add_signal_options(parser: ArgumentParser) -> None:
 def _add_reading_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--rate",
+        "--sample-rate",
         type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
