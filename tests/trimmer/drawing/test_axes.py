@@ -98,8 +98,8 @@ def test_a_legend_stands_beside_wide_axes_and_under_narrow_ones(
     axes = results.balance().plot(Figure(figsize=size, layout="constrained").add_subplot())
     assert_all_is_seen(axes)
     data, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
-    assert (legend.x0 > data.x1) is beside
-    assert (legend.y1 < data.y0) is not beside
+    assert (legend.x0 > data.x1) == beside
+    assert (legend.y1 < data.y0) != beside
 
 
 def test_new_axes_are_of_pyplot_and_are_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:
