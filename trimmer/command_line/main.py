@@ -20,7 +20,7 @@ from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import compare, spectrum
+from trimmer.command_line.signals import overlay, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
@@ -120,7 +120,7 @@ def installed_commands() -> list[Command]:
     """Return the commands of this package and those of others."""
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, compare.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
         *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]
