@@ -14,7 +14,7 @@ import trimmer
 from trimmer.command_line import derive, parameters, simulate
 from trimmer.command_line.command import Command
 from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
-from trimmer.command_line.mechanisms import follow, motion_maps, respond
+from trimmer.command_line.mechanisms import follow, init, motion_maps, respond
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.command_line.signals import spectrum
 from trimmer.errors import TrimmerError
@@ -95,7 +95,7 @@ def _commands() -> list[Command]:
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
+        *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))

@@ -41,10 +41,11 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
     Raises:
         MechanismError: if the file or a number cannot be used.
     """
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.places import assignment
+    from trimmer.mechanism.reading import read_mechanism
 
-    mechanism = Mechanism.from_toml(arguments.file)
-    for text in arguments.set:
-        mechanism = mechanism.with_value(*assignment(text))
+    assignments = [assignment(text) for text in arguments.set]
+    mechanism = read_mechanism(arguments.file, dict(assignments))
+    for place, value in assignments:
+        mechanism = mechanism.with_value(place, value)
     return mechanism
