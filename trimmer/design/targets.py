@@ -21,6 +21,7 @@ class Measure(Enum):
     RMS_ACCELERATION = "m/s²"
     IMPACT_SPEED = "m/s"
     PERIOD = "drive periods"
+    WEAR_POWER = "W"
 
 
 @dataclass(frozen=True)
