@@ -277,6 +277,11 @@ class Provenance:
     libraries: tuple[tuple[str, str], ...]
     build_time: BuildTime | None = None
 
+    @property
+    def line(self) -> str:
+        """The line below a report's title."""
+        return f"trimmer {self.version}, commit {self.commit}, {self.date[:10]}"
+
 
 @dataclass(frozen=True)
 class Program:
@@ -366,6 +371,11 @@ class Document:
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
     twin: TwinChapter | None = None
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        return self.provenance.line
 
     @property
     def steps(self) -> tuple[DerivationStep, ...]:

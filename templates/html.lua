@@ -251,6 +251,7 @@ local converters = {
     return wrapped(opening, div.content, "</details>")
   end,
   outline = nothing,
+  ["end-of-report"] = nothing,
   explorable = function()
     return raw('<div class="explorable"></div>')
   end,
