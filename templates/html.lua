@@ -273,6 +273,14 @@ function Div(div)
   end
 end
 
+-- How a heading stands on a page concerns print alone.
+function Header(header)
+  header.classes = header.classes:filter(function(class)
+    return class ~= "flowing"
+  end)
+  return header
+end
+
 function Span(span)
   if span.classes:includes("unbroken") then
     return {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from derivations.any_mechanism.derivation import derive_mechanism
@@ -46,4 +47,4 @@ def _row(valued: ValuedQuantity) -> SymbolRow:
 
 def _shown(step: Step) -> DerivationStep:
     equations = tuple(Equation(each.latex, "", each.words) for each in step.formulas)
-    return DerivationStep(step.id, step.title, step.text, equations)
+    return DerivationStep(re.sub(r"[^A-Za-z0-9-]+", "-", step.id).strip("-"), step.title, step.text, equations)

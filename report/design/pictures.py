@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
+from report.design.diagram.diagram import mechanism_diagram
+from report.design.diagram.layout import joints_of
 from report.design.figures.branch import branch
 from report.design.figures.drawn import drawn
 from report.design.figures.influence import influences
@@ -13,6 +15,7 @@ from report.design.figures.linear import transfer_functions
 from report.design.figures.lines import line_spectrum
 from report.design.figures.maps import kind_map
 from report.design.figures.motion import motion_over_time
+from report.design.figures.over_range import over_range
 from report.design.quantities import percent, place_words, shown
 from report.design.words import measure_words
 from report.rendering.escaping import plain
@@ -24,6 +27,7 @@ if TYPE_CHECKING:
     from report.document import Figure
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
+    from trimmer.design.linear import LinearState
     from trimmer.design.paths import Path
 
 MEASURES = 4
@@ -33,14 +37,31 @@ MEASURES = 4
 def pictures(design: Design) -> dict[str, Figure]:
     """Draw all pictures that a design has something for."""
     found = [
+        _diagram(design),
         *_motion(design),
         *_transfer(design),
         *_spectra(design),
+        *_ranges(design),
         *(_map(each, number) for number, each in enumerate(design.maps, start=1)),
         *_branches(design),
         *_influences(design),
     ]
     return {each.id: each for each in found}
+
+
+def _diagram(design: Design) -> Figure:
+    mechanism = design.file.mechanism
+    joints = [f"{joint.name} between {joint.ends[0]} and {joint.ends[1]}" for joint in joints_of(mechanism)]
+    joined = f" {'; '.join(joints)}." if joints else ""
+    return drawn(
+        "diagram",
+        "The mechanism",
+        "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are springs, pots "
+        "are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a dry friction; a circle is a "
+        "pin that moves on its body as prescribed. Nothing is to scale.",
+        f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
+        partial(mechanism_diagram, mechanism),
+    )
 
 
 def _motion(design: Design) -> Iterator[Figure]:
@@ -67,17 +88,26 @@ def _transfer(design: Design) -> Iterator[Figure]:
     if not drives or not mechanism.outputs or not design.linear[0].transfer:
         return
     drive, output = drives[0][0], next(iter(mechanism.outputs))
-    both = len(design.linear) > 1
-    states = " with contacts closed, and with contacts open" if both else ""
+    moving = [state.contacts.value for state in design.linear if _passes(state, drive, output)]
+    if not moving:
+        return
+    states = f" with contacts {' and with contacts '.join(moving)}" if len(design.linear) > 1 else ""
+    still = f" With contacts open {plain(drive)} moves nothing of it." if len(moving) < len(design.linear) else ""
     yield drawn(
         "transfer",
         f"From {drive} to {output}",
-        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}. The dotted line is the "
+        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}.{still} The dotted line is the "
         "frequency of the drive. Dry friction is left out.",
         f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
         "table above.",
         partial(transfer_functions, design.linear, drive, output, mechanism.frequency),
     )
+
+
+def _passes(state: LinearState, drive: str, output: str) -> bool:
+    """Say whether a drive moves an output at all."""
+    found = [each for each in state.transfer if (each.drive, each.output) == (drive, output)]
+    return any(abs(each.response).max() > 0 for each in found)
 
 
 def _spectra(design: Design) -> Iterator[Figure]:
@@ -90,6 +120,29 @@ def _spectra(design: Design) -> Iterator[Figure]:
                 f"Upright lines over frequency, the highest at {shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
                 partial(line_spectrum, [("", each)]),
             )
+
+
+def _ranges(design: Design) -> Iterator[Figure]:
+    study = design.ranges
+    asked = important(design)[:MEASURES]
+    if study is None or not asked:
+        return
+    first = study.narrowings[0].range
+    named = [(each, _words(each)) for each in asked]
+    bounds = {Asked(each.measure, each.part): each.bound for each in design.file.targets}
+    others = " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
+    met = " Full marks meet all targets, open ones do not; the dotted lines are bounds." if design.file.targets else ""
+    yield drawn(
+        "ranges",
+        f"Over the {place_words(first.place)}",
+        f"What the mechanism does from its start over the {plain(place_words(first.place))}.{others}{met}",
+        "Points of some measures over the number that nobody knows.",
+        partial(over_range, study, first, named, bounds if design.file.targets else {}, design.file.targets),
+    )
+
+
+def _words(asked: Asked) -> str:
+    return measure_words(asked.measure, asked.part).replace("\\", "")
 
 
 def _amplitude(line: object) -> float:
@@ -138,7 +191,7 @@ def _influences(design: Design) -> Iterator[Figure]:
         return
     asked = [each for each in important(design) if found.ranked(each)][:MEASURES]
     if asked:
-        named = [(each, measure_words(each.measure, each.part).replace("\\", "")) for each in asked]
+        named = [(each, _words(each)) for each in asked]
         yield drawn(
             "influence",
             "What each number changes",

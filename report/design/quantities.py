@@ -19,6 +19,8 @@ LARGE_TOO = ("N", "N/m", "Hz", "W", "J")
 PREFIXED = (*LARGE_TOO, "m", "s", "kg")
 FITS = 0.9995
 """A prefix fits if the number is at least so many of it, so that 999.9 µm is written as 1 mm."""
+ROUND = ("N", "W", "J")
+"""Units of which a tenth is still written without a prefix, as 0.5 N."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,8 @@ def scale_for(values: Iterable[float], unit: str) -> Scale:
     if unit == "kg":
         return Scale(1.0, "kg") if largest >= FITS else Scale(1e-3, "g")
     allowed = [each for each in PREFIXES if each[0] <= 1 or unit in LARGE_TOO]
+    if unit in ROUND and 0.1 <= largest < 1:
+        return Scale(1.0, unit)
     factor, prefix = next((each for each in allowed if largest >= FITS * each[0]), allowed[-1])
     return Scale(factor, prefix + unit)
 

@@ -249,9 +249,9 @@ def _reach(side: Side | None, unit: str) -> str:
 
 
 def special_rows(path: Path, design: Design) -> Rows:
-    """Return the special points of a branch, by rising value."""
+    """Return the special points of a branch up to where it loses its stability, by rising value."""
     output = next(iter(design.file.mechanism.outputs))
-    found = [each for side in (path.down, path.up) if side is not None for each in side.special]
+    found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]
     rows = [["At", "What happens", capital(measure_words(Measure.STROKE, output))]]
     for each in sorted(found, key=lambda special: special.value):
         parts = f" ({plain(', '.join(each.parts))})" if each.parts else ""

@@ -168,7 +168,7 @@ def _miss(judged: Judged) -> str:
 def remedy_words(remedy: Remedy) -> str:
     """Return a change of one number, as Markdown."""
     before, after = (plain(shown(each, remedy.unit)) for each in (remedy.before, remedy.after))
-    return f"a {plain(place_words(remedy.place))} of {after} in place of {before}"
+    return f"{after} in place of {before} as {plain(place_words(remedy.place))}"
 
 
 def _depends(design: Design) -> str:

@@ -80,6 +80,21 @@ class Side:
         )
 
     @property
+    def first_special(self) -> tuple[Special, ...]:
+        """The special points up to where stability is lost."""
+        reach = self.reaches
+        if reach is None:
+            return self.special
+        found = []
+        for each in self.special:
+            if abs(each.value - self.values[0]) > abs(reach - self.values[0]):
+                break
+            found.append(each)
+            if each.value == reach:
+                break
+        return tuple(found)
+
+    @property
     def _left(self) -> bool:
         return self.reason is BranchEnd.LEFT_AT_STOP
 

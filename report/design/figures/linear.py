@@ -23,11 +23,10 @@ def transfer_functions(states: tuple[LinearState, ...], drive: str, output: str,
     unit = ""
     for state, look in zip(states, LINES, strict=False):
         for each in state.transfer:
-            if (each.drive, each.output) == (drive, output):
+            if (each.drive, each.output) == (drive, output) and abs(each.response).max() > 0:
                 unit = "m/m" if each.unit == "m" else "m/N"
-                size = np.maximum(abs(each.response), 1e-300)
                 name = NAMES[state.contacts] if len(states) > 1 else None
-                modulus.plot(each.frequency, size, label=name, **look)
+                modulus.plot(each.frequency, abs(each.response), label=name, **look)
                 phase.plot(each.frequency, np.degrees(np.angle(each.response)), **look)
     modulus.set(xscale="log", yscale="log", ylabel=f"modulus [{unit}]")
     phase.set(xscale="log", xlabel="frequency [Hz]", ylabel="phase [°]", yticks=(-180, -90, 0, 90, 180))
