@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, Any
 
-from report.design import sentences, tables, words
+from report.design import comparison, sentences, tables, words
 from report.design.quantities import percent, place_words, shown, written
 from report.rendering.links import check_links
 from report.rendering.markdown import formula, plain_environment
@@ -13,6 +13,7 @@ from report.rendering.markdown import formula, plain_environment
 if TYPE_CHECKING:
     from jinja2 import Environment
 
+    from report.design.comparison import ComparisonReport
     from report.design.report import DesignReport
 
 PIECES = (
@@ -39,6 +40,17 @@ def to_markdown(report: DesignReport) -> dict[str, str]:
     return pieces
 
 
+def comparison_to_markdown(report: ComparisonReport) -> dict[str, str]:
+    """Return the report on two designs as pandoc Markdown.
+
+    Raises:
+        BrokenLinkError: if two places share an identifier.
+    """
+    piece = environment().get_template("design/comparison.md.j2").render(report=report)
+    check_links(piece)
+    return {"comparison": piece}
+
+
 @functools.cache
 def environment() -> Environment:
     """Return the environment of the templates of designs."""
@@ -46,7 +58,7 @@ def environment() -> Environment:
     made.filters.update(
         shown=shown, written=written, percent=percent, place_words=place_words, capital=words.capital, count=words.count
     )
-    made.globals.update({name: vars(module)[name] for module in (tables, sentences, words) for name in _own(module)})
+    made.globals.update({name: vars(module)[name] for module in (comparison, tables, sentences, words) for name in _own(module)})
     made.globals.update(formula=formula)
     return made
 

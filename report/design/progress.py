@@ -33,6 +33,8 @@ class ProgressLines:
         if self.quiet:
             return
         begun = self._begun.setdefault((stage, about), time.perf_counter())
+        if done == count:
+            del self._begun[stage, about]
         name = f"{stage.value}{f' over the {_words(about)}' if about else ''}"
         if sys.stderr.isatty():
             share = f" {done}/{count}" if count > 1 else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from report.rendering.figure_colours import with_variables
 from report.rendering.html import Look, page, with_drawings
@@ -14,15 +14,38 @@ from report.rendering.request import Format, Paper
 
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
-    from report.design.report import DesignReport
-    from report.document import Figure
+    from report.document import Figure, Provenance
+
+class Shown(Protocol):
+    """A report that can be rendered."""
+
+    @property
+    def title(self) -> str:
+        """Its title."""
+        ...
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        ...
+
+    @property
+    def provenance(self) -> Provenance:
+        """What it was made from."""
+        ...
+
+    @property
+    def figures(self) -> Mapping[str, Figure]:
+        """Its figures, by the names under which its text asks for them."""
+        ...
+
 
 STYLES = ("page.css", "tables.css", "print.css")
 SCRIPTS = ("search.js", "design/find.js", "contents.js", "zoom.js", "figures.js", "page.js")
 
 
 def rendered(
-    document: DesignReport,
+    document: Shown,
     pieces: Mapping[str, str],
     formats: frozenset[Format],
     paper: Paper,
@@ -54,14 +77,14 @@ def rendered(
         return {form: made[form].result() for form in made}
 
 
-def _html(document: DesignReport, body: str, figures: Mapping[str, Figure]) -> str:
+def _html(document: Shown, body: str, figures: Mapping[str, Figure]) -> str:
     svg = {name: with_variables(each.svg) for name, each in figures.items()}
     look = Look(STYLES, SCRIPTS, [each.svg for each in figures.values()])
     return page("design/page.html.j2", look, with_drawings(body, svg), document=document)
 
 
 def _pdf(
-    document: DesignReport, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
+    document: Shown, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
 ) -> bytes:
     more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
     return typeset(document.title, document.subtitle, document.provenance.date, body, more, paper, store)

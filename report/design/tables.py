@@ -299,7 +299,7 @@ def range_rows(design: Design) -> Rows:
 
 def narrowing_rows(design: Design) -> Rows:
     """Return what each measurement would tell."""
-    rows = [["Measured", "Wrong verdicts left", "Spread of the measures left"]]
+    rows = [["Measured", "Of two, judged differently", "Spread of the measures left"]]
     if design.ranges is not None:
         for each in design.ranges.narrowings:
             doubt = plain(percent(each.doubt)) if design.file.targets else DASH

@@ -199,7 +199,8 @@ def sureness_sentences(design: Design) -> str:
         Sureness.LIKELY: "Within the model this is likely, not sure",
         Sureness.UNSURE: "This is unsure",
     }[design.verdict.sureness]
-    return f"{level}: {'; '.join(_grounds(design, motion))}. Numbers of the file are taken as exact."
+    exact = "All other numbers" if design.ranges is not None else "Numbers"
+    return f"{level}: {'; '.join(_grounds(design, motion))}. {exact} of the file are taken as exact."
 
 
 def _grounds(design: Design, motion: FoundMotion) -> list[str]:

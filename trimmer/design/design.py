@@ -19,7 +19,7 @@ from trimmer.design.remedies import Remedies, remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.spectrum import OutputSpectrum, spectra
 from trimmer.design.varied_places import Varied, varied_places
-from trimmer.design.verdict import Outcome, Verdict, verdict_on
+from trimmer.design.verdict import Verdict, verdict_on
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -177,7 +177,7 @@ class Study:
     def remedies(self, verdict: Verdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file = self.file
-        if verdict.outcome is not Outcome.MISSED or file.mechanism.frequency is None:
+        if not verdict.missed or file.mechanism.frequency is None:
             return None
         periods = self.settings.cell_periods
         make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, periods, self.runner)

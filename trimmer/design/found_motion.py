@@ -110,18 +110,23 @@ class FoundMotion:
         """The largest speed at which any contact is made, m/s."""
         return max((each.impact_speed for each in self.contacts.values()), default=0.0)
 
-    def value(self, target: Target) -> float:
-        """Return what a target bounds, in its unit; infinite for the period of what does not repeat."""
-        match target.measure:
+    def measure(self, measure: Measure, part: str) -> float:
+        """Return a measure, SI unit; infinite for the period of what does not repeat."""
+        match measure:
             case Measure.STROKE:
-                return self.outputs[target.part].peak_to_peak
+                return self.outputs[part].peak_to_peak
             case Measure.RMS_ACCELERATION:
-                return self.rms_acceleration[target.part]
+                return self.rms_acceleration[part]
             case Measure.IMPACT_SPEED:
-                found = self.contacts.get(target.part)
-                return 0.0 if found is None else found.impact_speed
+                return self.contacts[part].impact_speed if part in self.contacts else 0.0
+            case Measure.WEAR_POWER:
+                return self.frictions[part].power if part in self.frictions else 0.0
             case Measure.PERIOD:
                 return float(self.period_count) if self.period_count else float("inf")
+
+    def value(self, target: Target) -> float:
+        """Return what a target bounds, in its unit."""
+        return self.measure(target.measure, target.part)
 
     def meets(self, targets: tuple[Target, ...]) -> bool:
         """Say whether it meets all targets."""

@@ -12,7 +12,7 @@ from trimmer.design.targets import Target
 from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+    from trimmer.arrays import Flags, Integers, Reals
     from trimmer.design.settings import DesignSettings
     from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
@@ -29,7 +29,7 @@ class Narrowing:
 
     Attributes:
         range: The number.
-        doubt: Chance of a wrong verdict on the targets that is left when the part of the range is known.
+        doubt: Chance that two points in the same part of its range are judged differently.
         spread: Share of the variance of each measure that is left then, the mean; 1 where nothing is gained.
     """
 
@@ -46,7 +46,7 @@ class RangeStudy:
         ranges: The numbers that nobody knows.
         trials: What the mechanism does from rest at points of the ranges; values in the order of the ranges.
         meeting: Share of the points that meet all targets; None without targets.
-        doubt: Chance of a wrong verdict when nothing is measured: the smaller of the two shares.
+        doubt: Chance that two points, whatever they are, are judged differently; 0 without targets.
         narrowings: What a measurement of each would tell, the most telling first.
     """
 
@@ -83,7 +83,7 @@ def study_ranges(
     found = {each.values: each for each in runner.results(work, values)}
     trials = tuple(found[each] for each in values)
     met = np.array([trial.meets(targets) for trial in trials])
-    doubt = float(min(met.mean(), 1 - met.mean())) if targets else 0.0
+    doubt = _doubt(met) if targets else 0.0
     narrowings = sorted(
         (_narrowing(each, shares[:, at], trials, met, targets, asked) for at, each in enumerate(ranges)),
         key=lambda each: (each.doubt, each.spread),
@@ -105,20 +105,26 @@ def _narrowing(
     of: OpenRange,
     shares: Reals,
     trials: tuple[Trial, ...],
-    met: Reals,
+    met: Flags,
     targets: tuple[Target, ...],
     asked: tuple[Asked, ...],
 ) -> Narrowing:
     bins = np.minimum((shares * BINS).astype(int), BINS - 1)
     groups = [np.flatnonzero(bins == number) for number in range(BINS)]
     groups = [group for group in groups if group.size]
-    doubt = sum(min(met[group].sum(), (~met[group]).sum()) for group in groups) / len(trials) if targets else 0
+    doubt = sum(group.size * _doubt(met[group]) for group in groups) / len(trials) if targets else 0.0
     left = [_variance_left(asked_for, trials, groups) for asked_for in asked]
     told = [each for each in left if each is not None]
     return Narrowing(of, float(doubt), float(np.mean(told)) if told else 1.0)
 
 
-def _variance_left(asked: Asked, trials: tuple[Trial, ...], groups: list[Reals]) -> float | None:
+def _doubt(met: Flags) -> float:
+    """Return the chance that two points drawn from these are judged differently."""
+    share = float(met.mean())
+    return 2 * share * (1 - share)
+
+
+def _variance_left(asked: Asked, trials: tuple[Trial, ...], groups: list[Integers]) -> float | None:
     """Return the share of a measure's variance within the groups; None where it has none."""
     values = np.array([trial.value(asked.measure, asked.part) for trial in trials])
     if not np.isfinite(values).all() or values.var() <= 1e-12 * np.mean(values**2):
