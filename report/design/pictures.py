@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState
-    from trimmer.design.paths import Path
+    from trimmer.design.paths import NumberPath
 
 MEASURES = 4
 """Measures whose influences are drawn."""
@@ -172,7 +172,7 @@ def _branches(design: Design) -> Iterator[Figure]:
             yield _branch(each, number, outputs[0])
 
 
-def _branch(path: Path, number: int, output: str) -> Figure:
+def _branch(path: NumberPath, number: int, output: str) -> Figure:
     words = plain(place_words(path.varied.place))
     return drawn(
         f"branch-{number}",

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
-    from trimmer.design.paths import Path, Side
+    from trimmer.design.paths import NumberPath, Side
     from trimmer.design.plausible import Question
     from trimmer.design.spectrum import OutputSpectrum
 
@@ -47,8 +47,6 @@ def question_words(question: Question, design: Design) -> str:
         "never meet. Micrometres for millimetres?",
         Oddity.SLOW_OR_FAST: f"{value} is an unusual speed for such a machine. It is in Hz; for turns per minute write "
         '"6600 rpm".',
-        Oddity.DAMPED_MODE: f"a mode has a damping ratio of {plain(percent(question.value))}. Is a damping too large, "
-        "or a stiffness too small?",
         Oddity.SOFT_CONTACT: f"the contact gives way by {plain(shown(question.value, 'm'))} where the stroke is "
         f"{plain(shown(question.beside, 'm'))}. Is the stiffness right?",
         Oddity.FRICTION_HOLDS: f"with {value} this friction never slides. Is it meant to hold?",
@@ -234,7 +232,7 @@ def _ended(side: Side) -> str:
     return "the orbit could not be followed further, or loses its stability"
 
 
-def branch_sentences(path: Path) -> str:
+def branch_sentences(path: NumberPath) -> str:
     """Say where each side of a branch ends, and why."""
     told = []
     for side, way in ((path.down, "smaller"), (path.up, "larger")):

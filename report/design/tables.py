@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from report.design.report import DesignReport, Equations
     from trimmer.design.design import Design
     from trimmer.design.linear import LinearState
-    from trimmer.design.paths import Path, Side
+    from trimmer.design.paths import NumberPath, Side
     from trimmer.design.spectrum import Line, OutputSpectrum
 
 Rows = list[list[str]]
@@ -56,13 +56,15 @@ def target_rows(design: Design) -> Rows:
 def remedy_rows(design: Design) -> Rows:
     """Return the changes that meet all targets."""
     remedies = design.remedies.found if design.remedies else ()
-    head = ["Number", "Now", "Then", "Change"]
+    starts = design.remedies.starts if design.remedies else 0
+    head = ["Number", "Now", "Then", "Change", "Starts that meet them"]
     return [head] + [
         [
             capital(plain(place_words(each.place))),
             _value(each.before, each.unit),
             _value(each.after, each.unit),
             plain(f"{'+' if each.after > each.before else '−'}{percent(abs(each.after / each.before - 1))}"),
+            f"all {starts}" if each.meeting == starts else f"{each.meeting} of {starts}",
         ]
         for each in remedies
     ]
@@ -248,7 +250,7 @@ def _reach(side: Side | None, unit: str) -> str:
     return _value(side.reaches, unit, 4)
 
 
-def special_rows(path: Path, design: Design) -> Rows:
+def special_rows(path: NumberPath, design: Design) -> Rows:
     """Return the special points of a branch up to where it loses its stability, by rising value."""
     output = next(iter(design.file.mechanism.outputs))
     found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from report.design.quantities import percent, place_words, shown
+from report.design.quantities import percent, place_words, shown, written
 from report.rendering.escaping import plain
 from trimmer.branches.special import SpecialKind
 from trimmer.design.targets import Measure
-from trimmer.design.verdict import Outcome, Sureness
+from trimmer.design.verdict import NEAR, Outcome, Sureness
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -40,8 +40,11 @@ OUTCOMES = {
 
 def count(number: int, noun: str) -> str:
     """Return a number of things, such as ``one start`` or ``24 starts``."""
-    words = COUNTS[number] if 0 <= number < len(COUNTS) else str(number)
-    return f"{words} {noun}{'' if number == 1 else 's'}"
+    return f"{_number(number)} {noun}{'' if number == 1 else 's'}"
+
+
+def _number(number: int) -> str:
+    return COUNTS[number] if 0 <= number < len(COUNTS) else str(number)
 
 
 def capital(text: str) -> str:
@@ -150,10 +153,14 @@ def _missed(design: Design) -> str:
     remedy = design.remedies.found[0] if design.remedies and design.remedies.found else None
     if design.ranges is not None:
         rest = ", at every point that was tried over what nobody knows"
+    elif design.remedies is None:
+        rest = ""
     elif remedy is None:
-        rest = ", and no change of one number within a factor of 3 was found that would meet all of them"
+        farthest = written(design.remedies.farthest)
+        rest = f"; no change of one number by a factor of up to {farthest} was found that would meet all of them"
     else:
-        rest = f"; {remedy_words(remedy)} would meet all targets"
+        sure = "" if remedy.meeting == design.remedies.starts else ", though not from every start"
+        rest = f"; {remedy_words(remedy)} would meet all targets{sure}"
     return f"**{many}**: {told}{rest}."
 
 
@@ -181,7 +188,9 @@ def _depends(design: Design) -> str:
             f"{plain(place_words(study.narrowings[0].range.place))}."
         )
     met = all(each.met for each in verdict.judged)
-    share = f"{percent(verdict.otherwise)} of the starts lead" if verdict.otherwise else "another start leads"
+    others = round(verdict.otherwise * design.motions.starts)
+    leads = "leads" if others == 1 else "lead"
+    share = f"{_number(others)} of {design.motions.starts} starts {leads}" if others else "a disturbance may lead"
     return (
         f"**It depends on how the motion begins:** from its first start the mechanism "
         f"{'meets' if met else 'misses'} the targets, but {share} to a motion that "
@@ -222,8 +231,8 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         grounds.append(f"{count(others, 'other motion')} {'is' if others == 1 else 'are'} there, {same}")
     elif motions.neighbours is not None:
         grounds.append(f"no other motion was found from {motions.neighbours.tried} orbits of neighbours")
-    if any(abs(each.margin) < 0.02 for each in design.verdict.judged if each.target.measure is not Measure.PERIOD):
-        grounds.append("a bound is less than 2 % away")
+    if any(each.near for each in design.verdict.judged):
+        grounds.append(f"a bound is less than {percent(NEAR)} away")
     if design.ranges is not None:
         grounds.append("numbers that nobody knows were varied together")
     return grounds

@@ -12,7 +12,7 @@ from trimmer.design.keeping import Keeper
 from trimmer.design.kept_map import DesignMap, design_map
 from trimmer.design.linear import LinearState, linear_states
 from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
-from trimmer.design.paths import Path, path_through
+from trimmer.design.paths import NumberPath, path_through
 from trimmer.design.plausible import Question, questions
 from trimmer.design.ranges import RangeStudy, study_ranges
 from trimmer.design.remedies import Remedies, remedies
@@ -76,7 +76,7 @@ class Design:
     varied: tuple[Varied, ...]
     spectra: Mapping[str, OutputSpectrum]
     maps: tuple[DesignMap, ...]
-    paths: tuple[Path, ...]
+    paths: tuple[NumberPath, ...]
     sensitivities: Sensitivities | None
     ranges: RangeStudy | None
     questions: tuple[Question, ...]
@@ -120,7 +120,7 @@ class Study:
             "paths": self.paths(motions, varied),
             "maps": self.maps(varied),
         }
-        asked = questions(self.file.mechanism, motions.first, linear)
+        asked = questions(self.file.mechanism, motions.first)
         return Design(self.file, self.settings, linear, motions, varied, questions=asked, **rest)
 
     def short(self) -> Design:
@@ -129,7 +129,7 @@ class Study:
         ranges = self.ranges()
         verdict = verdict_on(self.file.targets, motions, ranges)
         varied = self.varied(motions)
-        asked = questions(self.file.mechanism, motions.first, linear)
+        asked = questions(self.file.mechanism, motions.first)
         lines = self.spectra(motions, linear)
         return Design(
             self.file, self.settings, linear, motions, varied, lines, (), (), None, ranges, asked, verdict, None
@@ -179,11 +179,12 @@ class Study:
         file = self.file
         if not verdict.missed or file.mechanism.frequency is None:
             return None
-        periods = self.settings.cell_periods
-        make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, periods, self.runner)
-        return self._made(Stage.REMEDIES, "", (file.targets, periods), make)
+        settings = self.settings
+        make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
+        depends = (file.targets, settings.cell_periods, settings.starts, settings.seed, settings.most_periods)
+        return self._made(Stage.REMEDIES, "", depends, make)
 
-    def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[Path, ...]:
+    def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
         first = motions.first
         if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:

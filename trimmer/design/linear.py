@@ -40,7 +40,7 @@ class LinearMode:
     """A mode that swings.
 
     Attributes:
-        frequency: Of the undamped oscillation, |eigenvalue| / 2 pi, Hz.
+        frequency: Of the oscillation as it dies out, imaginary part of the eigenvalue / 2 pi, Hz.
         damping_ratio: Share of critical damping.
         shape: Displacement of each body, scaled so that the largest is 1, complex, (bodies,).
     """
@@ -140,7 +140,7 @@ def _state_matrix(matrices: LinearMatrices) -> Reals:
 def _mode(value: complex, vector: Complexes) -> LinearMode:
     largest = vector[np.argmax(abs(vector))]
     shape = vector / largest if largest else vector
-    return LinearMode(float(abs(value)) / (2 * np.pi), float(-value.real / abs(value)), shape)
+    return LinearMode(float(value.imag) / (2 * np.pi), float(-value.real / abs(value)), shape)
 
 
 def _transfer(

@@ -115,7 +115,7 @@ LOSING = (
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class NumberPath:
     """The branch through the working point over one number.
 
     Attributes:
@@ -132,7 +132,7 @@ class Path:
 
 def path_through(
     mechanism: Mechanism, varied: Varied, motion: FoundMotion, most_points: int
-) -> Path:
+) -> NumberPath:
     """Follow the motion of the working point over one number to both ends of its range.
 
     Args:
@@ -155,7 +155,7 @@ def path_through(
             mechanism, varied.place, varied.value, end, periods=periods, state=motion.state, settings=settings
         )
         sides.append(_side(branch, end))
-    return Path(varied, periods, *sides)
+    return NumberPath(varied, periods, *sides)
 
 
 def _side(branch: FollowedBranch, end: float) -> Side:

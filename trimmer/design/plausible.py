@@ -11,7 +11,6 @@ from trimmer.mechanism.place_text import place_text
 
 if TYPE_CHECKING:
     from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.linear import LinearState
     from trimmer.mechanism.mechanism import Mechanism
 
 HEAVY = 50.0
@@ -22,8 +21,6 @@ HAND = 1.0
 """Mass of all bodies together, kg, up to which a machine counts as one of the hand."""
 DRIVES = 5.0, 2000.0
 """Frequencies that such a machine is driven at, Hz."""
-DAMPED = 0.5
-"""Damping ratio of a mode from which it is asked about."""
 PENETRATION = 0.5
 """Depth of a contact, as a share of the largest stroke, from which its stiffness is asked about."""
 
@@ -36,7 +33,6 @@ class Oddity(Enum):
     LONG_STROKE = auto()
     GAP_ABOVE_STROKE = auto()
     SLOW_OR_FAST = auto()
-    DAMPED_MODE = auto()
     SOFT_CONTACT = auto()
     FRICTION_HOLDS = auto()
 
@@ -63,9 +59,7 @@ class Question:
         return place_text(self.place)
 
 
-def questions(
-    mechanism: Mechanism, motion: FoundMotion | None, states: tuple[LinearState, ...]
-) -> tuple[Question, ...]:
+def questions(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Question, ...]:
     """Return what is asked about a mechanism.
 
     A mechanism without dimensions, such as a textbook's with a mass of 1 kg and a drive of 0.1 Hz, is asked
@@ -73,7 +67,7 @@ def questions(
     """
     found = [*_bodies(mechanism), *_gaps(mechanism)]
     if _is_of_hand(mechanism):
-        found += [*_sizes(mechanism), *_damping(states)]
+        found += _sizes(mechanism)
     if motion is not None:
         found += [*_contacts(mechanism, motion), *_held(mechanism, motion)]
     return tuple(found)
@@ -111,12 +105,6 @@ def _gaps(mechanism: Mechanism) -> Iterator[Question]:
     for name, play in mechanism.plays.items():
         if 0 < stroke <= play.gap:
             yield Question(Oddity.GAP_ABOVE_STROKE, ("plays", name, "gap"), play.gap, stroke)
-
-
-def _damping(states: tuple[LinearState, ...]) -> Iterator[Question]:
-    for mode in states[0].modes:
-        if mode.damping_ratio >= DAMPED:
-            yield Question(Oddity.DAMPED_MODE, ("links",), mode.damping_ratio, DAMPED)
 
 
 def _contacts(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:

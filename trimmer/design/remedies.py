@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.design.motions import motions_from_starts
 from trimmer.design.sensitivity import designable
 from trimmer.design.targets import Target
 from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 
 if TYPE_CHECKING:
     from trimmer.design.sensitivity import Sensitivities
+    from trimmer.design.settings import DesignSettings
     from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
 
@@ -39,6 +41,7 @@ class Remedy:
         unit: SI unit.
         before, after: Its value now, and the nearest one found that meets the targets.
         trial: What the mechanism does then.
+        meeting: How many of several starts lead to a motion that meets them.
     """
 
     place: str
@@ -46,6 +49,7 @@ class Remedy:
     before: float
     after: float
     trial: Trial
+    meeting: int = 0
 
     @property
     def change(self) -> float:
@@ -58,13 +62,15 @@ class Remedies:
     """What was tried to meet the targets.
 
     Attributes:
-        found: Changes that meet all targets, the smallest first.
+        found: Changes that meet all targets: first those that do from all starts, each group by its size.
+        starts: From how many starts each was tried.
         tried: Places that were tried.
         trials: How many motions were computed.
         farthest: Largest factor that was tried.
     """
 
     found: tuple[Remedy, ...]
+    starts: int
     tried: tuple[str, ...]
     trials: int
     farthest: float
@@ -75,7 +81,7 @@ def remedies(
     targets: tuple[Target, ...],
     missed: tuple[Target, ...],
     sensitivities: Sensitivities | None,
-    most_periods: int,
+    settings: DesignSettings,
     runner: Runner,
 ) -> Remedies:
     """Look for the nearest value of one number at a time that meets all targets.
@@ -85,24 +91,61 @@ def remedies(
         targets: All targets.
         missed: Those that are missed now.
         sensitivities: What each number changes, by which those are chosen that are tried; without it all are.
-        most_periods: Drive periods to wait for each motion to settle.
+        settings: How many starts there are, and how long each motion is waited for.
         runner: Who does the work.
     """
     places = _places(mechanism, missed, sensitivities)
-    sides = np.geomspace(1, FARTHEST, FACTORS + 1)[1:]
     found, trials = [], 0
-    for place, unit, value in places:
-        work = TrialWork(mechanism, (place,), all_measures(mechanism), most_periods)
-        values = [value * factor for factor in (*(1 / sides), *sides)]
-        results = {each.values[0]: each for each in runner.results(work, [(each,) for each in values])}
-        trials += len(results)
-        for side in (values[:FACTORS], values[FACTORS:]):
-            remedy = _nearest(work, value, [results[each] for each in side], targets)
-            if remedy is not None:
-                found.append(Remedy(place, unit, value, remedy.values[0], remedy))
-                trials += HALVINGS + 1
-    found.sort(key=lambda remedy: abs(remedy.change))
-    return Remedies(tuple(found), tuple(place for place, _, _ in places), trials, FARTHEST)
+    for place, unit, _ in places:
+        of_place, count = remedies_by(mechanism, place, unit, targets, settings, runner)
+        found += of_place
+        trials += count
+    confirmed = list(runner.results(_FromStarts(mechanism, targets, settings), found))
+    confirmed.sort(key=lambda remedy: (remedy.meeting < settings.starts, abs(remedy.change)))
+    tried = tuple(place for place, _, _ in places)
+    return Remedies(tuple(confirmed), settings.starts, tried, trials, FARTHEST)
+
+
+def remedies_by(
+    mechanism: Mechanism,
+    place: str,
+    unit: str,
+    targets: tuple[Target, ...],
+    settings: DesignSettings,
+    runner: Runner,
+) -> tuple[list[Remedy], int]:
+    """Look for the nearest values of one number, one smaller and one larger, that meet all targets.
+
+    Returns:
+        What was found, not yet tried from several starts, and how many motions were computed.
+    """
+    value = mechanism.value(place)
+    work = TrialWork(mechanism, (place,), all_measures(mechanism), settings.cell_periods)
+    factors = np.geomspace(1, FARTHEST, FACTORS + 1)[1:]
+    sides = [[(value * float(factor),) for factor in each] for each in (1 / factors, factors)]
+    results = {each.values: each for each in runner.results(work, [each for side in sides for each in side])}
+    found, trials = [], len(results)
+    for side in sides:
+        remedy = _nearest(work, value, [results[each] for each in side], targets)
+        if remedy is not None:
+            found.append(Remedy(place, unit, value, remedy.values[0], remedy))
+            trials += HALVINGS + 1
+    return found, trials
+
+
+@dataclass(frozen=True)
+class _FromStarts:
+    """Tries a remedy from several starts."""
+
+    mechanism: Mechanism
+    targets: tuple[Target, ...]
+    settings: DesignSettings
+
+    def __call__(self, remedy: Remedy) -> Remedy:
+        changed = self.mechanism.with_value(remedy.place, remedy.after)
+        motions = motions_from_starts(changed, self.settings)
+        meeting = sum(each.starts for each in motions.found if each.meets(self.targets))
+        return replace(remedy, meeting=meeting)
 
 
 def _places(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from trimmer.design.targets import Target
+from trimmer.design.targets import Measure, Target
 
 if TYPE_CHECKING:
     from trimmer.design.found_motion import FoundMotion
@@ -56,6 +56,12 @@ class Judged:
             return 0.0 if self.met else -float("inf")
         share = self.value / self.target.bound - 1
         return share if self.target.at_least else -share
+
+
+    @property
+    def near(self) -> bool:
+        """Whether the value is near its bound; a period is a whole number, and never is."""
+        return self.target.measure is not Measure.PERIOD and abs(self.margin) < NEAR
 
 
 @dataclass(frozen=True)
@@ -110,6 +116,6 @@ def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy 
 def _sureness(judged: tuple[Judged, ...], first: FoundMotion, motions: Motions, depends: bool) -> Sureness:
     if depends or not first.repeats or first.neutral:
         return Sureness.UNSURE
-    near = any(abs(each.margin) < NEAR for each in judged)
+    near = any(each.near for each in judged)
     alone = len(motions.found) == 1 and first.neighbour_agrees is not False and not motions.lost
     return Sureness.SURE if alone and not near else Sureness.LIKELY

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from report.design.quantities import Scale
-    from trimmer.design.paths import Path, Side
+    from trimmer.design.paths import NumberPath, Side
 
 MARKERS = {
     SpecialKind.GRAZING: ("o", "grazing"),
@@ -30,7 +30,7 @@ MARKERS = {
 BLUE = LINES[0]["color"]
 
 
-def branch(path: Path, output: str) -> Figure:
+def branch(path: NumberPath, output: str) -> Figure:
     """Draw peak to peak of an output along a branch: stable orbits solid, unstable ones dashed."""
     sides = [side for side in (path.down, path.up) if side is not None]
     strokes = np.concatenate([side.stroke[output] for side in sides])
