@@ -56,7 +56,13 @@ def keeper_of(file: DesignFile, store: StageStore) -> Keeper:
 
 
 def looked_at(
-    file: DesignFile, settings: DesignSettings, runner: Runner, store: StageStore, told: Told, *, short: bool = False
+    file: DesignFile,
+    settings: DesignSettings,
+    runner: Runner,
+    store: StageStore,
+    told: Told,
+    *,
+    short: bool = False,
 ) -> Design:
     """Look at a design, from what is kept of it on."""
     study = Study(file, settings, runner, keeper_of(file, store), told)
@@ -85,5 +91,3 @@ def files_of(
     from report.design.render import rendered
 
     return rendered(report, to_markdown(report), formats, paper, None)
-
-

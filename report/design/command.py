@@ -28,7 +28,9 @@ def _configure(parser: ArgumentParser) -> None:
     )
     add_report_options(parser)
     parser.add_argument(
-        "--full", action="store_true", help="refine the maps from 24 x 24 cells to 96 x 96; can be interrupted and resumed"
+        "--full",
+        action="store_true",
+        help="refine the maps from 24 x 24 cells to 96 x 96; can be interrupted and resumed",
     )
     parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
 
@@ -40,7 +42,8 @@ def add_report_options(parser: ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder of the report, NAME.html and NAME.pdf, and of what is kept for the next run (default: %(default)s)",
+        help="folder of the report, NAME.html and NAME.pdf, and of what is kept for the next run "
+        "(default: %(default)s)",
     )
     parser.add_argument(
         "--format",
@@ -57,7 +60,10 @@ def add_report_options(parser: ArgumentParser) -> None:
         help="size of the pages of the PDF (default: %(default)s)",
     )
     parser.add_argument(
-        "--processes", type=int, metavar="N", help="how many processes do the work (default: one for each core)"
+        "--processes",
+        type=int,
+        metavar="N",
+        help="how many processes do the work (default: one for each core)",
     )
     parser.add_argument("--quiet", action="store_true", help="tell no steps")
     add_overwrite_option(parser)
@@ -145,5 +151,8 @@ def plain_text(markdown: str) -> str:
 
 
 COMMAND = Command(
-    "design", "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF", _configure, _run
+    "design",
+    "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
+    _configure,
+    _run,
 )

@@ -71,5 +71,8 @@ def _contents(
 
 
 COMMAND = Command(
-    "compare", "report on two mechanisms side by side, before and after a change; HTML and PDF", _configure, _run
+    "compare",
+    "report on two mechanisms side by side, before and after a change; HTML and PDF",
+    _configure,
+    _run,
 )

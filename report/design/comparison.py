@@ -55,7 +55,8 @@ def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str
             found[f"spectrum-{number}"] = drawn(
                 f"spectrum-{number}",
                 f"Lines of {name}, before and after",
-                f"Lines of {plain(name)}: solid with full marks in {plain(names[0])}, dashed with open marks in "
+                f"Lines of {plain(name)}: solid with full marks in {plain(names[0])}, dashed with open "
+                f"marks in "
                 f"{plain(names[1])}.",
                 f"Upright lines over frequency for {names[0]} and {names[1]}.",
                 partial(line_spectrum, pair),
@@ -86,7 +87,13 @@ def change_rows(comparison: Comparison) -> list[list[str]]:
         relative = NEITHER
         if each.before and each.after is not None:
             relative = plain(_signed(each.after / each.before - 1))
-        rows.append([capital(plain(place_words(each.place))), *(_number(v, each.unit) for v in (each.before, each.after)), relative])
+        rows.append(
+            [
+                capital(plain(place_words(each.place))),
+                *(_number(v, each.unit) for v in (each.before, each.after)),
+                relative,
+            ]
+        )
     return rows
 
 
@@ -99,7 +106,8 @@ def difference_rows(comparison: Comparison) -> list[list[str]]:
     rows = [["Measure", "Before", "After", "Change"]]
     for each in comparison.differences:
         cells = [
-            NEITHER if value is None else measure_value(each.asked.measure, value) for value in (each.before, each.after)
+            NEITHER if value is None else measure_value(each.asked.measure, value)
+            for value in (each.before, each.after)
         ]
         shows = each.change is not None and each.asked.measure is not Measure.PERIOD
         change = plain(_signed(each.change or 0.0)) if shows else NEITHER
@@ -118,7 +126,10 @@ def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> str:
     if not before.judged and not after.judged:
         return "**Neither file names targets**, so nothing is judged; the measures stand side by side below."
     totals = [len(each.judged) for each in (before, after)]
-    told = [f"{met} of {total} targets met" if total else "no targets" for met, total in zip(counts, totals, strict=True)]
+    told = [
+        f"{met} of {total} targets met" if total else "no targets"
+        for met, total in zip(counts, totals, strict=True)
+    ]
     better = counts[1] / totals[1] - counts[0] / totals[0] if all(totals) else 0.0
     word = "Better" if better > 0 else "Worse" if better < 0 else "The same verdict on as many targets"
     return f"**{word}**: in {plain(names[0])} {told[0]}, in {plain(names[1])} {told[1]}."

@@ -47,4 +47,6 @@ def _row(valued: ValuedQuantity) -> SymbolRow:
 
 def _shown(step: Step) -> DerivationStep:
     equations = tuple(Equation(each.latex, "", each.words) for each in step.formulas)
-    return DerivationStep(re.sub(r"[^A-Za-z0-9-]+", "-", step.id).strip("-"), step.title, step.text, equations)
+    return DerivationStep(
+        re.sub(r"[^A-Za-z0-9-]+", "-", step.id).strip("-"), step.title, step.text, equations
+    )

@@ -56,9 +56,20 @@ def environment() -> Environment:
     """Return the environment of the templates of designs."""
     made = plain_environment()
     made.filters.update(
-        shown=shown, written=written, percent=percent, place_words=place_words, capital=words.capital, count=words.count
+        shown=shown,
+        written=written,
+        percent=percent,
+        place_words=place_words,
+        capital=words.capital,
+        count=words.count,
     )
-    made.globals.update({name: vars(module)[name] for module in (comparison, tables, sentences, words) for name in _own(module)})
+    made.globals.update(
+        {
+            name: vars(module)[name]
+            for module in (comparison, tables, sentences, words)
+            for name in _own(module)
+        }
+    )
     made.globals.update(formula=formula)
     return made
 

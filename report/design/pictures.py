@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState
     from trimmer.design.paths import NumberPath
+    from trimmer.design.spectrum import Line
 
 MEASURES = 4
 """Measures whose influences are drawn."""
@@ -56,8 +57,10 @@ def _diagram(design: Design) -> Figure:
     return drawn(
         "diagram",
         "The mechanism",
-        "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are springs, pots "
-        "are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a dry friction; a circle is a "
+        "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are "
+        "springs, pots "
+        "are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a dry "
+        "friction; a circle is a "
         "pin that moves on its body as prescribed. Nothing is to scale.",
         f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
         partial(mechanism_diagram, mechanism),
@@ -73,7 +76,8 @@ def _motion(design: Design) -> Iterator[Figure]:
     yield drawn(
         "motion",
         "The motion over time",
-        f"The outputs{plain(contacts)}, and when parts touch and stick, over {span}. A positive force pulls the "
+        f"The outputs{plain(contacts)}, and when parts touch and stick, over {span}. A positive force "
+        f"pulls the "
         "two ends together."
         if motion.signals.forces
         else f"The outputs over {span}.",
@@ -92,11 +96,14 @@ def _transfer(design: Design) -> Iterator[Figure]:
     if not moving:
         return
     states = f" with contacts {' and with contacts '.join(moving)}" if len(design.linear) > 1 else ""
-    still = f" With contacts open {plain(drive)} moves nothing of it." if len(moving) < len(design.linear) else ""
+    still = (
+        f" With contacts open {plain(drive)} moves nothing of it." if len(moving) < len(design.linear) else ""
+    )
     yield drawn(
         "transfer",
         f"From {drive} to {output}",
-        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}.{still} The dotted line is the "
+        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}.{still} The dotted "
+        f"line is the "
         "frequency of the drive. Dry friction is left out.",
         f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
         "table above.",
@@ -116,8 +123,10 @@ def _spectra(design: Design) -> Iterator[Figure]:
             yield drawn(
                 f"spectrum-{number}",
                 f"Lines of {each.output}",
-                f"Amplitudes of the lines of {plain(each.output)}, down to one ten-thousandth of the largest.",
-                f"Upright lines over frequency, the highest at {shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
+                f"Amplitudes of the lines of {plain(each.output)}, down to one ten-thousandth of the "
+                f"largest.",
+                f"Upright lines over frequency, the highest at "
+                f"{shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
                 partial(line_spectrum, [("", each)]),
             )
 
@@ -130,8 +139,14 @@ def _ranges(design: Design) -> Iterator[Figure]:
     first = study.narrowings[0].range
     named = [(each, _words(each)) for each in asked]
     bounds = {Asked(each.measure, each.part): each.bound for each in design.file.targets}
-    others = " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
-    met = " Full marks meet all targets, open ones do not; the dotted lines are bounds." if design.file.targets else ""
+    others = (
+        " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
+    )
+    met = (
+        " Full marks meet all targets, open ones do not; the dotted lines are bounds."
+        if design.file.targets
+        else ""
+    )
     yield drawn(
         "ranges",
         f"Over the {place_words(first.place)}",
@@ -145,8 +160,8 @@ def _words(asked: Asked) -> str:
     return measure_words(asked.measure, asked.part).replace("\\", "")
 
 
-def _amplitude(line: object) -> float:
-    return float(line.amplitude)  # type: ignore[attr-defined]
+def _amplitude(line: Line) -> float:
+    return line.amplitude
 
 
 def _map(each: DesignMap, number: int) -> Figure:
@@ -157,8 +172,10 @@ def _map(each: DesignMap, number: int) -> Figure:
     return drawn(
         f"map-{number}",
         f"Kinds of motion over {place_words(each.first.place)} and {place_words(each.second.place)}",
-        f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × {rows} cells, "
-        f"each one motion, followed for at most {each.result.inputs.settings.most_periods} drive periods. The circle is "
+        f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × "
+        f"{rows} cells, "
+        f"each one motion, followed for at most {each.result.inputs.settings.most_periods} drive periods. "
+        f"The circle is "
         "the file's own point. Edges are known to a cell's width.",
         f"A map of areas. In {share} of the cells the motion repeats with the drive.",
         partial(kind_map, each),
@@ -177,8 +194,10 @@ def _branch(path: NumberPath, number: int, output: str) -> Figure:
     return drawn(
         f"branch-{number}",
         f"The motion over the {place_words(path.varied.place)}",
-        f"Peak to peak of {plain(output)} along the branch of exact orbits through the file's own point. Solid: "
-        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part from it "
+        f"Peak to peak of {plain(output)} along the branch of exact orbits through the file's own point. "
+        f"Solid: "
+        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part "
+        "from it "
         "are not drawn.",
         f"A curve over the {words}, with marks where the motion changes.",
         partial(branch, path, output),
@@ -195,26 +214,32 @@ def _influences(design: Design) -> Iterator[Figure]:
         yield drawn(
             "influence",
             "What each number changes",
-            "By how many per cent a measure changes when a number rises by one per cent; to the right it grows, to the "
+            "By how many per cent a measure changes when a number rises by one per cent; to the right it "
+            "grows, to the "
             "left it shrinks. At most seven numbers each, the most influential first.",
-            "Bars for the most influential numbers of each measure, to the right where the measure grows with them.",
+            "Bars for the most influential numbers of each measure, to the right where the measure grows "
+            "with them.",
             partial(influences, found, named),
         )
 
 
 def important(design: Design) -> list[Asked]:
-    """Return the measures that a designer looks at first: those of targets, then stroke, held body, impact, wear."""
+    """Return the measures to look at first: those of targets, then stroke, held body, impact, wear."""
     motion, mechanism = design.motion, design.file.mechanism
     if motion is None:
         return []
-    found = [Asked(each.measure, each.part) for each in design.file.targets if each.measure is not Measure.PERIOD]
+    found = [
+        Asked(each.measure, each.part) for each in design.file.targets if each.measure is not Measure.PERIOD
+    ]
     if mechanism.outputs:
         found.append(Asked(Measure.STROKE, next(iter(mechanism.outputs))))
     shaken = design.file.held or max(motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])
     found.append(Asked(Measure.RMS_ACCELERATION, shaken))
     hit = [name for name, each in motion.contacts.items() if each.impact_speed > 0]
     if hit:
-        found.append(Asked(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed)))
+        found.append(
+            Asked(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed))
+        )
     worn = [name for name, each in motion.frictions.items() if each.power > 0]
     if worn:
         found.append(Asked(Measure.WEAR_POWER, max(worn, key=lambda name: motion.frictions[name].power)))

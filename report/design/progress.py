@@ -38,7 +38,9 @@ class ProgressLines:
         name = f"{stage.value}{f' over the {_words(about)}' if about else ''}"
         if sys.stderr.isatty():
             share = f" {done}/{count}" if count > 1 else ""
-            print(f"\r\033[K{name} ...{share}", end="\n" if done == count else "", file=sys.stderr, flush=True)
+            print(
+                f"\r\033[K{name} ...{share}", end="\n" if done == count else "", file=sys.stderr, flush=True
+            )
         elif done == count:
             seconds = time.perf_counter() - begun
             print(f"{name}: {f'{seconds:.1f} s' if seconds > KEPT else 'kept'}", file=sys.stderr, flush=True)

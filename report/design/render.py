@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Protocol
 
@@ -15,6 +15,7 @@ from report.rendering.request import Format, Paper
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
     from report.document import Figure, Provenance
+
 
 class Shown(Protocol):
     """A report that can be rendered."""
@@ -68,7 +69,7 @@ def rendered(
     text = converter.parsed(pieces)
     source = converter.typst(text) if Format.PDF in formats else ""
     figures: Mapping[str, Figure] = document.figures
-    makers = {
+    makers: dict[Format, Callable[[], str | bytes]] = {
         Format.PDF: lambda: _pdf(document, source, figures, paper, store),
         Format.HTML: lambda: _html(document, converter.html(text), figures),
     }

@@ -38,17 +38,20 @@ def question_words(question: Question, design: Design) -> str:
     where = f"line {line}, `{question.place_text}`" if line else f"`{question.place_text}`"
     unit = dict(design.file.mechanism.places).get(question.place_text, "")
     value, beside = (plain(shown(each, unit)) for each in (question.value, question.beside))
+    depth, stroke = (plain(shown(each, "m")) for each in (question.value, question.beside))
     why = {
-        Oddity.HEAVY_BODY: f"{value} is far from the other bodies; the middle one has {beside}. Grams for kilograms?",
-        Oddity.HEAVY_FOR_HAND: f"{value} is much in a machine whose other bodies are light. Grams for kilograms?",
+        Oddity.HEAVY_BODY: f"{value} is far from the other bodies; the middle one has {beside}. "
+        "Grams for kilograms?",
+        Oddity.HEAVY_FOR_HAND: f"{value} is much in a machine whose other bodies are light. "
+        "Grams for kilograms?",
         Oddity.LONG_STROKE: f"an amplitude of {value} is long for such a machine; the stroke is twice that. "
         "Millimetres for metres?",
-        Oddity.GAP_ABOVE_STROKE: f"a gap of {value} is not less than the stroke of the pins, {beside}: the parts may "
-        "never meet. Micrometres for millimetres?",
-        Oddity.SLOW_OR_FAST: f"{value} is an unusual speed for such a machine. It is in Hz; for turns per minute write "
-        '"6600 rpm".',
-        Oddity.SOFT_CONTACT: f"the contact gives way by {plain(shown(question.value, 'm'))} where the stroke is "
-        f"{plain(shown(question.beside, 'm'))}. Is the stiffness right?",
+        Oddity.GAP_ABOVE_STROKE: f"a gap of {value} is not less than the stroke of the pins, {beside}: "
+        "the parts may never meet. Micrometres for millimetres?",
+        Oddity.SLOW_OR_FAST: f"{value} is an unusual speed for such a machine. It is in Hz; for turns per "
+        'minute write "6600 rpm".',
+        Oddity.SOFT_CONTACT: f"the contact gives way by {depth} where the stroke is {stroke}. "
+        "Is the stiffness right?",
         Oddity.FRICTION_HOLDS: f"with {value} this friction never slides. Is it meant to hold?",
     }[question.oddity]
     return f"{capital(where)}: {why}"
@@ -68,7 +71,9 @@ def inventory(design: Design) -> str:
         (len(mechanism.forces), "force", "forces"),
     ]
     there = [count(number, one).replace(one + "s", many) for number, one, many in counted if number]
-    lacking = [many for number, _, many in counted if not number and many in ("plays", "stops", "frictions", "pins")]
+    lacking = [
+        many for number, _, many in counted if not number and many in ("plays", "stops", "frictions", "pins")
+    ]
     drive = (
         f"It is driven at {plain(shown(mechanism.frequency, 'Hz', 5))}."
         if mechanism.frequency is not None
@@ -87,13 +92,15 @@ def settled_sentences(design: Design) -> str:
     if not motion.repeats:
         exponent = motion.lyapunov
         grown = (
-            f" Small distances grow by the factor {plain(written(float(np.exp(exponent.value)), 3))} per drive period."
+            f" Small distances grow by the factor {plain(written(float(np.exp(exponent.value)), 3))} per "
+            f"drive period."
             if exponent is not None and motion.kind is MotionKind.CHAOTIC
             else ""
         )
         return (
             f"From {begun}, the mechanism comes to {kind_words(motion)}; it was followed for "
-            f"{motion.drive_periods} drive periods.{grown} Its measures are taken over {motion.measured_periods} "
+            f"{motion.drive_periods} drive periods.{grown} Its measures are taken over "
+            f"{motion.measured_periods} "
             "drive periods, so the last digits depend on which."
         )
     if drive is None:
@@ -102,7 +109,8 @@ def settled_sentences(design: Design) -> str:
     told = (
         f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
         f"{kind_words(motion)}. It is an exact orbit, {_steadiness(design)}. "
-        f"{capital(count_of(motion.events, 'event'))} happen in a drive period: contacts made or broken, slips "
+        f"{capital(count_of(motion.events, 'event'))} happen in a drive period: contacts made or broken, "
+        f"slips "
         "reversed, stick begun or ended."
     )
     if motions.message and motion.neighbour_agrees is False:
@@ -134,15 +142,19 @@ def searched_sentences(design: Design) -> str:
     if design.file.mechanism.frequency is None:
         return "One start was followed. Without a drive, other motions were not looked for."
     told = (
-        f"{capital(count(motions.starts, 'start'))} were followed: the first as the file has it, the others random, up to "
+        f"{capital(count(motions.starts, 'start'))} were followed: the first as the file has it, the "
+        f"others random, up to "
         f"the displacements and speeds of the first motion (seed {motions.seed})."
     )
     near = motions.neighbours
     if near is not None:
         names = listed([plain(place_words(each)) for each in near.places])
-        end = "until nothing new came" if near.complete else "and the search was ended before nothing new came"
+        end = (
+            "until nothing new came" if near.complete else "and the search was ended before nothing new came"
+        )
         told += (
-            f" {capital(count(near.cells, 'neighbour'))} with another {names} (up to ±{percent(near.reach)}) were followed "
+            f" {capital(count(near.cells, 'neighbour'))} with another {names} (up to "
+            f"±{percent(near.reach)}) were followed "
             f"as well, and {near.tried} of their orbits were handed on as starts, {end}; "
             f"{count(near.found, 'motion')} came from there alone."
         )
@@ -160,25 +172,35 @@ def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
     if motion is not None and not motion.repeats:
         return told + " The motion does not repeat, so the rest is spread between the lines."
     if spectrum.left_out:
-        told += f" {capital(count(spectrum.left_out, 'further line'))} up to the twentieth harmonic are below {floor}."
+        more = capital(count(spectrum.left_out, "further line"))
+        told += (
+            f" {more} up to the twentieth harmonic {'is' if spectrum.left_out == 1 else 'are'} below {floor}."
+        )
     return told + " Harmonics above the twentieth were not computed."
 
 
 def map_sentences(drawn: DesignMap) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
-    own = f"In the cell of the file, or the nearest one, it is {_cell_words(drawn)}."
+    own = f"In the cell of the file, or the nearest one, the motion is {_cell_words(drawn)}."
     starts = "Each cell was followed from the file's start alone, so other motions may exist in it."
     failed = len(result.failures)
     told = f"{own} {starts}"
-    return told + (f" {capital(count(failed, 'cell'))} could not be followed and are left white." if failed else "")
+    return told + (
+        f" {capital(count(failed, 'cell'))} could not be followed and are left white." if failed else ""
+    )
 
 
 def _cell_words(drawn: DesignMap) -> str:
     columns, rows = drawn.result.values
     column = int(np.argmin(abs(columns - drawn.first.value)))
     row = int(np.argmin(abs(rows - drawn.second.value)))
-    return described(drawn.result.cells[row * len(columns) + column].motions[0])
+    motion = drawn.result.cells[row * len(columns) + column].motions[0]
+    return {
+        MotionKind.TORUS: "on a torus",
+        MotionKind.CHAOTIC: "chaotic",
+        MotionKind.UNDECIDED: "not known, because the motion had not settled",
+    }.get(motion.kind, f"of {described(motion)}")
 
 
 def no_maps(design: Design) -> str:
@@ -195,7 +217,8 @@ def no_branches(design: Design) -> str:
         return "There is no motion to follow."
     if not motion.repeats:
         return (
-            "The motion does not repeat, so it is no orbit that could be followed over a number. The maps say where "
+            "The motion does not repeat, so it is no orbit that could be followed over a number. The maps "
+            "say where "
             "motions that repeat are found."
         )
     if motion.neutral:
@@ -208,18 +231,18 @@ def no_branches(design: Design) -> str:
 def margin_sentences(design: Design) -> str:
     """Say which margin is the narrowest, and what ends each."""
     shares = [
-        (abs(side.reaches / path.varied.value - 1), path, side)
+        (side.reaches / path.varied.value - 1, path, side)
         for path in design.paths
         for side in (path.down, path.up)
         if side is not None and side.reaches is not None and path.varied.value
     ]
     if not shares:
         return "Within these ranges the motion stays stable: nothing ends it."
-    share, path, side = min(shares, key=lambda each: each[0])
-    way = "a smaller" if side.reaches < path.varied.value else "a larger"
+    share, path, side = min(shares, key=lambda each: abs(each[0]))
+    way = "a smaller" if share < 0 else "a larger"
     told = (
         f"The narrowest margin is towards {way} {plain(place_words(path.varied.place))}: after "
-        f"{plain(percent(share))} {_ended(side)}."
+        f"{plain(percent(abs(share)))} {_ended(side)}."
     )
     return told + " Beyond each value the mechanism takes another motion, which may still meet the targets."
 
@@ -238,8 +261,10 @@ def branch_sentences(path: NumberPath) -> str:
     for side, way in ((path.down, "smaller"), (path.up, "larger")):
         if side is None:
             continue
-        reach = "stays stable to the end of the range" if side.reaches is None else (
-            f"is stable up to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}"
+        reach = (
+            "stays stable to the end of the range"
+            if side.reaches is None
+            else (f"is stable up to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}")
         )
         told.append(f"Towards {way} values it {reach}; {len(side.values)} orbits were solved.")
         if not side.reason.is_success:
@@ -265,8 +290,10 @@ def first_changes(design: Design) -> str:
         way = "raise" if (size.value > 0) == wanted else "lower"
         effect = "raises" if wanted else "lowers"
         told.append(
-            f"- To {'raise' if wanted else 'lower'} the **{measure_words(asked.measure, asked.part)}**, {way} the "
-            f"{plain(place_words(entry.place))}: one per cent {effect} it by {plain(written(abs(size.value), 2))} %."
+            f"- To {'raise' if wanted else 'lower'} the **{measure_words(asked.measure, asked.part)}**, "
+            f"{way} the "
+            f"{plain(place_words(entry.place))}: one per cent {effect} it by "
+            f"{plain(written(abs(size.value), 2))} %."
         )
     return "\n".join(told)
 
@@ -280,7 +307,8 @@ def unsmooth(design: Design) -> str:
     told = ""
     if rough:
         told += (
-            f"For the {places_listed(rough)} the two differ by more than a tenth, because an impact or a phase of stick "
+            f"For the {places_listed(rough)} the two differ by more than a tenth, because an impact or a "
+            f"phase of stick "
             "comes or goes nearby: these slopes say little."
         )
     if found.failed:
@@ -294,7 +322,8 @@ def no_sensitivities(design: Design) -> str:
         return "There is no motion whose slopes could be taken."
     if not design.motion.repeats:
         return (
-            "The motion does not repeat, so it has no slopes: a small change of a number changes every detail of it. "
+            "The motion does not repeat, so it has no slopes: a small change of a number changes every "
+            "detail of it. "
             "The maps say where calmer motions are."
         )
     return "No number of the file changes a measure of the motion."
@@ -306,17 +335,20 @@ def exposure_sentences(design: Design) -> str:
     assert motion is not None
     if held is None:
         told = (
-            'The file does not say which body is held; write `held = "NAME"` at its top, with the name of a body. '
+            'The file does not say which body is held; write `held = "NAME"` at its top, with the name of a '
+            "body. "
             "Until then each line says what a hand would get that holds this body as it moves now."
         )
     else:
         told = f"The hand holds the {plain(held)}."
     if not motion.repeats:
-        return f"{told} The motion does not repeat, so samples of {motion.measured_periods} drive periods were weighted."
+        samples = f"samples of {motion.measured_periods} drive periods were weighted"
+        return f"{told} The motion does not repeat, so {samples}."
     each = next(iter(motion.hand_arm.values()))
     largest = max(each.left_out for each in motion.hand_arm.values())
     return (
-        f"{told} The weighted values sum {each.lines} lines up to {plain(shown(each.highest, 'Hz'))}; what lies above "
+        f"{told} The weighted values sum {each.lines} lines up to {plain(shown(each.highest, 'Hz'))}; "
+        f"what lies above "
         f"adds at most {plain(shown(largest, 'm/s²', 2))}."
     )
 
@@ -324,8 +356,12 @@ def exposure_sentences(design: Design) -> str:
 def rests_sentences(design: Design) -> str:
     """Say how the numbers were computed, and what was not looked at."""
     return (
-        "Motions are computed exactly between events, and events to rounding; nothing is stepped in time with an error of "
-        "its own. What the report says holds for the mechanism of the file: rigid bodies on one line, contacts with the law "
-        "that is given, dry friction with constant forces. Tolerances, heat, wear over time, bending, and movements across "
-        "the line are not modelled. The numbers of the file are taken as exact, except those that it leaves open."
+        "Motions are computed exactly between events, and events to rounding; nothing is stepped in time "
+        "with an error of "
+        "its own. What the report says holds for the mechanism of the file: rigid bodies on one line, "
+        "contacts with the law "
+        "that is given, dry friction with constant forces. Tolerances, heat, wear over time, bending, and "
+        "movements across "
+        "the line are not modelled. The numbers of the file are taken as exact, except those that it "
+        "leaves open."
     )

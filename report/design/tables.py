@@ -90,7 +90,8 @@ def number_rows(design: Design) -> Rows:
 def symbol_rows(equations: Equations) -> Rows:
     """Return what the letters mean."""
     return [["Symbol", "Meaning", "Value or unit"]] + [
-        [inline_mathematics(each.symbol), plain(each.meaning), plain(each.value)] for each in equations.symbols
+        [inline_mathematics(each.symbol), plain(each.meaning), plain(each.value)]
+        for each in equations.symbols
     ]
 
 
@@ -118,14 +119,16 @@ def _signed(size: complex) -> float:
 
 
 def transfer_rows(design: Design) -> Rows:
-    """Return what each output does at the frequency of the drive, for each drive and state of the contacts."""
+    """Return what each output does at the frequency of the drive, by drive and state of the contacts."""
     head = ["From, to", *(f"Contacts {state.contacts.value}" for state in design.linear)]
     rows: dict[tuple[str, str], list[str]] = {}
     for state in design.linear:
         for each in state.transfer:
             if each.at_drive is not None:
                 value = _value(abs(each.at_drive), "m/N" if each.unit == "N" else "", 4)
-                angle = plain(f"{written(math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real)), 3)}°")
+                angle = plain(
+                    f"{written(math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real)), 3)}°"
+                )
                 rows.setdefault((each.drive, each.output), []).append(f"{value} at {angle}")
     if len(design.linear) == 1:
         head = ["From, to", "Response", "Unit"]
@@ -140,7 +143,9 @@ def measure_rows(design: Design) -> Rows:
         return [["What", "Peak to peak", "rms"]]
     rows = [["What", "Peak to peak", "rms"]]
     for name, each in motion.outputs.items():
-        rows.append([f"{plain(name)}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)])
+        rows.append(
+            [f"{plain(name)}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)]
+        )
     for name, rms in motion.rms_acceleration.items():
         rows.append([f"{plain(name)}, acceleration", DASH, _value(rms, "m/s²", 4)])
     return rows
@@ -210,10 +215,11 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
 
 def _explained(line: Line) -> str:
     ratio = f"{line.numerator}/{line.denominator}"
+    parity, periods = "odd" if line.numerator % 2 else "even", count(line.denominator, "drive period")
     what = {
         LineKind.DRIVE: "the drive",
-        LineKind.HARMONIC: f"harmonic {line.numerator} of the drive ({'odd' if line.numerator % 2 else 'even'})",
-        LineKind.FRACTION: f"{ratio} of the drive: the motion repeats after {count(line.denominator, 'drive period')}",
+        LineKind.HARMONIC: f"harmonic {line.numerator} of the drive ({parity})",
+        LineKind.FRACTION: f"{ratio} of the drive: the motion repeats after {periods}",
         LineKind.OWN: f"harmonic {line.numerator} of the motion's own frequency"
         if line.numerator > 1
         else "the motion's own frequency",
@@ -221,8 +227,9 @@ def _explained(line: Line) -> str:
     if line.mode is None or line.contacts is None:
         return plain(what)
     return plain(
-        f"{what}; near the mode of {shown(line.mode.frequency, 'Hz', 4)} with contacts {line.contacts.value}, "
-        "which amplifies it"
+        f"{what}; near the mode of {shown(line.mode.frequency, 'Hz', 4)} with contacts "
+        f"{line.contacts.value}, "
+        "which may amplify it"
     )
 
 
@@ -258,14 +265,18 @@ def special_rows(path: NumberPath, design: Design) -> Rows:
     for each in sorted(found, key=lambda special: special.value):
         parts = f" ({plain(', '.join(each.parts))})" if each.parts else ""
         rows.append(
-            [_value(each.value, path.varied.unit, 5), SPECIAL[each.kind] + parts, _value(each.stroke[output], "m")]
+            [
+                _value(each.value, path.varied.unit, 5),
+                SPECIAL[each.kind] + parts,
+                _value(each.stroke[output], "m"),
+            ]
         )
     return rows
 
 
 def exposure_rows(design: Design) -> Rows:
     """Return the vibration of the held body, or of all."""
-    rows = [["Body", "rms acceleration", "Weighted by W_h".replace("_", r"\_"), "Hours to 2.5 m/s² a day"]]
+    rows = [["Body", "rms acceleration", "Weighted", "Hours to 2.5 m/s² a day"]]
     if design.motion is None:
         return rows
     held = design.file.held
@@ -305,9 +316,7 @@ def narrowing_rows(design: Design) -> Rows:
     if design.ranges is not None:
         for each in design.ranges.narrowings:
             doubt = plain(percent(each.doubt)) if design.file.targets else DASH
-            rows.append(
-                [capital(plain(place_words(each.range.place))), doubt, plain(percent(each.spread))]
-            )
+            rows.append([capital(plain(place_words(each.range.place))), doubt, plain(percent(each.spread))])
     return rows
 
 

@@ -20,7 +20,21 @@ if TYPE_CHECKING:
     from trimmer.design.targets import Target
     from trimmer.design.verdict import Judged
 
-COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+COUNTS = (
+    "no",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+)
 SPECIAL = {
     SpecialKind.GRAZING: "an impact comes or goes",
     SpecialKind.STICK: "a phase of stick comes or goes",
@@ -130,8 +144,11 @@ def _met(design: Design) -> str:
     judged = design.verdict.judged
     all_of = "The target is met" if len(judged) == 1 else f"All {count(len(judged), 'target')} are met"
     if design.ranges is not None:
-        return f"**{all_of}** at each of the {len(design.ranges.trials)} points that were tried over what nobody knows."
-    near = min((each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None)
+        points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
+        return f"**{all_of}** at {points}."
+    near = min(
+        (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
+    )
     if near is None:
         return f"**{all_of}.**"
     which = measure_words(near.target.measure, near.target.part)
@@ -157,7 +174,9 @@ def _missed(design: Design) -> str:
         rest = ""
     elif remedy is None:
         farthest = written(design.remedies.farthest)
-        rest = f"; no change of one number by a factor of up to {farthest} was found that would meet all of them"
+        rest = (
+            f"; no change of one number by a factor of up to {farthest} was found that would meet all of them"
+        )
     else:
         sure = "" if remedy.meeting == design.remedies.starts else ", though not from every start"
         rest = f"; {remedy_words(remedy)} would meet all targets{sure}"
@@ -190,7 +209,9 @@ def _depends(design: Design) -> str:
     met = all(each.met for each in verdict.judged)
     others = round(verdict.otherwise * design.motions.starts)
     leads = "leads" if others == 1 else "lead"
-    share = f"{_number(others)} of {design.motions.starts} starts {leads}" if others else "a disturbance may lead"
+    share = (
+        f"{_number(others)} of {design.motions.starts} starts {leads}" if others else "a disturbance may lead"
+    )
     return (
         f"**It depends on how the motion begins:** from its first start the mechanism "
         f"{'meets' if met else 'misses'} the targets, but {share} to a motion that "
@@ -200,7 +221,7 @@ def _depends(design: Design) -> str:
 
 def sureness_sentences(design: Design) -> str:
     """Return how sure the verdict is, and on what that rests, as Markdown."""
-    motions, motion = design.motions, design.motion
+    motion = design.motion
     if motion is None:
         return ""
     level = {
@@ -208,6 +229,8 @@ def sureness_sentences(design: Design) -> str:
         Sureness.LIKELY: "Within the model this is likely, not sure",
         Sureness.UNSURE: "This is unsure",
     }[design.verdict.sureness]
+    if design.verdict.outcome is Outcome.NO_TARGETS:
+        level = "How that was found"
     exact = "All other numbers" if design.ranges is not None else "Numbers"
     return f"{level}: {'; '.join(_grounds(design, motion))}. {exact} of the file are taken as exact."
 
@@ -220,11 +243,12 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
     ]
     if motions.starts > 1:
-        grounds.append(
-            f"all {motions.starts} starts lead to it"
+        lead = (
+            f"all {motions.starts}"
             if motion.starts == motions.starts
-            else f"{motion.starts} of {motions.starts} starts lead to it"
+            else f"{motion.starts} of {motions.starts}"
         )
+        grounds.append(f"{lead} starts lead to {'it' if motion.repeats else 'a motion of this kind'}")
     others = len(motions.found) - 1
     if others:
         same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"

@@ -79,7 +79,7 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
 
 @dataclass(frozen=True)
 class Look:
-    """What a page is dressed in: names of its styles and scripts, and the drawings that follow its colours."""
+    """What a page is dressed in: styles, scripts, and the drawings that follow its colours."""
 
     styles: tuple[str, ...]
     scripts: tuple[str, ...]
@@ -95,13 +95,17 @@ def page(template: str, look: Look, body: str, **values: object) -> str:
         body: the inside of the page.
         values: what the template asks for, the ``document`` with its title and subtitle among it.
     """
-    return _environment().get_template(template).render(
-        values,
-        contents=contents(body),
-        body=body,
-        styles=[*_templates(look.styles), variables(look.drawings)],
-        scripts=_templates(look.scripts),
-        font=_base64(FONT.read_bytes()),
+    return (
+        _environment()
+        .get_template(template)
+        .render(
+            values,
+            contents=contents(body),
+            body=body,
+            styles=[*_templates(look.styles), variables(look.drawings)],
+            scripts=_templates(look.scripts),
+            font=_base64(FONT.read_bytes()),
+        )
     )
 
 

@@ -1,1 +1,1 @@
-"""What a designer asks of a mechanism: verdict on targets, motions, maps, margins, sensitivities; no prose."""
+"""What a designer asks of a mechanism: verdict, motions, maps, margins, sensitivities; no prose."""

@@ -11,7 +11,7 @@ from trimmer.mechanism.parts import GROUND, Body, Pin
 SHARE_OF_STROKE = 0.1
 """Largest gap that is assumed, as a share of the largest stroke of a pin."""
 LARGEST_DAMPING_RATIO = 0.1
-"""Largest damping that is assumed, relative to critical damping of its spring and the masses that it joins."""
+"""Largest damping that is assumed, relative to the critical one of its spring and the masses it joins."""
 
 
 def assumed_range(mechanism: Mechanism, place: tuple[str, ...]) -> tuple[float, float] | None:

@@ -47,7 +47,12 @@ class Difference:
     @property
     def change(self) -> float | None:
         """Relative change; None where it is not defined."""
-        if self.before is None or self.after is None or not self.before or not _finite(self.before, self.after):
+        if (
+            self.before is None
+            or self.after is None
+            or not self.before
+            or not _finite(self.before, self.after)
+        ):
             return None
         return self.after / self.before - 1
 

@@ -111,17 +111,23 @@ class Study:
         """Return everything."""
         motions, linear = self.motions(), self.linear()
         varied = self.varied(motions)
-        rest = {
-            "spectra": self.spectra(motions, linear),
-            "sensitivities": (of := self.sensitivities(motions)),
-            "ranges": (ranges := self.ranges()),
-            "verdict": (verdict := verdict_on(self.file.targets, motions, ranges)),
-            "remedies": self.remedies(verdict, of),
-            "paths": self.paths(motions, varied),
-            "maps": self.maps(varied),
-        }
-        asked = questions(self.file.mechanism, motions.first)
-        return Design(self.file, self.settings, linear, motions, varied, questions=asked, **rest)
+        of, ranges = self.sensitivities(motions), self.ranges()
+        verdict = verdict_on(self.file.targets, motions, ranges)
+        return Design(
+            file=self.file,
+            settings=self.settings,
+            linear=linear,
+            motions=motions,
+            varied=varied,
+            spectra=self.spectra(motions, linear),
+            remedies=self.remedies(verdict, of),
+            paths=self.paths(motions, varied),
+            maps=self.maps(varied),
+            sensitivities=of,
+            ranges=ranges,
+            questions=questions(self.file.mechanism, motions.first),
+            verdict=verdict,
+        )
 
     def short(self) -> Design:
         """Return verdict, motions and spectra alone, for a comparison."""
@@ -132,7 +138,19 @@ class Study:
         asked = questions(self.file.mechanism, motions.first)
         lines = self.spectra(motions, linear)
         return Design(
-            self.file, self.settings, linear, motions, varied, lines, (), (), None, ranges, asked, verdict, None
+            self.file,
+            self.settings,
+            linear,
+            motions,
+            varied,
+            lines,
+            (),
+            (),
+            None,
+            ranges,
+            asked,
+            verdict,
+            None,
         )
 
     def linear(self) -> tuple[LinearState, ...]:
@@ -205,9 +223,8 @@ class Study:
         if self.file.mechanism.frequency is None:
             return ()
         by_role = {each.role: each for each in varied}
-        first, *others = by_role.values() if by_role else [None]
-        pairs = [(first, each) for each in others]
-        return tuple(self._map(one, other) for one, other in pairs if one is not None)
+        first, *others = by_role.values() or (None,)
+        return tuple(self._map(first, each) for each in others if first is not None and each is not None)
 
     def _map(self, first: Varied, second: Varied) -> DesignMap:
         about = f"{first.place} x {second.place}"
@@ -226,5 +243,3 @@ class Study:
 
 def silent(stage: Stage, about: str, done: int, count: int) -> None:
     """Tell nobody."""
-
-

@@ -130,7 +130,7 @@ def _ranges(
     for each in left_open:
         found = ends.get(each) or assumed_range(mechanism, each.place)
         if found is None:
-            reason = "nothing in the file says how large it may be; give a range, as in \"20 um..60 um\""
+            reason = 'nothing in the file says how large it may be; give a range, as in "20 um..60 um"'
             problems.append(Problem(each.place, reason, each.text))
         else:
             yield OpenRange(place_text(each.place), each.quantity.unit, *found, each.is_unknown)

@@ -204,7 +204,10 @@ def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
             name: along(course, contact_force(course.modes, part), rows, states)
             for part, name in enumerate(layout.contacts)
         },
-        {name: _spans(course, while_status(course, p, PUSHING), end) for p, name in enumerate(layout.contacts)},
+        {
+            name: _spans(course, while_status(course, p, PUSHING), end)
+            for p, name in enumerate(layout.contacts)
+        },
         {
             name: _spans(course, while_status(course, contacts + number, (STICK,)), end)
             for number, name in enumerate(layout.frictions)

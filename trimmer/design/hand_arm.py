@@ -72,9 +72,7 @@ class HandArm:
         return DAY * (daily / self.weighted) ** 2 if self.weighted > 0 else float("inf")
 
 
-def hand_arm_of_orbit(
-    course: Course, omega: float, rms: Mapping[str, float]
-) -> Mapping[str, HandArm]:
+def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) -> Mapping[str, HandArm]:
     """Weight the vibration of each body over a period, line by line, exact to rounding.
 
     Args:

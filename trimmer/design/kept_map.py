@@ -50,7 +50,8 @@ def design_map(
 
     Args:
         mechanism: The mechanism.
-        first, second: The numbers.
+        first: What varies along a row.
+        second: What varies from row to row.
         settings: How many cells, and how long each is waited for.
         runner: Who does the work.
         keeper: Keeps each row.

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 POINTS = 2000
 """Frequencies of a transfer function."""
 BELOW, ABOVE = 20.0, 3.0
-"""The range of a transfer function: from a share of the lowest frequency of interest to beyond the highest."""
+"""Ends of a transfer function: how far below the lowest frequency of interest, and above the highest."""
 RIGID = 1e-6
 """Modulus of an eigenvalue, relative to the largest, below which it counts as zero."""
 
@@ -176,9 +176,7 @@ def _responses(
     """Return what each output does for a unit of a drive, m per unit, (n,)."""
     rows, bodies = displacement_rows(mechanism), len(mechanism.bodies)
     s = 2j * np.pi * frequency
-    dynamic = (
-        s[:, None, None] ** 2 * matrices.mass + s[:, None, None] * matrices.damping + matrices.stiffness
-    )
+    dynamic = s[:, None, None] ** 2 * matrices.mass + s[:, None, None] * matrices.damping + matrices.stiffness
     if drive in mechanism.pins:
         column = list(mechanism.pins).index(drive)
         push = matrices.pin_displacement[:, column] + s[:, None] * matrices.pin_velocity[:, column]
@@ -188,7 +186,7 @@ def _responses(
     moved = np.linalg.solve(dynamic, push[:, :, None])[:, :, 0]
     found = {}
     for name, output in mechanism.outputs.items():
-        weights = sum(weight * rows[of] for of, weight in output.weights.items())
+        weights = np.sum([weight * rows[of] for of, weight in output.weights.items()], axis=0)
         found[name] = moved @ weights[:bodies]
         if drive in mechanism.pins:
             found[name] = found[name] + weights[bodies + column]

@@ -95,7 +95,11 @@ def _message(response: Response) -> str:
 
 
 def with_neighbours(
-    mechanism: Mechanism, motions: Motions, varied: tuple[Varied, ...], settings: DesignSettings, runner: Runner
+    mechanism: Mechanism,
+    motions: Motions,
+    varied: tuple[Varied, ...],
+    settings: DesignSettings,
+    runner: Runner,
 ) -> Motions:
     """Return the motions with those that orbits of neighbouring mechanisms lead to.
 
@@ -141,9 +145,7 @@ def _around(varied: Varied) -> tuple[float, ...]:
     return tuple(dict.fromkeys(values.tolist()))
 
 
-def _new(
-    mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions
-) -> Iterator[FoundMotion]:
+def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) -> Iterator[FoundMotion]:
     """Yield the periodic motions of a cell that are not known yet, as exact orbits."""
     seen = [each for each in known.found if each.repeats]
     for motion in motions:

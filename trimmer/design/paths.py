@@ -130,9 +130,7 @@ class NumberPath:
     up: Side | None
 
 
-def path_through(
-    mechanism: Mechanism, varied: Varied, motion: FoundMotion, most_points: int
-) -> NumberPath:
+def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most_points: int) -> NumberPath:
     """Follow the motion of the working point over one number to both ends of its range.
 
     Args:
@@ -142,12 +140,12 @@ def path_through(
         most_points: Orbits to each side, at most.
     """
     periods = motion.period_count or 1
-    sides = []
+    sides: list[Side | None] = []
     for end in (varied.lowest, varied.highest):
         if end == varied.value:
             sides.append(None)
             continue
-        bounds = tuple(sorted((varied.value, end)))
+        bounds = (min(varied.value, end), max(varied.value, end))
         settings = FollowSettings(
             most_points=most_points, largest_step=LARGEST_STEP, switches=0, quiet=True, bounds=bounds
         )

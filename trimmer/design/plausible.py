@@ -1,4 +1,4 @@
-"""Numbers that are asked about, not refused: what a hair trimmer, or any small machine, is unlikely to have."""
+"""Numbers that are asked about, not refused: what a small machine is unlikely to have."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the numbers that nobody knows leave open: motions over their ranges, and what a measurement would tell."""
+"""What the numbers that nobody knows leave open, and what a measurement would tell."""
 
 from __future__ import annotations
 

@@ -153,7 +153,9 @@ def _places(
 ) -> list[tuple[str, str, float]]:
     every = list(designable(mechanism))
     asked = [Asked(each.measure, each.part) for each in missed]
-    ranked = _interleaved([[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else [])
+    ranked = _interleaved(
+        [[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else []
+    )
     chosen = [each for each in every if each[0] in ranked[:PLACES]]
     others = [each for each in every if each not in chosen]
     return chosen if len(chosen) >= PLACES else [*chosen, *others[: PLACES - len(chosen)]]

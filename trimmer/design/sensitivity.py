@@ -11,8 +11,8 @@ import numpy as np
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked, all_measures, measured
 from trimmer.errors import TrimmerError
-from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
 from trimmer.response.forced_orbit import mechanism_orbit
 
 if TYPE_CHECKING:
@@ -109,7 +109,9 @@ def sensitivities(mechanism: Mechanism, motion: FoundMotion) -> Sensitivities:
             failed.append(place)
             continue
         entries = tuple(
-            Elasticity(each, narrow[each], _agree(wide[each], narrow[each])) for each in narrow if each in wide
+            Elasticity(each, narrow[each], _agree(wide[each], narrow[each]))
+            for each in narrow
+            if each in wide
         )
         found.append(Sensitivity(place, unit, value, entries))
     return Sensitivities(STEP, tuple(found), tuple(failed))

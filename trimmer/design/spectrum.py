@@ -1,4 +1,4 @@
-"""The lines of a spectrum with what each is: drive, harmonic, fraction of the drive, and the modes beside it."""
+"""The lines of a spectrum with what each is: drive, harmonic, fraction of the drive; modes beside them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SMALLEST = 1e-4
 MOST_LINES = 24
 """Lines that are listed of an output, the largest."""
 BESIDE = 0.03
-"""Distance from a mode, as a share of its frequency, at which it is named; or its damping ratio, if larger."""
+"""Distance from a mode, as a share of its frequency, at which it is named; its damping ratio if larger."""
 
 
 class LineKind(Enum):
@@ -96,16 +96,15 @@ def _of_output(
     floor = SMALLEST * max((size for _, _, size in found), default=0.0)
     largest = sorted((each for each in found if each[2] >= floor), key=lambda each: -each[2])[:MOST_LINES]
     lines = tuple(
-        _line(p, k, size, base, by_itself, states) for p, k, size in sorted(largest, key=lambda e: e[0] / e[1])
+        _line(p, k, size, base, by_itself, states)
+        for p, k, size in sorted(largest, key=lambda e: e[0] / e[1])
     )
     held = sum(0.5 * line.amplitude**2 for line in lines)
     share = min(held / measures.rms**2, 1.0) if measures.rms else 1.0
     return OutputSpectrum(name, lines, len(found) - len(lines), floor, share)
 
 
-def _line(
-    p: int, k: int, size: float, base: float, by_itself: bool, states: tuple[LinearState, ...]
-) -> Line:
+def _line(p: int, k: int, size: float, base: float, by_itself: bool, states: tuple[LinearState, ...]) -> Line:
     frequency = base * p / k
     mode, contacts = _mode_beside(frequency, states)
     if p % k:

@@ -126,9 +126,7 @@ def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
             return (*mechanism.plays, *mechanism.stops)
 
 
-def _number(
-    place: tuple[str, ...], value: object, wanted: Quantity, problems: list[Problem]
-) -> float | None:
+def _number(place: tuple[str, ...], value: object, wanted: Quantity, problems: list[Problem]) -> float | None:
     number = value
     if isinstance(value, str):
         try:

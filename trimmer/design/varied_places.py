@@ -62,9 +62,12 @@ class Varied:
             cells: A multiple of 24, or fewer for a coarse map.
         """
         if self.role is Role.SPEED:
-            return self.lowest + (self.highest - self.lowest) * np.arange(cells) / cells
+            first, last = 0, cells - 1
+        else:
+            first, last = 1, cells
         step = (self.highest - self.lowest) / cells
-        return self.lowest + step * np.arange(1, cells + 1)
+        values: Reals = self.lowest + step * np.arange(first, last + 1, dtype=np.float64)
+        return values
 
 
 def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Varied, ...]:

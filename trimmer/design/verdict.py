@@ -57,7 +57,6 @@ class Judged:
         share = self.value / self.target.bound - 1
         return share if self.target.at_least else -share
 
-
     @property
     def near(self) -> bool:
         """Whether the value is near its bound; a period is a whole number, and never is."""
@@ -100,9 +99,7 @@ def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy 
     if not targets or first is None:
         outcome = Outcome.OPEN if targets else Outcome.NO_TARGETS
         return Verdict(outcome, Sureness.UNSURE, (), 0.0, True)
-    judged = tuple(
-        Judged(each, first.value(each), each.met_by(first.value(each))) for each in targets
-    )
+    judged = tuple(Judged(each, first.value(each), each.met_by(first.value(each))) for each in targets)
     met = all(each.met for each in judged)
     others = [each for each in motions.found[1:] if each.meets(targets) != met]
     otherwise = sum(each.starts for each in others) / motions.starts

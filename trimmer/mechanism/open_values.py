@@ -45,7 +45,7 @@ class OpenValue:
         """
         found = _RANGE.fullmatch(self.text)
         if found is None:
-            raise UnitError("is no range; write both ends, as in \"20 um..60 um\"")
+            raise UnitError('is no range; write both ends, as in "20 um..60 um"')
         lowest, highest = found["lowest"].strip(), found["highest"].strip()
         if _NUMBER.fullmatch(lowest) and (unit := _unit(highest)):
             lowest = f"{lowest} {unit}"

@@ -88,8 +88,9 @@ class _Geometry:
 def _spaces(layout: Layout, pins: Collection[str]) -> list[float]:
     """Return the widths of the spaces between columns: as wide as what stands in each needs."""
     count = len(layout.bodies) + 1
-    needed = [0.0 if (at == 0 and not layout.walls[0]) or (at == count - 1 and not layout.walls[1]) else NARROWEST
-              for at in range(count)]  # fmt: skip
+    needed = [NARROWEST] * count
+    for is_there, at in zip(layout.walls, (0, -1), strict=True):
+        needed[at] = needed[at] if is_there else 0.0
     for run in layout.runs:
         if run.right - run.left == 1:
             contact = CONTACT if run.joint.section in ("plays", "stops") else 0.0
@@ -151,7 +152,10 @@ class _Drawing:
         first, second = run.joint.ends[::-1] if run.turned else run.joint.ends
         start = self.port(first, left, y, 1)
         end = self.port(second, right, y, -1)
-        middle, half = 0.5 * (start + end), 0.5 * min(end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops") else 0.0))
+        middle, half = (
+            0.5 * (start + end),
+            0.5 * min(end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops") else 0.0)),
+        )
         for x, towards in ((start, middle - half), (middle + half, end)):
             self.axes.plot([x, towards], [y, y], **LINE, zorder=1)
         self.symbol(run, middle - half, middle + half, y)
@@ -204,5 +208,6 @@ class _Drawing:
         others = [each for each, force in self.mechanism.forces.items() if force.on == on]
         y = top + 0.12 + 0.2 * others.index(name)
         arrow(self.axes, (left, y), (right, y), shrinkA=0, shrinkB=0, mutation_scale=9)
-        self.axes.text((left + right) / 2, y + 0.04, plain_label(name), ha="center", va="bottom", fontsize=SMALL)
-
+        self.axes.text(
+            (left + right) / 2, y + 0.04, plain_label(name), ha="center", va="bottom", fontsize=SMALL
+        )

@@ -1,7 +1,7 @@
 """Where the parts of a mechanism stand in a drawing: bodies in columns, what joins them in lanes.
 
-The ground is a wall at the left and one at the right. A part runs along a lane from one body to another; a body is
-as high as its lanes need. A part may pass a body only in a lane that the body does not cover.
+The ground is a wall at the left and one at the right. A part runs along a lane from one body to another; a
+body is as high as its lanes need. A part may pass a body only in a lane that the body does not cover.
 """
 
 from __future__ import annotations

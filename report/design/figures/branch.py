@@ -43,7 +43,14 @@ def branch(path: NumberPath, output: str) -> Figure:
     for side in sides:
         _special(axes, side, output, across, up, seen)
     begin = sides[0].stroke[output][0]
-    axes.plot(path.varied.value / across.factor, begin / up.factor, "o", color=BLACK, markersize=6, label="as in the file")
+    axes.plot(
+        path.varied.value / across.factor,
+        begin / up.factor,
+        "o",
+        color=BLACK,
+        markersize=6,
+        label="as in the file",
+    )
     axes.set(
         xlabel=f"{place_words(path.varied.place)} [{across.unit}]",
         ylabel=f"{plain_label(output)}, peak to peak [{up.unit}]",
@@ -61,14 +68,13 @@ def _line(axes: Axes, side: Side, output: str, across: Scale, up: Scale) -> None
         axes.plot(values[part], strokes[part], color=BLUE, linestyle=style, linewidth=width)
 
 
-def _special(
-    axes: Axes, side: Side, output: str, across: Scale, up: Scale, seen: set[SpecialKind]
-) -> None:
+def _special(axes: Axes, side: Side, output: str, across: Scale, up: Scale, seen: set[SpecialKind]) -> None:
     for each in side.special:
         mark, name = MARKERS[each.kind]
         label = None if each.kind in seen else name
         seen.add(each.kind)
         axes.plot(
             each.value / across.factor, each.stroke[output] / up.factor, mark,
-            color=BLACK, markerfacecolor="white", markersize=5, markeredgewidth=0.9, linestyle="none", label=label,
+            color=BLACK, markerfacecolor="white", markersize=5, markeredgewidth=0.9, linestyle="none",
+            label=label,
         )  # fmt: skip

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 NAMES = {Contacts.CLOSED: "contacts closed", Contacts.OPEN: "contacts open"}
 
 
-def transfer_functions(states: tuple[LinearState, ...], drive: str, output: str, frequency: float | None) -> Figure:
+def transfer_functions(
+    states: tuple[LinearState, ...], drive: str, output: str, frequency: float | None
+) -> Figure:
     """Draw modulus and phase of one transfer function in each state of the contacts."""
     figure, (modulus, phase) = panels(3.9, 2, 1, sharex=True, height_ratios=(2, 1))
     unit = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from report.design.figures.motion import plain_label
 from report.design.quantities import scale_for
@@ -55,11 +55,12 @@ def _stems(
         places = [line.frequency / frequency.factor for line in lines]
         sizes = [line.amplitude / amplitude.factor for line in lines]
         bottom = min(line.amplitude for line in spectrum.lines) / amplitude.factor / 100
-        style = "dashed" if number else "solid"
+        style: Literal["dashed", "solid"] = "dashed" if number else "solid"
         axes.vlines(places, bottom, sizes, color=colour, linewidth=1.1, linestyles=style)
         label = f"{plain_label(name)}: {words}" if name else words
         face = "none" if number else colour
         axes.plot(
-            places, sizes, mark, color=colour, markerfacecolor=face, markersize=6 if number else 4.5, label=label,
-            linestyle="none", markeredgecolor=colour if number else BLACK, markeredgewidth=1.0 if number else 0.4,
+            places, sizes, mark, color=colour, markerfacecolor=face, linestyle="none", label=label,
+            markersize=6 if number else 4.5, markeredgewidth=1.0 if number else 0.4,
+            markeredgecolor=colour if number else BLACK,
         )  # fmt: skip

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from trimmer.design.kept_map import DesignMap
+    from trimmer.design.varied_places import Varied
 
 
 def kind_map(drawn: DesignMap) -> Figure:
@@ -25,7 +26,9 @@ def kind_map(drawn: DesignMap) -> Figure:
     names = [category(cell.motions[0]) for cell in result.cells]
     legend = [each for each in categories() if each in names]
     numbers = np.array([legend.index(each) for each in names]).reshape(result.shape)
-    first, second = (scale_for(values, each.unit) for values, each in zip(result.values, _sides(drawn), strict=True))
+    first, second = (
+        scale_for(values, each.unit) for values, each in zip(result.values, _sides(drawn), strict=True)
+    )
     figure = new_figure(3.5)
     axes = figure.add_subplot()
     colours = {number: colour for number, (_, colour) in enumerate(legend)}
@@ -44,5 +47,5 @@ def kind_map(drawn: DesignMap) -> Figure:
     return figure
 
 
-def _sides(drawn: DesignMap) -> tuple:
+def _sides(drawn: DesignMap) -> tuple[Varied, Varied]:
     return drawn.first, drawn.second

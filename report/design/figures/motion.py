@@ -8,10 +8,13 @@ from report.design.quantities import scale_for
 from report.drawing.style import LINES, panels
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from report.design.quantities import Scale
+    from trimmer.arrays import Reals
     from trimmer.design.found_motion import FoundMotion, Spans
 
 FORCE_HEIGHT, BAR_HEIGHT = 1.7, 0.28
@@ -25,7 +28,11 @@ def motion_over_time(motion: FoundMotion) -> Figure:
         *((name, "contact", spans) for name, spans in signals.touching.items()),
         *((name, "stick", spans) for name, spans in signals.sticking.items()),
     ]
-    heights = [2.2, *([FORCE_HEIGHT] if signals.forces else []), *([0.4 + BAR_HEIGHT * len(rows)] if rows else [])]
+    heights = [
+        2.2,
+        *([FORCE_HEIGHT] if signals.forces else []),
+        *([0.4 + BAR_HEIGHT * len(rows)] if rows else []),
+    ]
     figure, all_axes = panels(
         sum(heights) + 0.4, len(heights), 1, sharex=True, height_ratios=heights, squeeze=False
     )
@@ -41,11 +48,11 @@ def motion_over_time(motion: FoundMotion) -> Figure:
     return figure
 
 
-def _curves(axes: Axes, times: object, curves: dict[str, object], name: str, unit: str) -> None:
-    every = [float(value) for curve in curves.values() for value in (curve.min(), curve.max())]  # type: ignore[attr-defined]
+def _curves(axes: Axes, times: Reals, curves: Mapping[str, Reals], name: str, unit: str) -> None:
+    every = [float(value) for curve in curves.values() for value in (curve.min(), curve.max())]
     scale = scale_for(every, unit)
     for (label, curve), look in zip(curves.items(), LINES * 4, strict=False):
-        axes.plot(times, curve / scale.factor, label=plain_label(label), **look)  # type: ignore[arg-type, operator]
+        axes.plot(times, curve / scale.factor, label=plain_label(label), **look)
     axes.set_ylabel(f"{name} [{scale.unit}]")
     if len(curves) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

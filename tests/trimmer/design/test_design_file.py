@@ -90,13 +90,33 @@ def test_what_is_unknown_is_assumed_from_the_rest() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ('mass = "35 g"', 'mass = "unknown"', "line 6: bodies.motor.mass = 'unknown': nothing in the file says"),
-        ('gap = "40 um"', 'gap = "60 um..20 um"', "line 16: plays.bridge.gap = '60 um..20 um': has no length"),
+        (
+            'mass = "35 g"',
+            'mass = "unknown"',
+            "line 6: bodies.motor.mass = 'unknown': nothing in the file says",
+        ),
+        (
+            'gap = "40 um"',
+            'gap = "60 um..20 um"',
+            "line 16: plays.bridge.gap = '60 um..20 um': has no length",
+        ),
         ('gap = "40 um"', 'gap = "1 N..2 N"', "'N' does not measure what m does"),
         ('gap = "40 um"', 'gap = "-1 um..2 um"', "has an end that must be zero or greater"),
-        ('held = "motor"', 'held = "moter"', "line 3: held = 'moter': names the body that a hand holds; did you"),
-        ("stroke_at_least", "strokes_at_least", "line 25: targets.strokes_at_least: unknown key; did you mean"),
-        ('{ stroke = "2.5 mm" }', '{ strok = "2.5 mm" }', "line 25: targets.stroke_at_least.strok = '2.5 mm': there"),
+        (
+            'held = "motor"',
+            'held = "moter"',
+            "line 3: held = 'moter': names the body that a hand holds; did you",
+        ),
+        (
+            "stroke_at_least",
+            "strokes_at_least",
+            "line 25: targets.strokes_at_least: unknown key; did you mean",
+        ),
+        (
+            '{ stroke = "2.5 mm" }',
+            '{ strok = "2.5 mm" }',
+            "line 25: targets.stroke_at_least.strok = '2.5 mm': there",
+        ),
         ('"90 m/s²"', '"90 m/s"', "line 26: targets.rms_acceleration_at_most = '90 m/s'"),
         ("= 0.2", "= -0.2", "line 27: targets.impact_speed_at_most = -0.2: must be zero or greater"),
         ("= true", '= "yes"', "line 28: targets.only_drive_period = 'yes': write true or false"),
@@ -122,6 +142,8 @@ def test_other_commands_tell_what_to_do_about_a_range() -> None:
     text = TEXT.replace('gap = "40 um"', 'gap = "unknown"').replace("force = 0.5", 'force = "0.1..0.9 N"')
     with pytest.raises(MechanismError) as error:
         Mechanism.from_toml_text(text, "mine.toml")
-    assert "line 16: plays.bridge.gap = 'unknown': nobody knows this value, and only 'trimmer design'" in str(error.value)
+    assert "line 16: plays.bridge.gap = 'unknown': nobody knows this value, and only 'trimmer design'" in str(
+        error.value
+    )
     assert "--set 'plays.bridge.gap=VALUE'" in str(error.value)
     assert "line 19: frictions.blade.force = '0.1..0.9 N': this is a range" in str(error.value)

@@ -16,10 +16,14 @@ def test_the_linear_trimmer_has_the_modes_of_its_other_model(linear_file: Design
     (state,) = linear_states(linear_file.mechanism)
     expected = modes(TrimmerParameters.thesis())
     assert [mode.frequency for mode in state.modes] == pytest.approx([mode.frequency for mode in expected])
-    assert [mode.damping_ratio for mode in state.modes] == pytest.approx([each.damping_ratio for each in expected])
+    assert [mode.damping_ratio for mode in state.modes] == pytest.approx(
+        [each.damping_ratio for each in expected]
+    )
 
 
-def test_closed_contacts_are_links_and_open_ones_are_nothing(trimmer_file: DesignFile, linear_file: DesignFile) -> None:
+def test_closed_contacts_are_links_and_open_ones_are_nothing(
+    trimmer_file: DesignFile, linear_file: DesignFile
+) -> None:
     closed, opened = linear_states(trimmer_file.mechanism)
     assert (closed.contacts, opened.contacts) == (Contacts.CLOSED, Contacts.OPEN)
     (linked,) = linear_states(linear_file.mechanism)

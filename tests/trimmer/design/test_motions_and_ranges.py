@@ -80,8 +80,12 @@ def test_a_longer_period_gives_fractions_of_the_drive() -> None:
 
 def test_signals_are_those_of_the_measures(trimmer_motion: FoundMotion) -> None:
     signals = trimmer_motion.signals
-    assert np.ptp(signals.outputs["stroke"]) == pytest.approx(trimmer_motion.outputs["stroke"].peak_to_peak, rel=1e-4)
-    assert abs(signals.forces["bridge"]).max() == pytest.approx(trimmer_motion.contacts["bridge"].largest_force, rel=1e-3)
+    assert np.ptp(signals.outputs["stroke"]) == pytest.approx(
+        trimmer_motion.outputs["stroke"].peak_to_peak, rel=1e-4
+    )
+    assert abs(signals.forces["bridge"]).max() == pytest.approx(
+        trimmer_motion.contacts["bridge"].largest_force, rel=1e-3
+    )
     touching = sum(length for _, length in signals.touching["bridge"])
     assert touching == pytest.approx(trimmer_motion.contacts["bridge"].share / 110, rel=1e-9)
 

@@ -1,4 +1,4 @@
-"""Sensitivities against formulas, remedies against motions on both sides of the bound, margins against orbits."""
+"""Slopes against formulas, remedies against motions on both sides of a bound, margins against orbits."""
 
 from __future__ import annotations
 
