@@ -166,7 +166,7 @@ class Study:
         if mechanism.frequency is None or len(near) < 2:
             return found
         more = partial(with_neighbours, mechanism, found, near, settings, self.runner)
-        return self._made(Stage.NEIGHBOURS, "", (depends, settings.cell_periods), more)
+        return self._made(Stage.NEIGHBOURS, "", settings.without_cells, more)
 
     def varied(self, motions: Motions) -> tuple[Varied, ...]:
         """Return the numbers that maps and branches are over."""
@@ -199,8 +199,7 @@ class Study:
             return None
         settings = self.settings
         make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
-        depends = (file.targets, settings.cell_periods, settings.starts, settings.seed, settings.most_periods)
-        return self._made(Stage.REMEDIES, "", depends, make)
+        return self._made(Stage.REMEDIES, "", (file.targets, settings.without_cells), make)
 
     def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
@@ -241,5 +240,3 @@ class Study:
         return result
 
 
-def silent(stage: Stage, about: str, done: int, count: int) -> None:
-    """Tell nobody."""

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
 
-AROUND = np.linspace(-0.3, 0.3, 7)
-"""Where neighbours lie around the working point, relative, along each of two numbers."""
+REACH = 0.3
+"""How far neighbours lie around the working point at most, relative, along each of two numbers."""
 SAME = 1e-6
 """Difference of two orbits relative to their sizes below which they are one."""
 
@@ -112,7 +112,7 @@ def with_neighbours(
     """
     if len(varied) < 2 or any(each.value == 0 for each in varied[:2]):
         return motions
-    values = {each.place: _around(each) for each in varied[:2]}
+    values = {each.place: _around(each, settings.neighbours) for each in varied[:2]}
     result = motion_map(mechanism, values, most_periods=settings.cell_periods, runner=runner, quiet=True)
     coexistence = coexisting_motions(result, most_rounds=40, runner=runner, quiet=True)
     columns, rows = (list(each) for each in values.values())
@@ -123,7 +123,7 @@ def with_neighbours(
     tried = Neighbours(
         (first, second),
         len(result.cells),
-        float(AROUND[-1]),
+        REACH,
         coexistence.tried,
         coexistence.rounds,
         coexistence.complete,
@@ -135,12 +135,13 @@ def with_neighbours(
     )
 
 
-def _around(varied: Varied) -> tuple[float, ...]:
+def _around(varied: Varied, count: int) -> tuple[float, ...]:
     """Return values around that of the file, which is the middle one; those out of range are drawn in."""
-    shares = AROUND
+    shares = np.linspace(-REACH, REACH, count)
+    shares[count // 2] = 0.0
     if varied.bounded:
         room = varied.highest / varied.value - 1
-        shares = np.where(AROUND > 0, AROUND / AROUND[-1] * min(room, AROUND[-1]), AROUND)
+        shares = np.where(shares > 0, shares / REACH * min(room, REACH), shares)
     values = np.where(shares == 0, varied.value, varied.value * (1 + shares))
     return tuple(dict.fromkeys(values.tolist()))
 

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 FARTHEST = 3.0
 """Largest factor by which a number is changed."""
-FACTORS = 20
-"""Trials to each side, evenly spaced on a logarithmic scale."""
 HALVINGS = 6
 """How often the step between the last trial that misses and the first that meets is halved."""
 PLACES = 12
@@ -121,7 +119,7 @@ def remedies_by(
     """
     value = mechanism.value(place)
     work = TrialWork(mechanism, (place,), all_measures(mechanism), settings.cell_periods)
-    factors = np.geomspace(1, FARTHEST, FACTORS + 1)[1:]
+    factors = np.geomspace(1, FARTHEST, settings.trials + 1)[1:]
     sides = [[(value * float(factor),) for factor in each] for each in (1 / factors, factors)]
     results = {each.values: each for each in runner.results(work, [each for side in sides for each in side])}
     found, trials = [], len(results)

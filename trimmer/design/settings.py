@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
@@ -15,6 +15,8 @@ class DesignSettings:
         most_periods: Drive periods to wait for each to settle.
         cells: Cells along each side of a map.
         cell_periods: Drive periods to wait in each cell.
+        neighbours: How many neighbours there are along each of two numbers, the working point included; odd.
+        trials: Values of a number that are tried to each side, to meet a target that is missed.
         most_points: Orbits of each branch, at most.
         range_points: Points at which a range is looked at, if there is one; for several see ``ranges``.
     """
@@ -24,8 +26,15 @@ class DesignSettings:
     most_periods: int = 1000
     cells: int = 24
     cell_periods: int = 300
+    neighbours: int = 7
+    trials: int = 20
     most_points: int = 300
     range_points: int = 17
+
+    @property
+    def without_cells(self) -> DesignSettings:
+        """The same whatever the maps' cells are, as what is no map stays as it is if maps are refined."""
+        return replace(self, cells=0)
 
 
 USUAL = DesignSettings()
