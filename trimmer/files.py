@@ -11,6 +11,7 @@ import stat
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 from trimmer.arguments import file_path, require_instance, truth_value
 from trimmer.errors import TrimmerError
@@ -59,6 +60,8 @@ LATEX = FileKind(
 )
 KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, ERRATA, TOML, MAP, MECHANISM, MODULE, LATEX)
 
+MOST_OF_A_DEVICE = 1 << 26
+"""Bytes that are read of a character device, such as a terminal."""
 _HEAD = 512
 """As many bytes as it takes to tell the kind of a file."""
 
@@ -70,10 +73,28 @@ def read_content(path: Path) -> bytes:
         OSError: if it cannot be read.
     """
     if path != STANDARD_INPUT:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            return _read(file)
     if sys.stdin is None:
         raise OSError(errno.EBADF, "standard input is closed")
-    return sys.stdin.buffer.read()
+    return _read(sys.stdin.buffer)
+
+
+def _read(file: BinaryIO) -> bytes:
+    """Read to the end; a device such as /dev/zero has none."""
+    if not _is_device(file):
+        return file.read()
+    content = file.read(MOST_OF_A_DEVICE)
+    if len(content) == MOST_OF_A_DEVICE:
+        raise OSError(errno.EFBIG, f"a device that gives {MOST_OF_A_DEVICE >> 20} MiB or more; name a file")
+    return content
+
+
+def _is_device(file: BinaryIO) -> bool:
+    try:
+        return stat.S_ISCHR(os.fstat(file.fileno()).st_mode)
+    except OSError:  # what stands in for standard input is no file of the system
+        return False
 
 
 def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool = False) -> None:
@@ -117,7 +138,10 @@ def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool 
     except OSError as error:
         if isinstance(error, FileWriteError):
             raise
-        raise FileWriteError(f"{path} cannot be written: {error.strerror or error}") from error
+        reason = f"{error.strerror or error}; name another place"
+        if isinstance(error, FileExistsError | NotADirectoryError):
+            reason = "a file stands where its folder would be; name another place"
+        raise FileWriteError(f"{path} cannot be written: {reason}") from error
 
 
 def check_replaceable(path: Path, kind: FileKind | None) -> None:
@@ -134,7 +158,8 @@ def check_replaceable(path: Path, kind: FileKind | None) -> None:
     except OSError as error:
         if isinstance(error, FileWriteError):
             raise
-        raise FileWriteError(f"{path} cannot be replaced: {error.strerror or error}") from error
+        reason = f"{error.strerror or error}; name another file"
+        raise FileWriteError(f"{path} cannot be replaced: {reason}") from error
     if head and _kind(head) is not kind:
         what = f"is no {kind.name}" if kind else "is a file of another kind"
         raise FileWriteError(

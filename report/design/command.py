@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
 DIRECTORY = Path("build") / "design"
+REPORT_OPTIONS = ("directory", "format", "paper", "processes")
+"""Names of the options that ``add_report_options`` adds."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -27,6 +29,7 @@ def _configure(parser: ArgumentParser) -> None:
         "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
     )
     add_report_options(parser)
+    add_overwrite_option(parser)
     parser.add_argument(
         "--full",
         action="store_true",
@@ -65,8 +68,6 @@ def add_report_options(parser: ArgumentParser) -> None:
         metavar="N",
         help="how many processes do the work (default: one for each core)",
     )
-    parser.add_argument("--quiet", action="store_true", help="tell no steps")
-    add_overwrite_option(parser)
 
 
 def formats_of(arguments: Namespace) -> frozenset[Format]:
@@ -135,7 +136,7 @@ def _make(
     from report.design.words import verdict_sentence
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
 
-    told = ProgressLines(arguments.quiet)
+    told = ProgressLines()
     settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
     design = looked_at(file, settings, runner, place.store, told)
     told.say("equations, pictures and pages ...")
@@ -155,4 +156,14 @@ COMMAND = Command(
     "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
     _configure,
     _run,
+    examples=(
+        Example(
+            "trimmer design examples/den-hartog.toml --format html",
+            "all that is known of an oscillator with dry friction, as build/design/den-hartog.html",
+        ),
+        Example(
+            "trimmer design examples/thesis.toml --format html --processes 1",
+            "the same of a trimmer without play, on one core",
+        ),
+    ),
 )

@@ -10,7 +10,8 @@ from report.design.figures.drawn import drawn
 from report.design.figures.lines import line_spectrum
 from report.design.quantities import percent, place_words, shown
 from report.design.words import OUTCOMES, capital, kind_words, measure_value, measure_words
-from report.document import Figure, Provenance
+from report.document.figure import Figure
+from report.document.thesis import Provenance
 from report.rendering.escaping import plain
 from trimmer.design.comparison import Comparison
 from trimmer.design.targets import Measure

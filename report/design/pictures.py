@@ -24,7 +24,7 @@ from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked
 
 if TYPE_CHECKING:
-    from report.document import Figure
+    from report.document.figure import Figure
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, final
 
 from report.design.quantities import place_words
+from trimmer.progress import is_silenced
 
 if TYPE_CHECKING:
     from trimmer.design.design import Stage
@@ -19,18 +20,13 @@ KEPT = 0.05
 @final
 @dataclass
 class ProgressLines:
-    """Tells each step on standard error.
+    """Tells each step on standard error, unless that is silenced."""
 
-    Attributes:
-        quiet: Whether to tell nothing.
-    """
-
-    quiet: bool = False
     _begun: dict[tuple[Stage, str], float] = field(default_factory=dict)
 
     def __call__(self, stage: Stage, about: str, done: int, count: int) -> None:
         """Tell how much of a step is done."""
-        if self.quiet:
+        if is_silenced():
             return
         begun = self._begun.setdefault((stage, about), time.perf_counter())
         if done == count:
@@ -47,7 +43,7 @@ class ProgressLines:
 
     def say(self, text: str) -> None:
         """Tell something else."""
-        if not self.quiet:
+        if not is_silenced():
             print(text, file=sys.stderr, flush=True)
 
 

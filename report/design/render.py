@@ -14,7 +14,8 @@ from report.rendering.request import Format, Paper
 
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
-    from report.document import Figure, Provenance
+    from report.document.figure import Figure
+    from report.document.thesis import Provenance
 
 
 class Shown(Protocol):

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.document import DerivationStep, Figure, Provenance
+from report.document.derivation import DerivationStep
+from report.document.figure import Figure
+from report.document.thesis import Provenance
 from trimmer.design.design import Design
 
 

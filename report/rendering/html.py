@@ -12,7 +12,7 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.copy.reading import ReaderCopy
-from report.document import Document
+from report.document.document import Document
 from report.grade import grade
 from report.octave.archive import archive
 from report.rendering.drawings import drawings

@@ -9,8 +9,8 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Words
-from report.document import Document
+from report.document.document import Document
+from report.finding import Finding
 from report.grade import Grade, grade
 from report.rendering import (
     certificate,
@@ -28,6 +28,7 @@ from report.rendering.links import check_claims, check_links
 from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
+from report.shown import Mathematics, Number, Shown, Words
 
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""

@@ -10,7 +10,7 @@ from importlib.metadata import version
 from typing import Any
 
 from report.cache.stage_store import StageStore
-from report.document import Document
+from report.document.document import Document
 from report.octave.archive import files
 from report.rendering.drawings import drawings
 from report.rendering.pieces import TEMPLATES

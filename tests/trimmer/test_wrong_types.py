@@ -8,6 +8,7 @@ import traceback
 from fractions import Fraction
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 
@@ -16,18 +17,23 @@ from trimmer import (
     CUTTER_RELATIVE_TO_GUARD,
     BodyFriction,
     ClosedLoop,
+    ControlElement,
     CoulombFriction,
     CsvLayout,
+    DeadZone,
     Drive,
     ElementAtFrequency,
     FrictionBacklash,
     InertiaBacklash,
     OpenLoop,
     OrbitSearch,
+    Preload,
     Relay,
+    Saturation,
     ScaledElement,
     Signal,
     Simulations,
+    StaticElement,
     SumOfElements,
     Tolerance,
     TrimmerError,
@@ -87,6 +93,7 @@ SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = Signal(SAMPLES, 1000.0)
 SPECTRUM = amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = CoulombFriction(1.0)
+STATIC = StaticElement(np.sin)
 SEARCH = OrbitSearch(Simulations.NEVER)
 
 ANYTHING = {"text": "1.0", "an object": object(), "a class": FrictionBacklash, "complex": 1j}
@@ -98,7 +105,13 @@ CALLS = {
     harmonic_balance: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
     limit_cycles: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
     CoulombFriction: {"force": 1.0},
-    Relay: {"level": 1.0},
+    Relay: {"level": 1.0, "hysteresis": 0.1, "dead_zone": 0.1},
+    Saturation: {"threshold": 1.0, "slope": 1.0},
+    DeadZone: {"threshold": 1.0, "slope": 1.0},
+    Preload: {"level": 1.0, "slope": 1.0},
+    StaticElement: {"function": np.sin, "scale": 1.0, "kinks": (0.5,)},
+    ControlElement: {"nonlinearity": control.saturation_nonlinearity(1.0)},
+    STATIC.describing_function_estimate: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
     ViscousFriction: {"damping": 1.0},
     FrictionBacklash: {"gap": 1.0},
     InertiaBacklash: {"gap": 1.0},

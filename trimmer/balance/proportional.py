@@ -96,10 +96,12 @@ def _real_and_negative(
         for left, right in zip(lower[possible & at_most_one], upper[possible & at_most_one], strict=True):
             roots.extend(_crossing(response, coefficient, float(left), float(right)))
         lower, upper = lower[possible & ~at_most_one], upper[possible & ~at_most_one]
-        tiny = (upper - lower <= 2 * _SMALLEST_HALF) | (lower.size > _MOST_INTERVALS)
-        odd = tiny & ~_holds_root_on_axis(response, lower, upper)
+        tiny = upper - lower <= 2 * _SMALLEST_HALF
+        given_up = tiny | (lower.size > _MOST_INTERVALS)
+        # A wide interval may hold solutions beside the root.
+        odd = given_up & ~(tiny & _holds_root_on_axis(response, lower, upper))
         undecided.append((lower[odd], upper[odd]))
-        lower, upper = lower[~tiny], upper[~tiny]
+        lower, upper = lower[~given_up], upper[~given_up]
         middle = 0.5 * (lower + upper)
         lower, upper = np.concatenate([lower, middle]), np.concatenate([middle, upper])
     x = np.array(sorted(roots))

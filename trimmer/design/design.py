@@ -238,5 +238,3 @@ class Study:
         result = self.keeper.made(stage.name.lower(), (about, depends), make)
         self.told(stage, about, 1, 1)
         return result
-
-

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from trimmer.elements.expansion import Sensitivity, Variation
 
 
-_FUNDAMENTAL = 4.0 / np.pi
+FUNDAMENTAL = 4.0 / np.pi
 """First Fourier coefficient of a square wave between -1 and 1."""
 
 
@@ -53,15 +53,15 @@ class SquareWaveElement(Element):
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
         """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is proportional to u."""
-        return constant_sensitivity(_FUNDAMENTAL, 0.0, u_range, omega_range)
+        return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
         """Return zeros: N is proportional to u."""
         return no_variation(u_range, omega_range)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        return self.LEAD**harmonic * (_FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
+        return self.LEAD**harmonic * (FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
 
     def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
         value = self._describing_function(amplitude, omega, 1)
-        return Expansion(value, np.full_like(value, self.LEAD * _FUNDAMENTAL), np.zeros_like(value))
+        return Expansion(value, np.full_like(value, self.LEAD * FUNDAMENTAL), np.zeros_like(value))

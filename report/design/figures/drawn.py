@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from report.document import Figure
+from report.document.figure import Figure
 from report.drawing.style import style
 from report.drawing.svg import to_svg
 

@@ -22,7 +22,14 @@ from trimmer.design.settings import DesignSettings
 from trimmer.examples import examples
 
 TINY = DesignSettings(
-    starts=1, cells=3, cell_periods=40, neighbours=3, trials=2, most_points=8, range_points=3, most_periods=100
+    starts=1,
+    cells=3,
+    cell_periods=40,
+    neighbours=3,
+    trials=2,
+    most_points=8,
+    range_points=3,
+    most_periods=100,
 )
 SMALL = """
 title = "Block on a floor"
@@ -44,7 +51,10 @@ stroke = { block = 1 }
 def commands(monkeypatch: pytest.MonkeyPatch) -> None:
     """The commands of this package, whatever is installed; and a look that is quick."""
     group = command_line.ENTRY_POINT_GROUP
-    found = [EntryPoint(n, f"report.design.{m}:COMMAND", group) for n, m in (("compare", "compare_command"), ("design", "command"))]
+    found = [
+        EntryPoint(n, f"report.design.{m}:COMMAND", group)
+        for n, m in (("compare", "compare_command"), ("design", "command"))
+    ]
     monkeypatch.setattr(command_line, "entry_points", lambda group: found)
     monkeypatch.setattr(settings, "USUAL", TINY)
 
@@ -85,7 +95,22 @@ def test_a_design_is_written_whole_and_again_from_what_is_kept(
 
 def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "tight.toml").write_text(SMALL.replace("0.1 mm", "50 um"))
-    assert main(["compare", "block.toml", "tight.toml", "--processes", "1", "--format", "html", "--directory", "out"]) == 0
+    assert (
+        main(
+            [
+                "compare",
+                "block.toml",
+                "tight.toml",
+                "--processes",
+                "1",
+                "--format",
+                "html",
+                "--directory",
+                "out",
+            ]
+        )
+        == 0
+    )
     page = (folder / "out" / "block-tight.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     for words in ("Gap of fork", "100 µm", "50 µm", "−50 %", "Impact speed in fork"):
         assert words in page
@@ -157,7 +182,9 @@ def test_two_runs_in_one_folder_do_not_spoil_each_other(folder: Path) -> None:
     for path in paths[1:]:
         file = read_design_file(path)
         together = looked_at(file, TINY, SerialRunner(), StageStore(kept), lambda *_: None)
-        alone = looked_at(file, TINY, SerialRunner(), StageStore(folder / "alone" / path.stem), lambda *_: None)
+        alone = looked_at(
+            file, TINY, SerialRunner(), StageStore(folder / "alone" / path.stem), lambda *_: None
+        )
         assert [each.result.cells for each in together.maps] == [each.result.cells for each in alone.maps]
         assert together.motion.outputs["stroke"].peak_to_peak == alone.motion.outputs["stroke"].peak_to_peak
         assert keeper_of(file, StageStore(kept)).depends == keeper_of(file, StageStore(folder)).depends
@@ -167,4 +194,6 @@ def test_help_names_each_option() -> None:
     parser = ArgumentParser()
     command.COMMAND.configure(parser)
     told = parser.format_help()
-    assert all(option in told for option in ("--full", "--directory", "--format", "--paper", "--processes", "--open"))
+    assert all(
+        option in told for option in ("--full", "--directory", "--format", "--paper", "--processes", "--open")
+    )

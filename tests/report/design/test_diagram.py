@@ -57,7 +57,9 @@ def test_names_of_parts_stand_in_the_drawing(mechanism: Mechanism) -> None:
 def test_many_bodies_are_placed_without_trying_every_order() -> None:
     chain = "\n".join(f'"s{n}" = {{ between = ["b{n}", "b{n + 1}"], stiffness = 1.0 }}' for n in range(11))
     bodies = "\n".join(f"b{n} = {{ mass = 1.0 }}" for n in range(12))
-    text = f'[bodies]\n{bodies}\n[links]\nfirst = {{ between = ["ground", "b0"], stiffness = 1.0 }}\n{chain}\n'
+    text = (
+        f'[bodies]\n{bodies}\n[links]\nfirst = {{ between = ["ground", "b0"], stiffness = 1.0 }}\n{chain}\n'
+    )
     layout = layout_of(Mechanism.from_toml_text(text))
     assert layout.bodies == tuple(f"b{n}" for n in range(12))
     assert not any(run.crosses for run in layout.runs)

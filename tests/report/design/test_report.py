@@ -71,9 +71,17 @@ def test_exposure_names_axis_standard_and_held_body(text: str) -> None:
 
 
 def test_each_picture_is_there_once_and_described(page: str, report: DesignReport) -> None:
-    assert {"diagram", "motion", "transfer", "spectrum-1", "map-1", "map-2", "branch-1", "ranges", "influence"} <= set(
-        report.figures
-    )
+    assert {
+        "diagram",
+        "motion",
+        "transfer",
+        "spectrum-1",
+        "map-1",
+        "map-2",
+        "branch-1",
+        "ranges",
+        "influence",
+    } <= set(report.figures)
     for name, figure in report.figures.items():
         assert page.count(f'<figure class="drawing" id="drawing-{name}">') == 1
         assert figure.alternative_text
@@ -82,7 +90,9 @@ def test_each_picture_is_there_once_and_described(page: str, report: DesignRepor
 
 def test_the_pages_of_the_pdf_hold_the_same(pdf: Path) -> None:
     pytest.importorskip("shutil")
-    found = subprocess.run(["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True).stdout
+    found = subprocess.run(
+        ["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True
+    ).stdout
     for section in SECTIONS:
         assert section in found
     assert "thesis" not in found.lower()
@@ -95,7 +105,9 @@ def with_verdict(design: Design, verdict: Verdict) -> Design:
 
 def test_sentences_for_each_outcome(design: Design) -> None:
     judged = design.verdict.judged
-    met = Verdict(Outcome.MET, Sureness.SURE, tuple(dataclasses.replace(e, met=True) for e in judged), 0.0, True)
+    met = Verdict(
+        Outcome.MET, Sureness.SURE, tuple(dataclasses.replace(e, met=True) for e in judged), 0.0, True
+    )
     assert verdict_sentence(with_verdict(design, met)).startswith("**All four targets are met**")
     missed = Verdict(Outcome.MISSED, Sureness.SURE, judged, 0.0, True)
     told = verdict_sentence(dataclasses.replace(with_verdict(design, missed), remedies=None))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_write, show
 from trimmer.examples import USUAL, examples
 
@@ -41,4 +41,13 @@ def _run(arguments: Namespace) -> int:
     return 0
 
 
-COMMAND = Command("init", "write a commented mechanism file to start from", _configure, _run)
+COMMAND = Command(
+    "init",
+    "write a commented mechanism file to start from",
+    _configure,
+    _run,
+    examples=(
+        Example("trimmer init mine.toml", "a hair trimmer with play and friction, to change its numbers"),
+        Example("trimmer init shaver.toml --example foil-shaver", "two cutters that move against each other"),
+    ),
+)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
@@ -41,11 +43,20 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
     Raises:
         MechanismError: if the file or a number cannot be used.
     """
+    return mechanism_with(arguments.file, arguments.set)
+
+
+def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:
+    """Return the mechanism of a file with numbers set, each by a text such as ``plays.bridge.gap=40um``.
+
+    Raises:
+        MechanismError: if the file or a number cannot be used.
+    """
     from trimmer.mechanism.places import assignment
     from trimmer.mechanism.reading import read_mechanism
 
-    assignments = [assignment(text) for text in arguments.set]
-    mechanism = read_mechanism(arguments.file, dict(assignments))
-    for place, value in assignments:
+    values = [assignment(text) for text in assignments]
+    mechanism = read_mechanism(file, dict(values))
+    for place, value in values:
         mechanism = mechanism.with_value(place, value)
     return mechanism

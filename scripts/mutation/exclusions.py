@@ -1,0 +1,106 @@
+"""What is not drawn: code whose change is no change of the mathematics."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+EXCLUDED = (
+    "docstrings, annotations, decorators, assertions, `__all__`, `if TYPE_CHECKING`, `__repr__` and `__str__`",
+    "the wording of errors and warnings (but not whether they are raised)",
+    "strings",
+    "settings: a module's constants that are plain numbers (tolerances, limits, sizes), arguments and fields of such "
+    "names (tolerance, points, steps and the like), numbers of 1e-5 and less, and whether a setting itself is included",
+    "looks of pictures: line widths, sizes, colours",
+    "trimmer/generated, which a test derives again",
+)
+"""In words, for the summary."""
+FOLDERS = ("trimmer/generated/",)
+PRINTED = ("__repr__", "__str__", "_repr_html_", "__all__")
+SETTING = re.compile(
+    r"tol|iteration|points|samples|limit|most|steps|block|chunk|digits|worker|width|height|size|alpha|zorder|pad|"
+    r"color|colour|marker|label|linestyle|lw|dpi|strict|frozen|encoding|stacklevel|maxsize|indent|bins|patience",
+    re.IGNORECASE,
+)
+SMALL, LARGE = 1e-5, 1e5
+SPECIAL = ("isinstance", "cast", "TypeVar", "field", "getattr", "hasattr", "warn", "NewType", "partial")
+"""Calls that are left alone: their change either fails at once or changes nothing."""
+
+
+def live_nodes(tree: ast.Module) -> Iterator[tuple[ast.AST, tuple[ast.AST, ...]]]:
+    """Yield each node that may be changed, with the nodes that it stands in, from the module inwards."""
+    yield from _live(tree, ())
+
+
+def _live(node: ast.AST, outer: tuple[ast.AST, ...]) -> Iterator[tuple[ast.AST, tuple[ast.AST, ...]]]:
+    yield node, outer
+    for child in _living_children(node):
+        yield from _live(child, (*outer, node))
+
+
+def _living_children(node: ast.AST) -> Iterator[ast.AST]:
+    for name, value in ast.iter_fields(node):
+        if name in ("annotation", "returns", "decorator_list", "type_comment", "type_params", "bases", "format_spec"):
+            continue
+        for child in value if isinstance(value, list) else [value]:
+            if isinstance(child, ast.AST) and not is_dead(child, node):
+                yield child
+
+
+def is_dead(node: ast.AST, parent: ast.AST) -> bool:
+    """Say whether a part of a node is left alone with all that is in it."""
+    match node:
+        case ast.Assert() | ast.Import() | ast.ImportFrom() | ast.JoinedStr():
+            return True
+        case ast.Expr(value=ast.Constant()):
+            return True
+        case ast.FunctionDef(name=name) if name in PRINTED:
+            return True
+        case ast.If(test=test) if _named(test) in ("TYPE_CHECKING", "__name__"):
+            return True
+        case ast.Call() if isinstance(parent, ast.Raise) or _named(node.func) in SPECIAL:
+            return True
+        case ast.keyword(arg=name) if name is not None and SETTING.search(name):
+            return True
+        case ast.Assign() | ast.AnnAssign():
+            return is_setting(node, parent)
+    return False
+
+
+def is_setting(node: ast.Assign | ast.AnnAssign, parent: ast.AST) -> bool:
+    """Say whether an assignment gives a setting its number, or a name its type."""
+    target = node.targets[0] if isinstance(node, ast.Assign) else node.target
+    name, value = _named(target), node.value
+    if value is None or name in PRINTED:
+        return True
+    if isinstance(parent, ast.Module) and name.isupper():
+        return is_plain_number(value)
+    return bool(SETTING.search(name)) and is_plain_number(value)
+
+
+def is_plain_number(value: ast.AST) -> bool:
+    """Say whether an expression is made of nothing but numbers."""
+    parts = (ast.Constant, ast.BinOp, ast.UnaryOp, ast.operator, ast.unaryop)
+    if isinstance(value, ast.Attribute | ast.Call):  # 64 * np.finfo(float).eps
+        return "finfo" in ast.unparse(value)
+    if isinstance(value, ast.BinOp):
+        return is_plain_number(value.left) and is_plain_number(value.right)
+    return all(isinstance(part, parts) for part in ast.walk(value))
+
+
+def is_setting_name(node: ast.AST) -> bool:
+    """Say whether a side of a comparison is a setting: a name in capitals, or a small number."""
+    named = any(_named(part).isupper() and len(_named(part)) > 1 for part in ast.walk(node))
+    return named or any(isinstance(part, ast.Constant) and is_extreme(part.value) for part in ast.walk(node))
+
+
+def is_extreme(value: object) -> bool:
+    """Say whether a number is so small or large that it is a tolerance or a limit."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return value != 0 and not SMALL < abs(value) < LARGE
+
+
+def _named(node: ast.AST) -> str:
+    return getattr(node, "attr", getattr(node, "id", getattr(node.left, "id", "") if isinstance(node, ast.Compare) else ""))

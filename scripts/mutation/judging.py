@@ -1,0 +1,111 @@
+"""Judging a mutant: by tests and by claims, until one of them notices it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+from scripts.mutation.child import End, Ended, Place, run
+from scripts.mutation.choice import batches, chosen, compiled_sources
+from scripts.mutation.claims import Difference, Judged, compare, judge_all
+from scripts.mutation.line_map import LineMap
+from scripts.mutation.mutants import Mutant
+from scripts.mutation.records import Noticed, Outcome
+from scripts.mutation.tested import failure
+from scripts.mutation.tree import Tree
+
+CLAIMS_LIMIT = 240.0
+"""Processor time, s, for all claims."""
+COMPILING = 120.0
+"""Further processor time, s, where code has to be compiled."""
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Judges mutants in one copy of the project.
+
+    Attributes:
+        tree: The copy.
+        lines: Which test file runs which line.
+        known: What claims the unaltered project gives.
+        both: Whether tests and claims are asked even if the first of them has noticed a mutant.
+    """
+
+    tree: Tree
+    lines: LineMap
+    known: Sequence[Judged]
+    both: bool = False
+
+    def outcome(self, mutant: Mutant) -> Outcome:
+        """Change the source, ask tests and claims, and change it back.
+
+        Claims come first for the derivations, which they rest on, tests for the rest.
+        """
+        compiled = mutant.path in compiled_sources(self.tree.root)
+        ways = [self._ask_tests, self._ask_claims]
+        if mutant.path.startswith("derivations/"):
+            ways.reverse()
+        outcome = Outcome()
+        with self.tree.changed(mutant, compiled) as numba:
+            place = Place(self.tree.root, numba, self.tree.root.with_name("printed.txt"))
+            for ask in ways:
+                outcome = ask(mutant, place, outcome)
+                if outcome.noticed is not Noticed.NOTHING and not self.both:
+                    break
+        return outcome
+
+    def _ask_tests(self, mutant: Mutant, place: Place, before: Outcome) -> Outcome:
+        files = chosen(mutant, self.lines, self.tree.root)
+        compiling = COMPILING * (place.numba != self.tree.numba)
+        seconds, failed = before.seconds, ""
+        for group in batches(files):
+            limit = 20.0 + 4.0 * sum(file.seconds for file in group) + compiling
+            ended = run(failure, ([file.path for file in group],), place, limit)
+            seconds += ended.seconds
+            failed = _fault(ended) or ended.value
+            if failed:
+                break
+        return replace(before, tests=failed, files=len(files), seconds=seconds)
+
+    def _ask_claims(self, mutant: Mutant, place: Place, before: Outcome) -> Outcome:
+        compiling = COMPILING * (place.numba != self.tree.numba)
+        ended = run(compare, (mutant.path, self.known), place, CLAIMS_LIMIT + compiling)
+        seconds = before.seconds + ended.seconds
+        if fault := _fault(ended):
+            return replace(before, claims=fault, seconds=seconds)
+        found: Difference = ended.value
+        return replace(before, claims=found.check, text=found.text, seconds=seconds)
+
+
+def unaltered(trees: Sequence[Tree]) -> list[Judged]:
+    """Judge the claims of the unaltered project in each copy; leave out texts that are not the same in all.
+
+    Raises:
+        RuntimeError: if something stops, or if a verdict is not the same.
+    """
+    with ThreadPoolExecutor(len(trees)) as pool:
+        runs = list(pool.map(_judged, trees))
+    same = []
+    for groups in zip(*runs, strict=True):
+        first = groups[0]
+        if any(each.stopped or each.verdicts != first.verdicts for each in groups):
+            raise RuntimeError(f"{first.name}: not the same in two runs, or stopped: {first.stopped}")
+        texts = {
+            claim: text for claim, text in first.texts.items() if all(each.texts[claim] == text for each in groups)
+        }
+        same.append(replace(first, texts=texts))
+    return same
+
+
+def _judged(tree: Tree) -> list[Judged]:
+    place = Place(tree.root, tree.numba, tree.root.with_name("printed.txt"))
+    ended = run(judge_all, (), place, CLAIMS_LIMIT + COMPILING)
+    if ended.end is not End.DONE:
+        raise RuntimeError(f"the claims of the unaltered project were not judged: {ended.value}\n{ended.printed}")
+    groups: list[Judged] = ended.value
+    return groups
+
+
+def _fault(ended: Ended) -> str:
+    return "" if ended.end is End.DONE else f"{ended.end.value}: {ended.value}"

@@ -1,0 +1,79 @@
+"""What goes on in the process of a test file: it is run, or run and recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+PACKAGES = ("derivations", "trimmer", "tests")
+OPTIONS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--tb=line")
+
+
+def failure(files: Sequence[str]) -> str:
+    """Run test files until one test fails; return its name, or what went wrong, empty if all passed."""
+    import pytest
+
+    watched = _Watch()
+    code = pytest.main([*OPTIONS, *files], plugins=[watched])
+    if code in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
+        return ""
+    return watched.failed or f"pytest ended with {code!r}"
+
+
+def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
+    """Run a test file; return what failed, the lines that were run by source, and the modules of the compiled entries.
+
+    Compiled functions are not seen line by line; instead it is written down which entry of compiled code was called.
+    """
+    import coverage
+
+    own = [f"{Path.cwd()}/{package}/*" for package in PACKAGES]
+    measured = coverage.Coverage(data_file=None, config_file=False, include=own)
+    measured.start()
+    try:
+        entries = _watch_entries()
+        failed = failure([file])
+    finally:
+        measured.stop()
+    data, root = measured.get_data(), Path.cwd()
+    lines = {
+        Path(name).relative_to(root).as_posix(): sorted(data.lines(name) or ())
+        for name in data.measured_files()
+        if Path(name).is_relative_to(root)
+    }
+    return failed, lines, sorted(entries)
+
+
+def _watch_entries() -> set[str]:
+    from trimmer.motion import compilation
+
+    called: set[str] = set()
+    original = compilation.kept
+
+    def kept(entry: Callable[..., Any], *rest: Any, **options: Any) -> Callable[..., Any]:
+        compiled = original(entry, *rest, **options)
+
+        def call(*arguments: Any) -> Any:
+            called.add(f"{entry.__module__.replace('.', '/')}.py")
+            return compiled(*arguments)
+
+        return call
+
+    compilation.kept = kept
+    return called
+
+
+class _Watch:
+    """Keeps the name of the first test or file that fails."""
+
+    def __init__(self) -> None:
+        self.failed = ""
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        if report.failed and not self.failed:
+            self.failed = report.nodeid
+
+    def pytest_collectreport(self, report: Any) -> None:
+        if report.failed and not self.failed:
+            self.failed = f"{report.nodeid} (not collected)"

@@ -1,0 +1,50 @@
+"""A linear system that passes a part of its input on at once: y = C x + D v."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import numpy as np
+import pytest
+
+from trimmer import ClosedLoop, Drive, FrictionBacklash, Motion, OpenLoop, ViscousBacklash, simulate
+from trimmer.elements.element import Element
+from trimmer.errors import IllPosedLoopError
+from trimmer.motion.loop_signal import LoopSignal, row_in_modes
+from trimmer.motion.loops import Loop
+
+GAP = 0.1
+DRIVE = Drive(0.3, 2.0 * math.pi)
+TIMES = np.linspace(0.0, 3.0, 301)
+
+
+def system(direct: float) -> control.StateSpace:
+    """Two damped modes beside what passes at once."""
+    A = np.array([[0.0, 1.0, 0.0], [-30.0, -0.8, 0.0], [0.0, 0.0, -2.0]])
+    return control.ss(A, [[0.0], [5.0], [1.0]], [[1.0, 0.1, -0.4]], [[direct]])
+
+
+def output_of_signals(motion: Motion, loop: Loop) -> np.ndarray:
+    (values,) = motion.values(TIMES, lambda mode: row_in_modes(loop, LoopSignal.OUTPUT)(mode)[None])
+    return values
+
+
+@pytest.mark.parametrize("element", [2.0 * FrictionBacklash(GAP), ViscousBacklash(GAP, 0.05)])
+def test_a_driven_system_adds_the_element_output_times_d(element: Element) -> None:
+    """The element follows the drive alone, so that systems which differ in D only differ by D times its output."""
+    without, direct = (OpenLoop(system(d), element, DRIVE) for d in (0.0, 0.7))
+    motions = [simulate(loop, 3.0) for loop in (without, direct)]
+    added = motions[1].output(TIMES) - motions[0].output(TIMES)
+    passed = motions[1].element_output(TIMES)
+    assert np.ptp(passed) > GAP
+    assert added == pytest.approx(0.7 * passed, abs=1e-12)
+    assert motions[1].state(TIMES) == pytest.approx(motions[0].state(TIMES), abs=1e-12)
+    assert output_of_signals(motions[1], direct) == pytest.approx(motions[1].output(TIMES), abs=1e-12)
+
+
+@pytest.mark.parametrize("direct", [0.4, -0.3])
+def test_in_feedback_it_is_refused(direct: float) -> None:
+    """The output of the element would act on its own input at the same instant."""
+    with pytest.raises(IllPosedLoopError, match="backlash: .* strictly proper"):
+        simulate(ClosedLoop(system(direct), FrictionBacklash(GAP)), 1.0)

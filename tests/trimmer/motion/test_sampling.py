@@ -1,0 +1,77 @@
+"""Values along a motion at many times, against the matrix exponential, which knows no steps and no blocks."""
+
+from __future__ import annotations
+
+import control
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from trimmer import ClosedLoop, FrictionBacklash, Motion, simulate
+from trimmer.motion.sampling import BLOCK
+
+A = np.array([[0.0, 1.0, 0.0], [-400.0, -1.0, 50.0], [0.0, 0.0, -3.0]])
+PLANT = control.ss(A, [[0.0], [0.0], [1.0]], [[1.0, 0.0, 0.0]], [[0.0]])
+START = np.array([0.2, -1.0, 0.5])
+NEVER = FrictionBacklash(100.0)
+"""A play so wide that it is never taken up: the element's output stays 0, and the system is left alone."""
+
+
+@pytest.fixture(scope="module")
+def free() -> Motion:
+    motion = simulate(ClosedLoop(PLANT, NEVER), 4.0, initial_state=START)
+    assert not [time for time in motion.event_times if time > 0.0]
+    return motion
+
+
+def step_of(motion: Motion) -> float:
+    """Return the length of the steps of the only mode that is visited, s."""
+    return float(motion.loop.modes.tables.step[motion.log.mode[0]])
+
+
+def exact(times: np.ndarray) -> np.ndarray:
+    return np.array([expm(A * time) @ START for time in times]).T
+
+
+def test_many_steps_within_one_mode(free: Motion) -> None:
+    assert step_of(free) < 0.2
+    times = np.random.default_rng(5).uniform(0.0, 4.0, 60)
+    assert free.state(times) == pytest.approx(exact(times), abs=1e-12)
+    assert free.output(times) == pytest.approx(exact(times)[0], abs=1e-12)
+
+
+def test_the_ends_of_steps_and_what_is_next_to_them(free: Motion) -> None:
+    ends = step_of(free) * np.arange(1, int(4.0 / step_of(free)))
+    times = np.concatenate([ends, np.nextafter(ends, 0.0), np.nextafter(ends, 9.0), [0.0, 4.0]])
+    assert free.state(times) == pytest.approx(exact(times), abs=1e-12)
+
+
+@pytest.mark.parametrize("count", [1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 7])
+def test_any_number_of_times_within_a_step(free: Motion, count: int) -> None:
+    times = step_of(free) * (3.0 + np.linspace(0.05, 0.95, count))
+    grid = np.linspace(0, count - 1, 9).astype(int)
+    assert free.state(times)[:, grid] == pytest.approx(exact(times[grid]), abs=1e-12)
+    assert (np.diff(free.state(times)[2]) < 0.0).all()  # a decay, which no sample may interrupt
+
+
+def test_times_that_are_far_apart_or_all_the_same(free: Motion) -> None:
+    assert free.state([3.999]) == pytest.approx(exact(np.array([3.999])), abs=1e-12)
+    assert free.state([0.1, 3.9]) == pytest.approx(exact(np.array([0.1, 3.9])), abs=1e-12)
+    assert free.state([1.7] * 5) == pytest.approx(np.repeat(exact(np.array([1.7])), 5, axis=1), abs=1e-12)
+
+
+def test_several_modes_each_from_its_own_start() -> None:
+    """Between two events the output of the play is at rest or follows; the flow from each event is that of its mode."""
+    motion = simulate(ClosedLoop(PLANT, FrictionBacklash(0.05)), 4.0, initial_state=START)
+    starts = np.unique([0.0, *motion.event_times])
+    assert len(starts) > 8
+    for begin, end in zip(starts, [*starts[1:], 4.0], strict=True):
+        inside = begin + (end - begin) * np.array([1e-6, 0.3, 0.6, 0.999])
+        states, outputs = motion.state(inside), motion.element_output(inside)
+        moving = np.ptp(outputs) > 1e-9
+        feedback = PLANT.B @ PLANT.C if moving else np.zeros((3, 3))
+        constant = outputs[0] + moving * motion.output(inside[0])
+        matrix = np.block([[A - feedback, PLANT.B * constant], [np.zeros((1, 4))]])
+        first = np.append(states[:, 0], 1.0)
+        expected = [(expm(matrix * (time - inside[0])) @ first)[:3] for time in inside]
+        assert states == pytest.approx(np.transpose(expected), abs=1e-11)
