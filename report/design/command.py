@@ -14,14 +14,13 @@ from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
 
 if TYPE_CHECKING:
+    from trimmer.maps.runner import Runner
+
     from report.design.building import Place
     from trimmer.design.design_file import DesignFile
-    from trimmer.maps.runner import Runner
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
 DIRECTORY = Path("build") / "design"
-REPORT_OPTIONS = ("directory", "format", "paper", "processes")
-"""Names of the options that ``add_report_options`` adds."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -29,7 +28,6 @@ def _configure(parser: ArgumentParser) -> None:
         "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
     )
     add_report_options(parser)
-    add_overwrite_option(parser)
     parser.add_argument(
         "--full",
         action="store_true",

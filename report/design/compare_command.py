@@ -1,4 +1,4 @@
-"""``trimmer compare A B``: two mechanisms side by side; or, as without this package, a measured motion."""
+"""``trimmer compare A B``: two mechanisms side by side, before and after a change."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.design.command import (
-    REPORT_OPTIONS,
     add_report_options,
     check_files,
     formats_of,
@@ -18,63 +17,22 @@ from report.design.command import (
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_read
-from trimmer.command_line.parser import OptionError, as_option, is_given
-from trimmer.command_line.signals import compare as measured
+from trimmer.command_line.parser import OptionError
 from trimmer.files import STANDARD_INPUT, write_atomically
 
 if TYPE_CHECKING:
     from trimmer.design.comparison import Comparison
 
-FLAGS = ("json", "ignore_time")
-"""Options without a value that are for a measured motion alone."""
-
 
 def _configure(parser: ArgumentParser) -> None:
-    measured.configure(parser, always_against=False)
-    parser.add_argument(
-        "after",
-        type=file_to_read,
-        nargs="?",
-        metavar="AFTER",
-        help="a second mechanism: the first file is a mechanism too then, before the change",
-    )
+    parser.add_argument("before", type=file_to_read, metavar="A", help="mechanism before, a TOML file")
+    parser.add_argument("after", type=file_to_read, metavar="B", help="mechanism after, a TOML file")
     add_report_options(parser)
 
 
 def _run(arguments: Namespace) -> int:
-    if arguments.after is None:
-        return _run_measured(arguments)
-    _refuse_measured(arguments)
-    if arguments.file == arguments.after == STANDARD_INPUT:
+    if arguments.before == arguments.after == STANDARD_INPUT:
         raise OptionError("both files are standard input: name a file for one of them")
-    return _run_designs(arguments)
-
-
-def _run_measured(arguments: Namespace) -> int:
-    if arguments.against is None:
-        raise OptionError(
-            f"{arguments.file}: name what it is compared with: a second mechanism, or for a measured motion "
-            "a mechanism (--against FILE)"
-        )
-    for name in REPORT_OPTIONS:
-        if is_given(arguments, name) or (name == "format" and arguments.format):
-            raise OptionError(f"{as_option(name)} has no effect without a second mechanism: leave it out")
-    return measured.run(arguments)
-
-
-def _refuse_measured(arguments: Namespace) -> None:
-    """Refuse options of a measured motion, which have no effect on two mechanisms."""
-    given: frozenset[str] = getattr(arguments, "given", frozenset())
-    flags = {name for name in FLAGS if getattr(arguments, name)}
-    if unused := sorted((given | flags) - {*REPORT_OPTIONS, "file", "after"}):
-        raise OptionError(
-            f"{as_option(unused[0])} has no effect on two mechanisms: leave it out, or the second one"
-        )
-    if arguments.set:
-        raise OptionError("--set has no effect on two mechanisms: write each number into its file")
-
-
-def _run_designs(arguments: Namespace) -> int:
     formats, runner = formats_of(arguments), runner_of(arguments)
     from report.design.building import Place, looked_at
     from report.design.comparison import comparison_sentence
@@ -83,8 +41,8 @@ def _run_designs(arguments: Namespace) -> int:
     from trimmer.design.design_file import read_design_file
     from trimmer.design.settings import USUAL
 
-    files = [read_design_file(path) for path in (arguments.file, arguments.after)]
-    names = _names(arguments.file, arguments.after)
+    files = [read_design_file(path) for path in (arguments.before, arguments.after)]
+    names = _names(arguments.before, arguments.after)
     place = Place(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)
     told = ProgressLines()
@@ -118,14 +76,13 @@ def _contents(
 
 COMMAND = Command(
     "compare",
-    "two mechanisms, before and after a change; or a measured motion beside what a mechanism settles to",
+    "report on two mechanisms side by side, before and after a change; HTML and PDF",
     _configure,
     _run,
     examples=(
         Example(
             "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
-            "a page on both: verdicts, measures side by side, spectra over each other, what changed in the file",
+            "a page on both: what changed in the file, verdicts, measures side by side, spectra",
         ),
-        *measured.COMMAND.examples,
     ),
 )

@@ -20,7 +20,7 @@ from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, init, motion_maps, respond
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import compare, spectrum
+from trimmer.command_line.signals import overlay, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
@@ -117,16 +117,15 @@ def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
 
 
 def installed_commands() -> list[Command]:
-    """Return the commands of this package and those of others; one of theirs takes the place of its name."""
+    """Return the commands of this package and those of others."""
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, compare.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
         *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
-    named = {command.name: command for command in (*own, *others) if command is not None}
-    return list(named.values())
+    return own + [command for command in others if command is not None]
 
 
 def _loaded(entry: EntryPoint) -> Command | None:
