@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from trimmer.design.design import Told
     from trimmer.design.design_file import DesignFile
     from trimmer.design.settings import DesignSettings
-    from trimmer.maps.runner import Runner
+    from trimmer.runners.runner import Runner
 
 CACHE = ".kept"
 """Folder beside the report in which each step is kept as soon as it is done."""

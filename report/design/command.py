@@ -14,10 +14,9 @@ from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
 
 if TYPE_CHECKING:
-    from trimmer.maps.runner import Runner
-
     from report.design.building import Place
     from trimmer.design.design_file import DesignFile
+    from trimmer.runners.runner import Runner
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
 DIRECTORY = Path("build") / "design"
@@ -66,6 +65,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         metavar="N",
         help="how many processes do the work (default: one for each core)",
     )
+    add_overwrite_option(parser)
 
 
 def formats_of(arguments: Namespace) -> frozenset[Format]:
@@ -86,7 +86,8 @@ def runner_of(arguments: Namespace) -> Runner:
     Raises:
         OptionError: if the number of processes cannot be used.
     """
-    from trimmer.maps.runner import ProcessRunner, SerialRunner
+    from trimmer.runners.processes import ProcessRunner
+    from trimmer.runners.runner import SerialRunner
 
     if arguments.processes is not None and arguments.processes < 1:
         raise OptionError(f"--processes {arguments.processes}: give a whole number from 1 on")

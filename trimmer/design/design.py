@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from trimmer.design.design_file import DesignFile
     from trimmer.design.found_motion import FoundMotion
     from trimmer.design.settings import DesignSettings
-    from trimmer.maps.runner import Runner
+    from trimmer.runners.runner import Runner
 
 Result = TypeVar("Result")
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from trimmer.design.keeping import Keeper
     from trimmer.design.settings import DesignSettings
     from trimmer.design.varied_places import Varied
-    from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
 
 Told = Callable[[int, int], None]
 """Is told how many rows of how many are done."""

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from trimmer.design.settings import DesignSettings
     from trimmer.design.varied_places import Varied
     from trimmer.maps.cells import CellMotion
-    from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
 
 REACH = 0.3
 """How far neighbours lie around the working point at most, relative, along each of two numbers."""

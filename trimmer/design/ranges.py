@@ -14,8 +14,8 @@ from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Integers, Reals
     from trimmer.design.settings import DesignSettings
-    from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
 
 EACH = 3
 """Powers of two by which the points of several ranges exceed those of one."""

@@ -17,8 +17,8 @@ from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 if TYPE_CHECKING:
     from trimmer.design.sensitivity import Sensitivities
     from trimmer.design.settings import DesignSettings
-    from trimmer.maps.runner import Runner
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
 
 FARTHEST = 3.0
 """Largest factor by which a number is changed."""

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.design.quantities import place_words, scale_for
-from report.drawing.cells import draw_cells
 from report.drawing.style import new_figure
-from trimmer.maps.drawing import categories, category
+from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.kinds import categories, category, legend_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 def kind_map(drawn: DesignMap) -> Figure:
     """Draw the kinds of motion as areas, and the working point."""
-    from matplotlib.patches import Patch
-
     result = drawn.result
     names = [category(cell.motions[0]) for cell in result.cells]
     legend = [each for each in categories() if each in names]
@@ -31,8 +29,10 @@ def kind_map(drawn: DesignMap) -> Figure:
     )
     figure = new_figure(3.5)
     axes = figure.add_subplot()
-    colours = {number: colour for number, (_, colour) in enumerate(legend)}
-    draw_cells(axes, result.values[0] / first.factor, result.values[1] / second.factor, numbers, colours)
+    colours = {number: each.colour for number, each in enumerate(legend)}
+    hatches = {number: each.hatch for number, each in enumerate(legend)}
+    across, up = (values / scale.factor for values, scale in zip(result.values, (first, second), strict=True))
+    draw_cells(axes, across, up, numbers, colours, hatches)
     axes.plot(
         drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
         color="white", markeredgecolor="black", markersize=7, clip_on=False,
@@ -42,8 +42,7 @@ def kind_map(drawn: DesignMap) -> Figure:
         ylabel=f"{place_words(drawn.second.place)} [{second.unit}]",
     )
     axes.grid(visible=False)
-    handles = [Patch(facecolor=colour, edgecolor="0.4", label=name) for name, colour in legend]
-    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    axes.legend(handles=legend_of(legend), loc="upper left", bbox_to_anchor=(1.01, 1.0))
     return figure
 
 
