@@ -49,6 +49,11 @@ class Document:
     twin: TwinChapter | None = None
 
     @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        return self.provenance.line
+
+    @property
     def steps(self) -> tuple[DerivationStep, ...]:
         """All steps of the derivation, in their order."""
         return (*self.derivation, *self.describing_functions, *self.solution)
