@@ -25,6 +25,8 @@ from scripts.mutation.tree import Tree, copied
 PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / "build" / "mutation"
 CLAIMS = "claims.pickle"
+MAPPED = "0"
+"""Folder of the copy in which tests are recorded; those in which mutants are made have the next numbers."""
 MEASURED = PROJECT / "report" / "data" / "mutation.json"
 """What the report's chapter on the method prints."""
 
@@ -44,13 +46,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def record_map(processes: int, tests: str) -> None:
     """Record which test file runs which line, where that is not known."""
-    for file in record(copied(PROJECT, FOLDER / "0"), FOLDER, processes, tests):
+    for file in record(copied(PROJECT, FOLDER / MAPPED), FOLDER, processes, tests):
         print(f"{file.seconds:6.1f} s  {file.path}  {file.failed and 'FAILS: ' + file.failed}", flush=True)
 
 
 def judge_mutants(wanted: argparse.Namespace) -> None:
     """Judge what has no outcome yet, in as many copies of the project as there are processes."""
-    trees = [copied(PROJECT, FOLDER / str(number)) for number in range(wanted.processes)]
+    trees = [copied(PROJECT, FOLDER / str(number)) for number in range(1, wanted.processes + 1)]
     line_map = read_map(trees[0].root, FOLDER)
     for failed in line_map.unusable:
         print(f"not used, it fails in the unaltered copy: {failed}", flush=True)
