@@ -230,6 +230,36 @@ class SurvivalRow:
 
 
 @dataclass(frozen=True)
+class MutationMeasurement:
+    """How many changes of this program, made at random, were noticed.
+
+    Attributes:
+        date: When it was measured, year-month-day.
+        command: With what.
+        drawn: How many changes were made.
+        equivalent: How many of them have no effect.
+        claims: How many another verdict, or a check that stopped the report, has shown first.
+        tests: How many a test has shown first.
+        nothing: How many nothing has shown, of those with an effect.
+        interval: 95 % interval of the share that is noticed among those with an effect.
+    """
+
+    date: str
+    command: str
+    drawn: int
+    equivalent: int
+    claims: int
+    tests: int
+    nothing: int
+    interval: tuple[float, float]
+
+    @property
+    def noticed(self) -> int:
+        """How many were noticed."""
+        return self.claims + self.tests
+
+
+@dataclass(frozen=True)
 class Robustness:
     """How far the corrected results hold when parameters change by ``percent``.
 
@@ -362,6 +392,7 @@ class Document:
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     robustness: Robustness | None = None
+    mutation: MutationMeasurement | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0

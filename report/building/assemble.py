@@ -28,6 +28,7 @@ from report.document import (
     TwinChapter,
 )
 from report.inventory import FURTHER, read_inventory
+from report.mutation import read_mutation
 from report.provenance import provenance
 from report.sections import read_sections
 from report.spread import read_follows
@@ -113,6 +114,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         answers=parts.answers,
         corrected=parts.corrected,
         robustness=parts.robustness,
+        mutation=read_mutation(),
         twin=parts.twin,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),

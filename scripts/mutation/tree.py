@@ -15,8 +15,8 @@ from pathlib import Path
 from scripts.mutation.mutants import Mutant
 
 LATER = 1000.0
-"""How much later, s, than its original a changed source says that it was written: what Python has compiled from the
-original is not taken for it, even if both have the same length."""
+"""How much later, s, than its original a changed source says that it was written: what Python has compiled
+from the original is not taken for it, even if both have the same length."""
 PACKAGES = ("derivations", "trimmer", "report", "tests", "scripts")
 
 
@@ -38,7 +38,8 @@ class Tree:
 
         Args:
             mutant: The change.
-            compiled: Whether compiled code is made of the source. It then gets an empty folder, since Numba does not
+            compiled: Whether compiled code is made of the source. It then gets an empty folder, since Numba
+            does not
                 see a change in what a function calls.
 
         Raises:
@@ -62,8 +63,8 @@ class Tree:
 def copied(project: Path, folder: Path) -> Tree:
     """Bring a copy of the working tree up to date: every file that git tracks or would track.
 
-    Files of an unchanged content stay as they are, so that what was compiled from them is used again. The copy
-    belongs to this process until it ends.
+    Files of an unchanged content stay as they are, so that what was compiled from them is used again. The
+    copy belongs to this process until it ends.
 
     Raises:
         BlockingIOError: if another process has the copy.

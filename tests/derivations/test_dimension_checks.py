@@ -78,7 +78,7 @@ def test_each_entry_of_the_state_space_is_checked(name: str) -> None:
 
 
 def test_where_a_state_is_zero_each_other_dimension_is_refused_too() -> None:
-    """A displacement in the rate of a displacement has to be divided by a time, in that of a velocity by two."""
+    """A displacement in the rate of a displacement needs a factor of 1/s, in that of a velocity of 1/s²."""
     space = derived().space
     for row, entry in ((0, k1 / m1), (BODIES, c1 / m1)):
         changed = space.a.as_mutable()
@@ -140,7 +140,8 @@ def test_dimensions_by_hand(expression: sympy.Expr, expected: object) -> None:
 
 
 @pytest.mark.parametrize(
-    "expression", [sympy.atan2(q1, q2), q1 ** (q1 / q2), (q1 / q2) ** q1, q1 + 2 * q2 + k1, q1 ** sympy.sqrt(2)]
+    "expression",
+    [sympy.atan2(q1, q2), q1 ** (q1 / q2), (q1 / q2) ** q1, q1 + 2 * q2 + k1, q1 ** sympy.sqrt(2)],
 )
 def test_what_has_no_dimension_is_refused(expression: sympy.Expr) -> None:
     with pytest.raises(DimensionError):

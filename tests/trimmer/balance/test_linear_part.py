@@ -17,7 +17,9 @@ from trimmer.linear.frequency_response import UnsupportedSystemError
 OMEGA = np.geomspace(0.01, 100.0, 40)
 
 
-def response(gain: float, poles: list[complex], zeros: list[complex], reference: float = 1.0) -> InverseResponse:
+def response(
+    gain: float, poles: list[complex], zeros: list[complex], reference: float = 1.0
+) -> InverseResponse:
     return InverseResponse(gain, np.array(poles, complex), np.array(zeros, complex), reference)
 
 
@@ -38,7 +40,9 @@ def exact_roots(given: InverseResponse, feedback: LinearGain) -> list[complex]:
         zeros = polynomial(given.zeros)
         slope = mpmath.mpf(feedback.damping) * mpmath.mpf(given.reference)
         added = [slope * each for each in (*zeros, 0)]
-        added = [one + mpmath.mpc(feedback.constant) * other for one, other in zip(added, (0, *zeros), strict=True)]
+        added = [
+            one + mpmath.mpc(feedback.constant) * other for one, other in zip(added, (0, *zeros), strict=True)
+        ]
         added = [mpmath.mpc(0)] * (len(poles) - len(added)) + added
         total = [one + other for one, other in zip(poles, added, strict=True)]
         return [complex(root) for root in mpmath.polyroots(total, maxsteps=500, extraprec=400)]
@@ -125,7 +129,9 @@ def test_linear_part_and_rest_make_the_element(element: Element) -> None:
     assert abs(far[0] - far[1]) < 1e-8  # bounded: nothing grows with the amplitude
 
 
-@pytest.mark.parametrize(("element", "damping"), [(VISCOUS, 0.7), (VISCOUS + 2.0 * VISCOUS, 2.1), (-1.0 * VISCOUS, -0.7)])
+@pytest.mark.parametrize(
+    ("element", "damping"), [(VISCOUS, 0.7), (VISCOUS + 2.0 * VISCOUS, 2.1), (-1.0 * VISCOUS, -0.7)]
+)
 def test_of_a_linear_element_nothing_is_left(element: Element, damping: float) -> None:
     linear, rest = parted(element)
     assert rest is None
