@@ -58,6 +58,7 @@ from .errors import LinearElementError as LinearElementError
 from .errors import MapError as MapError
 from .errors import MapFileError as MapFileError
 from .errors import MechanismError as MechanismError
+from .errors import MissingPackageError as MissingPackageError
 from .errors import OrbitNotFoundError as OrbitNotFoundError
 from .errors import OrbitNotFoundWarning as OrbitNotFoundWarning
 from .errors import TrimmerError as TrimmerError

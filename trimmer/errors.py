@@ -64,3 +64,7 @@ class MapFileError(TrimmerError, ValueError):
 
 class WorkerError(TrimmerError, RuntimeError):
     """A process that did the work of cells ended at once, as when memory runs out."""
+
+
+class MissingPackageError(TrimmerError, ImportError):
+    """A package that few need is not installed; the message says how to install it."""

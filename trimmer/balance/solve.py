@@ -24,6 +24,7 @@ from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
+from trimmer.motion.loops import ClosedLoop
 
 if TYPE_CHECKING:
     from trimmer.balance.cells import Cells
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
     from trimmer.balance.search import Searched
-    from trimmer.motion.loops import ClosedLoop
 
 CALLER = 3
 """Level of the stack on which a warning of a function that takes a loop names its caller's line."""
@@ -111,6 +111,7 @@ def harmonic_balance(
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
+    element = loop.element if frozen_omega is None else loop.element.at(frozen_omega)
     cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
     element_has_bounds = equation.curve.element.has_bounds
     certificate = Certificate(
@@ -125,7 +126,7 @@ def harmonic_balance(
         zero_on_axis=_has_zero_on_axis(equation.response, outcome.omegas),
         unproven=unproven(equation.curve, outcome),
     )
-    return HarmonicBalance(cycles, certificate)
+    return HarmonicBalance(cycles, certificate, ClosedLoop(loop.system, element))
 
 
 def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) -> bool:

@@ -23,7 +23,7 @@ from trimmer.branches.relocation import Sought, relocated
 from trimmer.branches.self_excited_map import SelfExcitedMap
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MechanismError, UnsupportedMotionError
-from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.mechanism.place_text import parse_place, place_text, unit_of
 from trimmer.progress import progress_bar
 
 DEFAULT = LocusSettings()
@@ -301,6 +301,7 @@ def _obstacle(search: _Search, track: _Track) -> LocusEnd:
 def _locus(search: _Search, track: _Track, reason: LocusEnd) -> Locus:
     values = search.lowest + np.array([point.values for point in track.points]) * search.spans
     places = [_place(search, numbers, point) for numbers, point in zip(values, track.points, strict=True)]
+    units = search.maps[0].mechanism.places
     return Locus(
         kind=search.sought.kind,
         parts=search.sought.parts,
@@ -312,6 +313,7 @@ def _locus(search: _Search, track: _Track, reason: LocusEnd) -> Locus:
         distance=np.array([_distance(search, place) for place in places]),
         reason=reason,
         message=_message(search, track, reason, values[-1]),
+        units=(unit_of(units, search.maps[0].place), unit_of(units, search.maps[1].place)),
     )
 
 

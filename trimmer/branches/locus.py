@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from trimmer.arguments import finite_number, positive_number, whole_number
 from trimmer.arrays import Reals
 from trimmer.branches.special import SpecialKind
 from trimmer.choices import Choice
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table, arrays
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 class LocusEnd(Choice):
@@ -80,8 +86,8 @@ class LocusRanges:
         return self.first, self.second
 
 
-@dataclass(frozen=True, eq=False)
-class Locus:
+@dataclass(frozen=True, eq=False, repr=False)
+class Locus(Tabular):
     """Where a special point lies over two numbers: of each pair the exact orbit is known.
 
     Each point is located as on a branch, to some 1e-10 of the numbers.
@@ -99,6 +105,7 @@ class Locus:
             orbit that is its own mirror image then.
         reason: Why it ends.
         message: The same as a sentence, with the values at which it ends.
+        units: Of the two numbers; empty for a number without one.
     """
 
     kind: SpecialKind
@@ -111,6 +118,7 @@ class Locus:
     distance: Reals
     reason: LocusEnd
     message: str
+    units: tuple[str, str] = ("", "")
 
     @property
     def first(self) -> Reals:
@@ -121,6 +129,37 @@ class Locus:
     def second(self) -> Reals:
         """Values of the second number, (points,)."""
         return self.values[:, 1]
+
+    @property
+    def name(self) -> str:
+        """What it is, with the parts, for a legend."""
+        parts = f", {' and '.join(self.parts)}" if self.parts else ""
+        return f"{self.kind.word}{parts}"
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the locus over both numbers, in their units.
+
+        Args:
+            ax: Where to draw, such as over a map; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.curves import draw_curves
+
+        return draw_curves([(self.name, self.values)], self.places, self.units, ax)
+
+    def _told(self) -> str:
+        over, points = " and ".join(self.places), counted(len(self.values), "point")
+        return f"{self.name} over {over}, {points}; {self.message}"
+
+    def _table(self) -> Table:
+        places = (
+            Column(place, unit, self.values[:, number].__getitem__)
+            for number, (place, unit) in enumerate(zip(self.places, self.units, strict=True))
+        )
+        measures = arrays(residual=("", self.residual), distance=("", self.distance))
+        return Table(self.name, range(len(self.values)), (*places, *measures))
 
     @property
     def success(self) -> bool:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from argparse import ArgumentError, ArgumentParser, Namespace
-from collections.abc import Callable
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_write
 from trimmer.files import write_atomically
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 def add_json_option(parser: ArgumentParser) -> None:
@@ -38,15 +41,17 @@ def add_plot_option(parser: ArgumentParser, what: str) -> None:
     )
 
 
-def write_picture(arguments: Namespace, draw: Callable[[str], bytes]) -> None:
-    """Write the file that ``--plot`` names.
+def write_picture(arguments: Namespace, figure: Figure) -> None:
+    """Write the file that ``--plot`` names, as its name ends: SVG, PNG or PDF.
 
     Args:
         arguments: The options, with ``--plot``.
-        draw: Returns the content of the file for its format: ``svg``, ``png`` or ``pdf``.
+        figure: The picture.
 
     Raises:
         TrimmerError: if it cannot be written.
     """
-    picture = draw(arguments.plot.suffix[1:].lower())
+    from trimmer.drawing.content import content_of
+
+    picture = content_of(figure, arguments.plot.suffix[1:].lower())
     write_atomically(arguments.plot, picture, overwrite=arguments.overwrite)

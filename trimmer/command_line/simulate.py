@@ -132,11 +132,10 @@ def _check_duration(arguments: Namespace) -> None:
 
 def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Write the files that are wanted."""
-    from trimmer.motion.motion import Motion
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
 
-    if arguments.plot is not None and not isinstance(motion, Motion):
+    if arguments.plot is not None:
         draw(arguments, motion)
     if arguments.csv is None and arguments.wav is None:
         return

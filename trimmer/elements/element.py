@@ -13,6 +13,7 @@ from trimmer.elements.arguments import harmonic_number, positive_amplitudes, pos
 from trimmer.elements.expansion import Derivatives, Expansion
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from trimmer.arrays import Complexes, Reals
@@ -233,6 +234,30 @@ class Element(ABC):
         from trimmer.elements.element_at_frequency import ElementAtFrequency
 
         return ElementAtFrequency(self, omega)
+
+    def plot(self, ax: Axes | None = None, omega: float | None = None) -> Axes:
+        """Draw magnitude and phase of the describing function over the amplitude.
+
+        Args:
+            ax: Where to draw; new axes if not given. The phase has an axis of its own, at the right.
+            omega: Angular frequency, rad/s. Needed if ``depends_on_frequency``.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            ValueError: as for ``describing_function``.
+        """
+        from trimmer.drawing.describing_function import draw_describing_function
+
+        return draw_describing_function(self, ax, omega)
+
+    def plot_locus(self, ax: Axes | None = None, omega: float | None = None) -> Axes:
+        """Draw -1/N in the complex plane, with an arrow towards larger amplitudes.
+
+        Arguments and errors are those of ``plot``.
+        """
+        from trimmer.drawing.describing_function import draw_element_locus
+
+        return draw_element_locus(self, ax, omega)
 
     # The results of arithmetic are elements themselves, so their modules need this one first.
     def __add__(self, other: Element) -> SumOfElements:

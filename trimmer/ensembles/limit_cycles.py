@@ -28,6 +28,8 @@ from trimmer.parameters import (
     parameter_table,
     reason_against,
 )
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Table, arrays
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -42,8 +44,8 @@ NEAR_TANGENCY = np.sin(np.radians(5.0))
 """Sine of the angle between the curves below which a sample is searched once more, with a certificate."""
 
 
-@dataclass(frozen=True, eq=False)
-class SampledLimitCycles:
+@dataclass(frozen=True, eq=False, repr=False)
+class SampledLimitCycles(Tabular):
     """Limit cycles of n trimmers, a row each, in order of frequency, then of amplitude; NaN fills rows up.
 
     Attributes:
@@ -83,6 +85,20 @@ class SampledLimitCycles:
             f"{again} of them, where the curves nearly touch, once more with one."
         )
         return told + (f" For {doubt} nothing is certain." if doubt else "")
+
+    def _told(self) -> str:
+        return f"{int(self.count.sum())} limit cycles of {counted(len(self.count), 'trimmer')}"
+
+    def _table(self) -> Table:
+        rows, places = np.nonzero(np.isfinite(self.amplitude))
+        columns = arrays(
+            sample=("", rows),
+            amplitude=("m", self.amplitude[rows, places]),
+            omega=("rad/s", self.omega[rows, places]),
+            frequency=("Hz", self.frequency[rows, places]),
+            stable=("", self.stable[rows, places]),
+        )
+        return Table("Limit cycles; samples are numbered from 0", range(len(rows)), columns)
 
 
 class _Columns(NamedTuple):

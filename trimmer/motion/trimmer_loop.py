@@ -46,7 +46,7 @@ class BodyFriction:
 
 
 @final
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TrimmerLoop(Loop):
     """The linear trimmer with an element between pin and bridge, and with friction between bodies.
 
@@ -84,6 +84,11 @@ class TrimmerLoop(Loop):
             require_instance("drive", self.drive, Drive, "a trimmer.Drive")
         frictions = require_instances("frictions", self.frictions, BodyFriction, "a trimmer.BodyFriction")
         object.__setattr__(self, "frictions", frictions)
+
+    def _parts(self) -> tuple[object, ...]:
+        """Return all but the many parameters."""
+        moved = [each for each in (self.element, self.drive) if each is not None]
+        return (*moved, f"output {self.output.label}", *self.frictions)
 
     @cached_property
     def model(self) -> control.StateSpace:

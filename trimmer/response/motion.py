@@ -18,10 +18,13 @@ from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
 from trimmer.response.energy import MechanismEnergy, dry_force, energy_of
 from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -63,8 +66,8 @@ class MechanismEvent:
     kind: MechanismEventKind
 
 
-@dataclass(frozen=True, eq=False)
-class MechanismMotion:
+@dataclass(frozen=True, eq=False, repr=False)
+class MechanismMotion(Tabular):
     """A simulated motion of a mechanism, exact between and at its events.
 
     Attributes:
@@ -184,6 +187,26 @@ class MechanismMotion:
         frictions = self.course.modes.layout.frictions
         _require("friction", name, frictions)
         return self._signal(dry_force(self.course.modes, frictions.index(name)), times)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.motions import draw_motion
+
+        return draw_motion(self.flow, self.course, ax)
+
+    def _told(self) -> str:
+        title, events = self.mechanism.title, counted(len(self.events), "event")
+        return f"{title}, {self.duration:.6g} s, {events}, {self.message}"
+
+    def _table(self) -> Table:
+        return Table("Events", self.events, attributes(time="s", kind="", part=""))
 
     @property
     def _size(self) -> int:

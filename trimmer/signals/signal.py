@@ -11,10 +11,13 @@ import numpy as np
 
 from trimmer.arguments import real_number, require_instance, require_instances, whole_number
 from trimmer.errors import TrimmerError
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.quantity import Quantity, in_si, quantity_of
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -29,8 +32,8 @@ class SignalError(TrimmerError, ValueError):
     """A signal, or an argument of its analysis, cannot be used; the message says why and what to do."""
 
 
-@dataclass(frozen=True, eq=False)
-class Signal:
+@dataclass(frozen=True, eq=False, repr=False)
+class Signal(Tabular):
     """A signal sampled at equal distances in time.
 
     Attributes:
@@ -99,6 +102,28 @@ class Signal:
     def duration(self) -> float:
         """Number of samples over sample rate, s: each sample stands for one sampling interval."""
         return self.values.size / self.sample_rate
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the samples over time, s.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.samples import draw_signal
+
+        return draw_signal(self, ax)
+
+    def _told(self) -> str:
+        samples = counted(self.values.size, "sample")
+        return f"{self.heading}, {samples} at {self.sample_rate:.9g} Hz, {self.duration:.6g} s"
+
+    def _table(self) -> Table:
+        name = self.name if self.name != "time" else "value"
+        columns = (*arrays(time=("s", self.times)), Column(name, self.unit, self.values.__getitem__))
+        return Table(f"Samples of {self.name}", range(self.values.size), columns)
 
     @property
     def quantity(self) -> Quantity:

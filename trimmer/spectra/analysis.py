@@ -5,9 +5,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
+from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number, require_instance, truth_value, whole_number
 from trimmer.errors import SignalWarning
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
     OPEN_LOOP,
@@ -23,12 +27,15 @@ from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 USUAL_LIMIT = 20
 """Number of peaks that are kept if none is given."""
 
 
-@dataclass(frozen=True, eq=False)
-class SpectrumAnalysis:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpectrumAnalysis(Tabular):
     """Results of the analysis of a signal.
 
     Attributes:
@@ -46,6 +53,36 @@ class SpectrumAnalysis:
     peaks: tuple[ClassifiedPeak, ...]
     doubts: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the spectrum up to a little above its highest peak, with what each peak may be.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.spectrum import draw_analysis
+
+        return draw_analysis(self, ax)
+
+    def _told(self) -> str:
+        known = sum(each.explanation is not None for each in self.peaks)
+        peaks = f"{counted(len(self.peaks), 'peak')}, {known} explained"
+        return f"{self.signal.heading}: {peaks}, bins {self.spectrum.bin_width:.6g} Hz apart"
+
+    def _table(self) -> Table:
+        unit = self.signal.unit
+        of_peak = {"frequency": "Hz", "amplitude": unit, "phase": "rad"}
+        of_peak |= {"frequency_uncertainty": "Hz", "amplitude_uncertainty": unit}
+        columns = (
+            *(Column(name, unit, attrgetter(f"peak.{name}")) for name, unit in of_peak.items()),
+            Column("explanation", "", lambda each: each.explanation and each.explanation.origin.label),
+            Column("distance_bins", "", lambda each: each.explanation and each.explanation.distance),
+            Column("ambiguous", "", attrgetter("ambiguous")),
+        )
+        return Table("Peaks by amplitude", self.peaks, columns)
 
 
 def analyse_signal(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.showing.shown import Record
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
@@ -49,7 +50,7 @@ _LOSSES = {
 
 
 @dataclass(frozen=True)
-class Peak:
+class Peak(Record):
     """A peak of a spectrum, as the sine amplitude * cos(2 pi frequency t + phase) from the first sample on.
 
     Attributes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from functools import partial
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
@@ -46,9 +45,9 @@ def _run(arguments: Namespace) -> int:
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     balance = harmonic_balance(loop, omegas)
     if arguments.plot is not None:
-        from trimmer.drawing.locus import draw_loci
+        from trimmer.drawing.locus import balance_figure
 
-        write_picture(arguments, partial(draw_loci, loop, balance))
+        write_picture(arguments, balance_figure(balance))
     show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
 

@@ -5,13 +5,16 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
-from trimmer.command_line.output_options import add_json_option
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_loop_options(parser)
     add_json_option(parser)
+    add_plot_option(parser, "the Bode plot with natural modes, peaks and dips")
+    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
@@ -19,9 +22,14 @@ def _run(arguments: Namespace) -> int:
     from trimmer.displacement import Displacement
     from trimmer.linear.summary import summarise
 
+    check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     output = Displacement.parse(arguments.output)
     summary = summarise(chosen_parameters(arguments), output, arguments.channels)
-    print(as_json(summary) if arguments.json else as_text(summary))
+    if arguments.plot is not None:
+        from trimmer.drawing.frequency_response import summary_figure
+
+        write_picture(arguments, summary_figure(summary))
+    show(as_json(summary) if arguments.json else as_text(summary), arguments.plot)
     return 0
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
@@ -119,9 +118,9 @@ def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
 
 def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
     if arguments.plot is not None and branch.points:
-        from trimmer.drawing.branch import draw_branch
+        from trimmer.drawing.branch import branch_figure
 
-        write_picture(arguments, partial(draw_branch, branch))
+        write_picture(arguments, branch_figure(branch))
 
 
 COMMAND = Command(

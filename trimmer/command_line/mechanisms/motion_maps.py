@@ -167,9 +167,11 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
 
 def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None) -> None:
     if arguments.plot is not None:
-        from trimmer.drawing.motion_map import draw_motion_map
+        from trimmer.drawing.content import figure_of
 
-        write_picture(arguments, partial(draw_motion_map, result, special))
+        curves = () if special is None else special.drawn
+        drawn = figure_of(partial(result.plot, curves=curves), result.inputs.mechanism.title)
+        write_picture(arguments, drawn)
 
 
 def _told(arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None) -> str:

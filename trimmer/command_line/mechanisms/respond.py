@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
@@ -82,9 +81,9 @@ def _draw(arguments: Namespace, response: Response) -> bool:
     if response.motion.orbit is None and response.motion.window is None:
         tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
         return False
-    from trimmer.drawing.response import draw_response
+    from trimmer.drawing.response import response_figure
 
-    write_picture(arguments, partial(draw_response, response))
+    write_picture(arguments, response_figure(response))
     return True
 
 

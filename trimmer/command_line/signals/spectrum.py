@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
@@ -170,9 +169,9 @@ def _write_csv(arguments: Namespace, signal: Signal) -> None:
 
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
     if arguments.plot is not None:
-        from trimmer.drawing.spectrum import draw_spectrum
+        from trimmer.drawing.content import figure_of
 
-        write_picture(arguments, partial(draw_spectrum, analysis))
+        write_picture(arguments, figure_of(analysis.plot))
 
 
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
