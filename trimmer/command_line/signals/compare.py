@@ -40,7 +40,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--drive",
         type=positive("Hz"),
         metavar="HZ",
-        help="frequency of the drive in the measurement (default: found within 3 % of the mechanism's)",
+        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
     )
     add_json_option(parser)
     add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
