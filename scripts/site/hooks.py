@@ -29,11 +29,12 @@ from scripts.site.schema_tables import mechanism_keys, parameter_page
 PROJECT = Path(__file__).resolve().parents[2]
 LIBRARY, COMMANDS = "reference/library", "reference/command-line"
 GALLERY, NOTEBOOKS = "gallery", "notebooks"
+MACHINES = "examples/mechanisms.md"
 MECHANISM, PARAMETERS = "mechanism.md", "reference/parameters.md"
 COPIED = {
     "report/fonts/stix-two-math.woff2": "fonts/stix-two-math.woff2",
     "report/fonts/STIX-Two-Math-LICENSE.txt": "fonts/STIX-Two-Math-LICENSE.txt",
-    "examples/README.md": "examples/README.md",
+    "examples/README.md": MACHINES,
 }
 """Files that stand elsewhere, and where they are in the site."""
 DOWNLOADS = {".toml", ".py", ".ipynb"}
@@ -82,7 +83,8 @@ def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
             f"*The files in `examples/` are in [{ARCHIVE}]({there}); unpack it in the folder where you work.*"
         )
         markdown = f"{title}\n\n{told}\n\n{rest}"
-    return OUTSIDE.sub(lambda match: f"]({_inside(match[1], page)}", markdown)
+    inside = OUTSIDE.sub(lambda match: f"]({_inside(match[1], page)}", markdown)
+    return inside.replace("examples/README.md", MACHINES)
 
 
 def on_page_content(html: str, **_: Any) -> str:

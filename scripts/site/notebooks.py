@@ -64,17 +64,19 @@ def _told(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
             yield rest
         return
     yield f"```python\n{cell.source}\n```"
-    for number, output in enumerate(cell.outputs):
+    if printed := "".join(output.text for output in cell.outputs if output.output_type == "stream"):
+        yield f"```text\n{printed.rstrip()}\n```"
+    shown = [output for output in cell.outputs if output.output_type != "stream"]
+    for number, output in enumerate(shown):
         yield _shown(output, folder / f"{name}-{number}.png")
 
 
 def _shown(output: NotebookNode, picture: Path) -> str:
     """Return an output as Markdown; a picture is written to its file."""
-    if output.output_type == "stream":
-        return f"```text\n{output.text.rstrip()}\n```"
     if "image/png" in output.data:
         picture.write_bytes(base64.b64decode(output.data["image/png"]))
         return f"![]({picture.name})"
     if "text/html" in output.data:
-        return re.sub(r"\n\s*\n", "\n", _STYLE.sub("", output.data["text/html"]))
+        shown = re.sub(r"\n\s*\n", "\n", _STYLE.sub("", output.data["text/html"]))
+        return f'<div class="wide">{shown}</div>'
     return f"```text\n{output.data['text/plain']}\n```"
