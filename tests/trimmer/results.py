@@ -73,6 +73,16 @@ def analysis() -> trimmer.SpectrumAnalysis:
 
 
 @cache
+def averaged() -> trimmer.AveragedSpectrum:
+    return trimmer.averaged_spectrum(signal())
+
+
+@cache
+def comparison() -> trimmer.Comparison:
+    return trimmer.compare_motions(signal(), trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0))
+
+
+@cache
 def stopped() -> trimmer.MechanismMotion:
     return trimmer.simulate(impact_oscillator(), 6.0, state={"mass": (12.0, 100.0)})
 

@@ -15,7 +15,7 @@ from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Problem
-from trimmer.branches.period_map import PeriodMap
+from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.branches.step import Front, begun

@@ -11,9 +11,9 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.branch import BranchEnd, BranchPoint
-from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
-from trimmer.branches.self_excited_map import SelfExcitedMap, with_trivial
+from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of

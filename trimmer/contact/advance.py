@@ -9,7 +9,6 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.contact.integration import (
-    AT_REST,
     CYCLING,
     DIVERGED,
     LOG_FULL,
@@ -34,6 +33,7 @@ from trimmer.contact.statuses import (
 )
 from trimmer.contact.step_event import NO_EVENT
 from trimmer.contact.tables import Modes
+from trimmer.contact.tabulated_change import AT_REST
 from trimmer.contact.work import Log, work_for
 
 if TYPE_CHECKING:

@@ -12,10 +12,12 @@ SOURCES = (
     "integration",
     "nodes",
     "relaxing_root",
+    "segment",
     "series",
     "statuses",
     "step_event",
     "tables",
+    "tabulated_change",
     "work",
 )
 """Modules that compiled code is made of, apart from those of ``trimmer.motion``."""

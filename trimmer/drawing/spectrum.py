@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.spectra.analysis import SpectrumAnalysis
+    from trimmer.spectra.averaged import AveragedSpectrum
     from trimmer.spectra.harmonics import HarmonicFit
     from trimmer.spectra.spectrum import Spectrum
 
@@ -97,6 +98,20 @@ def draw_harmonics(fit: HarmonicFit, ax: Axes | None = None) -> Axes:
     axes.set_ylabel("amplitude, unit of the signal")
     axes.locator_params(axis="x", integer=True)
     axes.grid(alpha=0.3)
+    return axes
+
+
+def draw_averaged(spectrum: AveragedSpectrum, ax: Axes | None = None) -> Axes:
+    """Draw the power density over frequency, with its confidence; see ``AveragedSpectrum.plot``."""
+    axes = axes_for(ax)
+    frequency, density = spectrum.frequency[1:], spectrum.density[1:]
+    low, high = (factor * density for factor in spectrum.interval)
+    axes.fill_between(frequency, low, high, color="0.85", linewidth=0, label="interval of 95 %, of noise")
+    axes.semilogy(frequency, density, color=colour(0), linewidth=0.9, label="density")
+    axes.set_xlabel("frequency, Hz")
+    axes.set_ylabel("density, unit² of the signal/Hz")
+    axes.grid(alpha=0.3)
+    add_legend(axes)
     return axes
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.locus import Locus
+from trimmer.branches.loci.locus import Locus
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table

@@ -12,7 +12,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.locus import LocusEnd, LocusRanges
+from trimmer.branches.loci.locus import LocusEnd, LocusRanges
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MapError
 from trimmer.maps.meetings import meetings

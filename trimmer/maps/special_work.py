@@ -10,9 +10,9 @@ import numpy as np
 
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
-from trimmer.branches.follow_special import follow_special
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.locus import Locus, LocusRanges, LocusSettings
+from trimmer.branches.loci.follow_special import follow_special
+from trimmer.branches.loci.locus import Locus, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.maps.inputs import varied

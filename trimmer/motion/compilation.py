@@ -7,20 +7,19 @@ from collections.abc import Callable
 from functools import cache, wraps
 from pathlib import Path
 from pickle import UnpicklingError
-from typing import Any
+from typing import Any, TypeVar
 
 import numba
 
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 _LEAN: dict[str, Any] = {"_nrt": False, "error_model": "numpy"}
 # Compiled code makes no arrays: it is given them. So it need not count references to those that it passes on,
 # which would take most of the time where there are many.
 _INSIDE: dict[str, Any] = {**_LEAN, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-compiled = numba.njit(fastmath={"contract"}, **_INSIDE)
+compiled: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, **_INSIDE)
 """Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
 inlined = numba.njit(inline="always")
 """Compile as a part of the function that calls it: passing many arrays to another function costs time."""
-called = numba.njit(**_INSIDE)
-"""Compile as a function of its own what is called seldom: much in one function takes long to compile."""
 SOURCES = (
     "compilation",
     "first_event",

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.arguments import real_number, require_instance
 from trimmer.arrays import Reals
+from trimmer.showing.shown import Shown
 from trimmer.signals.band import Band
 from trimmer.signals.faults import faults
 from trimmer.signals.noise_floor import Powers, powers
@@ -27,8 +28,8 @@ _MOSTLY_NOISE = 0.5
 _FEWEST = 64
 
 
-@dataclass(frozen=True, eq=False)
-class Conversion:
+@dataclass(frozen=True, eq=False, repr=False)
+class Conversion(Shown):
     """A signal converted to another quantity.
 
     Attributes:
@@ -50,6 +51,9 @@ class Conversion:
     end_bound: float
     noise: float
     outside: float
+
+    def _told(self) -> str:
+        return f"{self.source.heading} to {self.signal.heading}, {self.cut:.6g} s cut off at either end"
 
 
 def convert(

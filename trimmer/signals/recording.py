@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from trimmer.showing.shown import Shown, counted
 from trimmer.signals.signal import Signal, SignalError
 
 
@@ -32,8 +33,8 @@ class Gap:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class Recording:
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording(Shown):
     """Stretches of one signal, all at the same sample rate, in order of time.
 
     Attributes:
@@ -43,6 +44,10 @@ class Recording:
 
     stretches: tuple[Signal, ...]
     gaps: tuple[Gap, ...] = ()
+
+    def _told(self) -> str:
+        parts = (counted(len(self.stretches), "stretch"), counted(len(self.gaps), "gap"))
+        return f"{self.stretches[0].heading}, {', '.join(parts)}, {counted(self.samples, 'sample')}"
 
     @property
     def samples(self) -> int:

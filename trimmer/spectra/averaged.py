@@ -5,15 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import require_instances, whole_number
 from trimmer.arrays import Reals
+from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.table import Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.spectrum import FEWEST_SAMPLES
+from trimmer.spectra.spectrum import FEWEST_SAMPLES, IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 CONFIDENCE = 0.95
 """Confidence of all intervals."""
@@ -25,7 +31,7 @@ _FALSE_ALARM = 0.01
 
 
 @dataclass(frozen=True)
-class AveragedLine:
+class AveragedLine(Record):
     """A line of an averaged spectrum.
 
     Attributes:
@@ -40,8 +46,8 @@ class AveragedLine:
     interval: tuple[float, float]
 
 
-@dataclass(frozen=True, eq=False)
-class AveragedSpectrum:
+@dataclass(frozen=True, eq=False, repr=False)
+class AveragedSpectrum(Tabular):
     """An averaged spectrum, single-sided.
 
     Attributes:
@@ -95,6 +101,31 @@ class AveragedSpectrum:
         freedom = 2.0 * self.equivalent_averages
         outside = 0.5 * (1.0 - CONFIDENCE)
         return freedom / float(chi2.ppf(1.0 - outside, freedom)), freedom / float(chi2.ppf(outside, freedom))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the power density over frequency, Hz, with the confidence of a density that is noise.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.spectrum import draw_averaged
+
+        return draw_averaged(self, ax)
+
+    def _told(self) -> str:
+        segments, window = counted(self.averages, "segment"), self.window.word
+        return f"{self.density.size} bins {self.bin_width:.6g} Hz apart, {segments}, {window} window"
+
+    def _table(self) -> Table:
+        columns = arrays(
+            frequency=("Hz", self.frequency),
+            density=(f"square of the {IN_UNIT_OF_SIGNAL} over Hz", self.density),
+            amplitude=(IN_UNIT_OF_SIGNAL, self.amplitude),
+        )
+        return Table("Averaged spectrum", range(self.density.size), columns)
 
     def lines(self, limit: int) -> tuple[AveragedLine, ...]:
         """Find lines above the noise, by falling amplitude.

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
+from trimmer.showing.shown import Shown, Tabular, counted
+from trimmer.showing.table import Table, arrays
 from trimmer.signals.quantity import Quantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 NEAR = 0.03
 """How far from that of the simulation the frequency of the drive is looked for, relative."""
@@ -25,8 +31,8 @@ _BETTER = 0.8
 _EXPLAINED = 0.5
 
 
-@dataclass(frozen=True, eq=False)
-class SimulatedLines:
+@dataclass(frozen=True, eq=False, repr=False)
+class SimulatedLines(Shown):
     """The lines of a simulated motion that repeats.
 
     Attributes:
@@ -47,9 +53,13 @@ class SimulatedLines:
             raise SignalError(f"frequency must be positive and finite, not {self.frequency!r}")
         whole_number("period_count", self.period_count, 1)
 
+    def _told(self) -> str:
+        lines = counted(np.asarray(self.displacement).size, "line")
+        return f"{lines} at 1/{self.period_count} of {self.frequency:.9g} Hz"
 
-@dataclass(frozen=True, eq=False)
-class Comparison:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Tabular):
     """A measured and a simulated motion, line by line.
 
     Attributes:
@@ -109,6 +119,34 @@ class Comparison:
     def opposite(self) -> bool:
         """Whether the opposite sign of the measurement would fit clearly better."""
         return self.inverted_residual < _BETTER * self.residual
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the measured spectrum, its lines and the simulated ones over frequency, Hz.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.comparison import draw_comparison
+
+        return draw_comparison(self, ax)
+
+    def _told(self) -> str:
+        lines = counted(self.measured.size, "line")
+        return f"{lines} at {self.frequency:.9g} Hz, difference {self.residual:.3%} rms"
+
+    def _table(self) -> Table:
+        unit = self.signal.unit
+        columns = arrays(
+            frequency=("Hz", self.frequencies),
+            measured=(unit, np.abs(self.measured)),
+            simulated=(unit, np.abs(self.simulated)),
+            decibels=("dB", self.decibels),
+            phase_difference=("rad", self.phase_differences),
+        )
+        return Table("Lines", range(self.measured.size), columns)
 
     def waveforms(self, points: int = 400) -> tuple[Reals, Reals, Reals]:
         """Return times from the first sample, s, and the lines of both added up over a period, (points,)."""

@@ -41,6 +41,8 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "Signal": lambda ax=None: results.signal().plot(ax),
     "SpectrumAnalysis": lambda ax=None: results.analysis().plot(ax),
     "Spectrum": lambda ax=None: results.analysis().spectrum.plot(ax),
+    "AveragedSpectrum": lambda ax=None: results.averaged().plot(ax),
+    "Comparison": lambda ax=None: results.comparison().plot(ax),
     "HarmonicFit": lambda ax=None: results.analysis().harmonics.plot(ax),
 }
 """A way to draw each kind of result."""

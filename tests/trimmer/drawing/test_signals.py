@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from trimmer.drawing.comparison import comparison_figure
 from trimmer.drawing.frequency_response import summary_figure
 from trimmer.drawing.samples import MOST_POINTS, thinned
 
@@ -104,3 +105,26 @@ def test_the_bode_plot_is_that_of_the_system() -> None:
     np.testing.assert_allclose(peaks.get_xdata(), [each.omega / (2 * np.pi) for each in summary.peaks])
     dotted = [each.get_xdata()[0] for each in upper.lines if each.get_linestyle() == ":"]
     np.testing.assert_allclose(dotted, [mode.frequency for mode in summary.modes])
+
+
+def test_measured_and_simulated_lines_are_drawn_over_each_other() -> None:
+    comparison = results.comparison()
+    axes, waveforms = comparison_figure(comparison).axes
+    lines = {each.get_label(): each.get_xydata().T for each in axes.lines}
+    np.testing.assert_allclose(lines["its lines"], [comparison.frequencies, abs(comparison.measured)])
+    np.testing.assert_allclose(lines["simulated lines"], [comparison.frequencies, abs(comparison.simulated)])
+    (measured,) = (each for each in waveforms.lines if each.get_label() == "measured lines")
+    np.testing.assert_allclose(np.ptp(measured.get_ydata()) / 2, 1e-3, rtol=1e-2)
+    assert waveforms.get_xlabel() == "time in the period, ms"
+
+
+def test_an_averaged_spectrum_has_its_confidence() -> None:
+    spectrum = results.averaged()
+    axes = spectrum.plot(new_axes())
+    (density,) = axes.lines
+    np.testing.assert_array_equal(density.get_ydata(), spectrum.density[1:])
+    (band,) = axes.collections
+    low, high = spectrum.interval
+    reached = band.get_paths()[0].vertices[:, 1]
+    assert reached.max() == pytest.approx(high * spectrum.density[1:].max())
+    assert reached.min() == pytest.approx(low * spectrum.density[1:].min())

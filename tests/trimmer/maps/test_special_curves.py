@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer.branches.locus import Locus, LocusEnd
+from trimmer.branches.loci.locus import Locus, LocusEnd
 from trimmer.branches.special import SpecialKind
 from trimmer.maps.meetings import meetings
 from trimmer.maps.motion_map import motion_map

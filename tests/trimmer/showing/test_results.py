@@ -60,6 +60,11 @@ RESULTS: dict[str, Callable[[], object]] = {
     "Spectrum": lambda: results.analysis().spectrum,
     "HarmonicFit": lambda: results.analysis().harmonics,
     "Peak": lambda: results.analysis().peaks[0].peak,
+    "AveragedSpectrum": results.averaged,
+    "Comparison": results.comparison,
+    "SimulatedLines": lambda: trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
+    "Recording": lambda: trimmer.Recording((results.signal(),)),
+    "Conversion": lambda: trimmer.convert(results.signal(), "velocity"),
     "BalancedHarmonics": lambda: trimmer.multi_harmonic_balance(
         results.loop(), results.balance().limit_cycles[-1], [1, 3]
     )[-1],
@@ -77,6 +82,7 @@ JSON = {
     "FollowedBranch": ("trimmer follow", "points[]."),
     "MotionMap": ("trimmer map", ""),
     "SpectrumAnalysis": ("trimmer spectrum", "peaks[]."),
+    "Comparison": ("trimmer compare", "lines[]."),
 }
 """Section of the document of the JSON, and what stands before the keys."""
 NOT_IN_JSON = {"largest_multiplier", "branch", "period_count", "distance_bins"}

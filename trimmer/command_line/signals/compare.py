@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
@@ -49,7 +48,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.signals.compare_text import Compared, as_json, as_text
-    from trimmer.drawing.comparison import draw_comparison
+    from trimmer.drawing.comparison import comparison_figure
     from trimmer.signals.signal import SignalError
     from trimmer.spectra.comparison import compare_motions
 
@@ -67,7 +66,7 @@ def _run(arguments: Namespace) -> int:
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
     if arguments.plot is not None:
-        write_picture(arguments, partial(draw_comparison, comparison))
+        write_picture(arguments, comparison_figure(comparison))
     compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison)
     show((as_json if arguments.json else as_text)(compared), arguments.plot)
     return 0

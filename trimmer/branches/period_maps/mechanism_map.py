@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_map import Phase, Signature
-from trimmer.branches.value_rate import ValueChange
+from trimmer.branches.period_maps.period_map import Phase, Signature
+from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.contact.machine import machine_of

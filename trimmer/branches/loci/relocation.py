@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.orbit import Place, Problem
-from trimmer.branches.period_map import PeriodMap
+from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_map import Passage, PeriodMap, Phase, Signature
+from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Phase, Signature
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.response.same import is_mirror_symmetric
 
 SYMMETRIC = 1e-6
