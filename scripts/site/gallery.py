@@ -7,7 +7,12 @@ from collections.abc import Iterable, Mapping
 from scripts.site.example_scripts import ExampleScript
 
 SECTIONS: Mapping[str, tuple[str, ...]] = {
-    "Linear models and describing functions": ("linear_model", "describing_functions", "textbook_elements"),
+    "Linear models and describing functions": (
+        "linear_model",
+        "describing_functions",
+        "textbook_elements",
+        "own_element",
+    ),
     "Loops": ("limit_cycles", "certificate", "exact_orbits"),
     "Mechanisms": ("play_map", "branch", "basin", "chaos", "energy"),
     "Classics": ("servo", "den_hartog", "stick_slip"),
