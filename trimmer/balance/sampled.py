@@ -1,9 +1,9 @@
 """Limit cycles where no bounds of N are known: a grid of amplitude and frequency, and Newton's method.
 
 A cell of the grid is kept where the values of N + 1/G at its corners leave room for a zero: where a disk
-about their mean that holds them all, widened, holds zero. Where these are many, the linear function through the
-corners has to be zero in the cell or near it, too. Kept cells are cut again and again. Newton's method starts
-from those at last left where |N + 1/G| is less than in the cells beside them. That proves nothing.
+about their mean that holds them all, widened, holds zero. Where these are many, the linear function through
+the corners has to be zero in the cell or near it, too. Kept cells are cut again and again. Newton's method
+starts from those at last left where |N + 1/G| is less than in the cells beside them. That proves nothing.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ DECADES = 8.0
 _BEYOND_ROOTS = math.log(1e3)
 """How far beyond the roots of G frequencies are searched, in x."""
 _AMPLITUDES = 401
-_AMPLITUDES_PER_OMEGA = 97
+_AMPLITUDES_PER_OMEGA = 65
 _OMEGAS = 401
-_OMEGAS_OF_MANY = 121
+_OMEGAS_OF_MANY = 49
 _WIDENED = 1.5
 _MARGIN = 1.0
 """How far beyond a cell the linear function may be zero, over its width."""
@@ -155,7 +155,7 @@ def _first_cells(
     v = np.linspace(-limit, limit, _AMPLITUDES_PER_OMEGA if both else _AMPLITUDES)
     even = np.linspace(*x_range, _OMEGAS_OF_MANY if both else _OMEGAS)
     v = v if both else _with_edge(curve, v)
-    x = np.unique(np.concatenate([even, response.breaks(*x_range)]))
+    x = even if both else np.unique(np.concatenate([even, response.breaks(*x_range)]))
     gains = (
         curve.value(np.exp(np.repeat(v, x.size)), np.tile(x, v.size)).reshape(v.size, x.size)
         if both

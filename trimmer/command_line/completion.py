@@ -11,6 +11,7 @@ from trimmer.command_line.file_options import PICTURES, file_to_read, file_to_wr
 
 SHELLS = ("bash", "zsh", "tcsh")
 ENDINGS = {
+    "--against": (".toml",),
     "--csv": (".csv",),
     "--latex": (".tex",),
     "--module": (".py",),
@@ -21,7 +22,7 @@ ENDINGS = {
 """Ends of the names of files that are offered for an option."""
 ENDINGS_OF_COMMAND = {
     **dict.fromkeys(("simulate", "respond", "follow", "map", "derive"), (".toml",)),
-    "spectrum": (".csv",),
+    **dict.fromkeys(("spectrum", "overlay"), (".csv", ".txt", ".wav")),
 }
 """The same for the file that a command reads."""
 BODIES = ("q1", "q2", "q3", "q4")

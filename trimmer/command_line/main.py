@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import codecs
 import io
-import logging
 import os
 import sys
 import warnings
@@ -21,7 +20,7 @@ from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, motion_maps, respond
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import compare, spectrum
+from trimmer.command_line.signals import overlay, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
@@ -46,13 +45,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         SystemExit: with the code, after help and for options that cannot be read.
     """
     _prepare_streams()
-    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells at length where it keeps its fonts
     if sys.stdout is None:
         tell("standard output is closed; send it to a file, or to /dev/null")
         return WRONG_USE
     try:
         try:
             parsed = _parsed(arguments)
+            _hush_drawing()
             with silenced() if parsed.quiet else _warnings_told():
                 code: int = parsed.run(parsed)
         finally:
@@ -91,6 +90,13 @@ def _warnings_told() -> Iterator[None]:
         yield
 
 
+def _hush_drawing() -> None:
+    """Keep Matplotlib from telling at length where it keeps its fonts if there is no home to keep them in."""
+    import logging
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
+
+
 def _prepare_streams() -> None:
     """Make printing possible in every locale, and without standard error."""
     if sys.stderr is None:
@@ -114,7 +120,7 @@ def installed_commands() -> list[Command]:
     """Return the commands of this package and those of others."""
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, compare.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
         *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
         *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]

@@ -51,6 +51,7 @@ def _configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--sample-rate",
+        "--rate",
         type=float,
         default=20_000.0,
         metavar="HZ",

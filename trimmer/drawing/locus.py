@@ -29,6 +29,8 @@ ANY = np.geomspace(1e-6, 1e6, 1800)
 """u = amplitude_scale/amplitude where any amplitude will do."""
 SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 600), 1.0 - np.geomspace(0.5, 1e-9, 1200)[1:]])
 """Shares of the largest u, close together at both ends."""
+EACH_INTEGRATED = 9
+"""One place of so many is shown of an element without closed form, each point of which is integrated."""
 MARGIN = 0.08
 """Free room around what is shown, as a share of it."""
 CLOSE = 0.25
@@ -105,8 +107,10 @@ def draw_element_curve(axes: Axes, element: Element, omega: float | None, label:
 
 def ratios_of(element: Element, omega: float | None) -> Reals:
     """Return u = amplitude_scale/amplitude over the domain of an element, close together at both ends."""
-    largest = float(element.domain(omega))
-    return ANY if np.isinf(largest) else largest * SHARES
+    # From ``constant_from`` on the curve is one point.
+    largest = min(float(element.domain(omega)), element.constant_from)
+    ratios = ANY if np.isinf(largest) else largest * SHARES
+    return ratios if element.has_bounds else ratios[::EACH_INTEGRATED]
 
 
 def _frequencies(balance: HarmonicBalance) -> list[tuple[str, float | None]]:

@@ -129,6 +129,12 @@ class ControlElement(UnboundedElement):
         result[order] = outputs[: phases.size]
         return result
 
+    def _halves(self, phases: Reals, amplitude: float, omega: float) -> tuple[Reals, Reals]:
+        if not self.nonlinearity._isstatic():
+            return super()._halves(phases, amplitude, omega)
+        function, given = copy.deepcopy(self.nonlinearity), amplitude * np.sin(phases)
+        return _values(function, given), _values(function, -given)
+
     def _require_odd(self) -> None:
         """Compare outputs at inputs of opposite signs, at places that no grid has."""
         random = np.random.default_rng(4171)
@@ -138,12 +144,12 @@ class ControlElement(UnboundedElement):
             up, down = _values(function, inputs), _values(function, -inputs)
             size, apart = np.maximum(np.abs(up), np.abs(down)), np.abs(up + down)
             wrong = apart > EVEN * size
-            where = inputs[wrong][:1]
+            where = [float(each) for each in inputs[wrong]]
         else:
-            where = [
-                each for each in 10.0 ** random.uniform(-6, 6, 24) if self._is_even_at(float(each), random)
-            ][:1]
-        for place in where:
+            amplitudes = [float(10.0**each) for each in random.uniform(-6, 6, 24)]
+            where = [each for each in amplitudes if self._is_even_at(each, random)]
+        if where:
+            place = where[0]
             raise UnsupportedElementError(
                 f"{self!r} is not odd, at the input {place:.6g} for one; only elements whose output changes "
                 "its sign with the input are taken, as the mean of the others does not vanish"
@@ -151,8 +157,7 @@ class ControlElement(UnboundedElement):
 
     def _is_even_at(self, amplitude: float, random: np.random.Generator) -> bool:
         phases = np.sort(random.uniform(0.0, math.pi, _PHASES))
-        outputs = self._period(np.concatenate([phases, phases + math.pi]), amplitude, 1.0)
-        first, second = np.split(outputs, 2)
+        first, second = self._halves(phases, amplitude, 1.0)
         # Where nothing switches an output may stay what it was; there N does not exist.
         own = self._own(amplitude)
         exists = own is None or not np.isnan(own)

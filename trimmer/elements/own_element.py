@@ -117,12 +117,21 @@ class StaticElement(UnboundedElement):
         return self._mean_slope(amplitude)
 
     def _period(self, phases: Reals, amplitude: float, omega: float) -> Reals:
+        return self._of(amplitude * np.sin(phases))
+
+    def _halves(self, phases: Reals, amplitude: float, omega: float) -> tuple[Reals, Reals]:
+        # The sine of a phase half a period later would be rounded otherwise, beside a kink too.
         given = amplitude * np.sin(phases)
+        return self._of(given), self._of(-given)
+
+    def _of(self, given: Reals) -> Reals:
         output = real_values("function", self.function(given))
         if output.shape != given.shape:
             raise WrongTypeError(f"function must return shape {given.shape}, not {output.shape}")
         return np.asarray(output, dtype=float)
 
     def _breaks(self, amplitude: float, omega: float) -> Sequence[float]:
-        rises = [math.asin(abs(kink) / amplitude) for kink in self.kinks if abs(kink) < amplitude]
+        sizes = [abs(kink) for kink in self.kinks if abs(kink) < amplitude]
+        # To the last digit next to the peak too.
+        rises = [math.atan2(size, math.sqrt((amplitude - size) * (amplitude + size))) for size in sizes]
         return [phase for rise in rises for phase in (rise, math.pi - rise)]

@@ -1,8 +1,9 @@
 """A harmonic of an output over half a period, by adaptive quadrature with an estimate of its error.
 
-Each panel is integrated by the 15 points of Kronrod and the 7 points of Gauss among them; their difference is
-the estimate. Panels are halved where it is too large: kinks and jumps are closed in on. The first panels get
-narrower towards the peak of the input, where an element may act for a short time only.
+Each panel is integrated by the 15 points of Kronrod. The estimate of the error is what the polynomial through
+every other one of them misses at the rest, and that through all of them next to the ends, times the width on
+which it may be missed: a kink or a jump shows in that wherever it lies. Panels are halved where it is too
+large. The first ones get narrower towards the peak of the input, where an element may act briefly.
 """
 
 from __future__ import annotations
@@ -49,18 +50,29 @@ _KRONROD_WEIGHTS = np.array(
         0.209482141084727828012999174891714,
     ]
 )
-_GAUSS_WEIGHTS = np.array(
-    [
-        0.129484966168869693270611432679082,
-        0.279705391489276667901467771423780,
-        0.381830050505118944950369775488975,
-        0.417959183673469387755102040816327,
-    ]
-)
 NODES = np.concatenate([-_KRONROD_NODES, _KRONROD_NODES[-2::-1]])
 WEIGHTS = np.concatenate([_KRONROD_WEIGHTS, _KRONROD_WEIGHTS[-2::-1]])
-COARSE = np.zeros(15)
-COARSE[1:8:2], COARSE[13:7:-2] = _GAUSS_WEIGHTS, _GAUSS_WEIGHTS[:-1]
+ENDS = np.array([-1.0, 1.0]) * (1.0 - 1e-9)
+"""Places next to the ends of a panel, beyond its outermost points; just inside, as outputs may jump there."""
+END_ZONE = 0.01
+"""More than the distance of the outermost points from the ends, over half the width."""
+BETWEEN = 0.21
+"""More than the distance between two points, over half the width."""
+COARSE = slice(1, 15, 2)
+OTHERS = slice(0, 15, 2)
+
+
+def _continuation(known: Reals, wanted: Reals) -> Reals:
+    """Return the matrix that continues values at some places to others, by the polynomial through them."""
+    apart = known[:, None] - known
+    np.fill_diagonal(apart, 1.0)
+    terms = 1.0 / apart.prod(axis=1)[:, None] / (wanted - known[:, None])
+    return np.asarray(terms / terms.sum(axis=0))
+
+
+TO_ENDS = _continuation(NODES, ENDS)
+TO_OTHERS = _continuation(NODES[COARSE], NODES[OTHERS])
+PLACES = np.concatenate([NODES, ENDS])
 
 
 class Estimate(NamedTuple):
@@ -78,12 +90,15 @@ class Estimate(NamedTuple):
 
 
 def harmonic_by_quadrature(
-    output: Callable[[Reals], Reals], amplitude: float, harmonic: int, breaks: Sequence[float] = ()
+    halves: Callable[[Reals], tuple[Reals, Reals]],
+    amplitude: float,
+    harmonic: int,
+    breaks: Sequence[float] = (),
 ) -> Estimate:
     """Integrate N_n = (2j/(πA)) ∫ y exp(-jnθ) dθ over half a period, with y the odd part of the output.
 
     Args:
-        output: From phases θ, rad, shape (n,), to the steady output, of the same shape.
+        halves: From phases θ, rad, shape (n,), to the steady output there and half a period later.
         amplitude: A, > 0, in the unit of the input.
         harmonic: n, odd.
         breaks: Phases at which the output has a kink or a jump, rad.
@@ -96,16 +111,19 @@ def harmonic_by_quadrature(
     total, error, largest, asymmetry = 0j, 0.0, 0.0, 0.0
     for level in range(MOST_LEVELS + 1):
         half = 0.5 * (end - begin)
-        phases = (0.5 * (begin + end))[:, None] + half[:, None] * NODES
-        first, second = np.split(output(np.concatenate([phases.ravel(), phases.ravel() + math.pi])), 2)
+        phases = (0.5 * (begin + end))[:, None] + half[:, None] * PLACES
+        first, second = (each.reshape(phases.shape) for each in halves(phases.ravel()))
         if level == 0:
-            largest = float(np.abs(np.concatenate([first, second])).max())
-            asymmetry = float(np.abs(first + second).max())
+            largest = float(max(np.abs(first).max(), np.abs(second).max()))
+            asymmetry = float(np.abs(first + second)[:, : NODES.size].max())
         if not (np.isfinite(first).all() and np.isfinite(second).all()):
             return Estimate(complex(math.nan, math.nan), math.nan, math.nan)
-        integrand = 0.5 * (first - second).reshape(phases.shape) * np.exp(-1j * harmonic * phases)
-        fine = (integrand * WEIGHTS).sum(axis=1) * half
-        apart = np.abs(fine - (integrand * COARSE).sum(axis=1) * half)
+        integrand = 0.5 * (first - second) * np.exp(-1j * harmonic * phases)
+        inner, ends = integrand[:, : NODES.size], integrand[:, NODES.size :]
+        fine = (inner * WEIGHTS).sum(axis=1) * half
+        # What a polynomial misses at other points, as a kink may leave the difference of two sums small.
+        apart = BETWEEN * half * np.abs(inner[:, COARSE] @ TO_OTHERS - inner[:, OTHERS]).max(axis=1)
+        apart += END_ZONE * half * np.abs(inner @ TO_ENDS - ends).max(axis=1)
         halved = apart > TOLERANCE * largest
         if level == MOST_LEVELS or np.count_nonzero(halved) > MOST_PANELS:
             halved[:] = False

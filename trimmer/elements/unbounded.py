@@ -49,6 +49,11 @@ class UnboundedElement(Element):
     def _period(self, phases: Reals, amplitude: float, omega: float) -> Reals:
         """Return the steady output at phases of one amplitude and omega."""
 
+    def _halves(self, phases: Reals, amplitude: float, omega: float) -> tuple[Reals, Reals]:
+        """Return the outputs at phases, and half a period later."""
+        outputs = self._period(np.concatenate([phases, phases + np.pi]), amplitude, omega)
+        return outputs[: phases.size], outputs[phases.size :]
+
     def _breaks(self, amplitude: float, omega: float) -> Sequence[float]:
         """Return the phases, rad, at which the output has a kink or a jump, as far as they are known."""
         return ()
@@ -74,7 +79,7 @@ class UnboundedElement(Element):
         amplitudes, omegas = self._inputs(amplitude, omega)
         if amplitudes.ndim or omegas.ndim or not np.isfinite(amplitudes):
             raise ValueError(
-                f"amplitude must be one finite number, and omega too, not {amplitude!r}, {omega!r}"
+                f"amplitude and omega must be one finite number each, not {amplitude!r} and {omega!r}"
             )
         estimate = self._estimate(float(amplitudes), float(omegas), number if number % 2 else 1)
         return estimate if number % 2 or np.isnan(estimate.value) else estimate._replace(value=0j)
@@ -110,7 +115,7 @@ class UnboundedElement(Element):
 
     def _estimate(self, amplitude: float, omega: float, harmonic: int) -> Estimate:
         estimate = harmonic_by_quadrature(
-            lambda phases: self._period(phases, amplitude, omega),
+            lambda phases: self._halves(phases, amplitude, omega),
             amplitude,
             harmonic,
             self._breaks(amplitude, omega),

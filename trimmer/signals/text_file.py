@@ -69,7 +69,7 @@ def unreadable(path: Path, error: OSError) -> SignalFileError:
         return SignalFileError(f"{path}: no such file; {advice}")
     if isinstance(error, IsADirectoryError):
         return SignalFileError(f"{path}: is a folder; name the file of samples in it")
-    return SignalFileError(f"{path}: cannot be read: {error.strerror or error}")
+    return SignalFileError(f"{path}: cannot be read: {error.strerror or error}; name a file of samples")
 
 
 def _decoded(content: bytes) -> str:

@@ -37,7 +37,9 @@ class Plant:
 
     def crossings(self, turn: complex) -> list[tuple[float, float]]:
         """Return omega and -turn * G there, where that is real and positive, from real polynomials in omega."""
-        rotated = np.poly1d(self.gain * turn) * _of_omega(self.zeros) * np.poly1d(np.conj(_of_omega(self.poles).c))
+        rotated = (
+            np.poly1d(self.gain * turn) * _of_omega(self.zeros) * np.poly1d(np.conj(_of_omega(self.poles).c))
+        )
         on_axis = [root.imag for root in map(complex, (*self.poles, *self.zeros)) if root.real == 0]
         omegas = [
             root.real
@@ -45,12 +47,12 @@ class Plant:
             if _is_positive(root) and not np.isclose(root.real, on_axis).any()
         ]
         values = [-complex(turn * self._response(omega)) for omega in omegas]
-        return sorted((omega, value.real) for omega, value in zip(omegas, values, strict=True) if value.real > 0)
+        return sorted(
+            (omega, value.real) for omega, value in zip(omegas, values, strict=True) if value.real > 0
+        )
 
     def _response(self, omega: float) -> complex:
-        return complex(
-            self.gain * _of_omega(self.zeros)(omega) / _of_omega(self.poles)(omega)
-        )
+        return complex(self.gain * _of_omega(self.zeros)(omega) / _of_omega(self.poles)(omega))
 
 
 def _of_omega(roots: tuple[complex, ...]) -> np.poly1d:
@@ -148,7 +150,9 @@ def test_f_is_not_real_and_negative_outside_of_a_proven_range(turn: complex) -> 
         inverse = plant.inverse()
         lowest, highest, proven = proportional_range(inverse, turn)
         if proven:
-            beyond = np.concatenate([lowest * np.geomspace(1e-9, 1, 400), highest * np.geomspace(1, 1e9, 400)])
+            beyond = np.concatenate(
+                [lowest * np.geomspace(1e-9, 1, 400), highest * np.geomspace(1, 1e9, 400)]
+            )
             assert _least_heading(inverse.value(np.log(beyond)) / turn) > 0.0, plant
 
 

@@ -69,7 +69,9 @@ def random_boxes(random: np.random.Generator, count: int) -> tuple[Cells, Cells]
     centre, half = random.uniform(-1, 1, (2, count)), random.uniform(0.05, 0.6, (2, count))
     lower, upper = centre - half, centre + half
     wider = [side + sign * random.uniform(0.0, 0.4, (2, count)) for side, sign in ((lower, -1), (upper, 1))]
-    return Cells(lower[0], upper[0], lower[1], upper[1]), Cells(wider[0][0], wider[1][0], wider[0][1], wider[1][1])
+    return Cells(lower[0], upper[0], lower[1], upper[1]), Cells(
+        wider[0][0], wider[1][0], wider[0][1], wider[1][1]
+    )
 
 
 def slopes(random: np.random.Generator) -> tuple[complex, complex]:
@@ -92,7 +94,9 @@ def test_a_linear_f_is_decided_exactly() -> None:
         found = plane.test(boxes, regions)
         u_reach = np.maximum(boxes.u_upper - regions.u_centre, regions.u_centre - boxes.u_lower)
         x_reach = np.maximum(boxes.x_upper - regions.x_centre, regions.x_centre - boxes.x_lower)
-        outside = (np.abs(plane.u - regions.u_centre) > u_reach) | (np.abs(plane.x - regions.x_centre) > x_reach)
+        outside = (np.abs(plane.u - regions.u_centre) > u_reach) | (
+            np.abs(plane.x - regions.x_centre) > x_reach
+        )
         assert np.array_equal(found.empty, outside)
         assert found.single.all()
         assert found.u == pytest.approx(np.clip(plane.u, regions.u_lower, regions.u_upper))
@@ -121,9 +125,7 @@ def test_uniqueness_is_claimed_up_to_where_slopes_can_be_parallel(
     square, linear = u_radius * x_radius, 2.0 * u_radius + 3.0 * x_radius
     r = 6.0 / linear if square == 0.0 else (np.sqrt(linear**2 + 24.0 * square) - linear) / (2.0 * square)
     for factor, proven in ((0.999, True), (1.001, False)):
-        plane = Plane(
-            3.0 * turn, 2.0j * turn, 0.0, 0.0, factor * r * u_radius, factor * r * x_radius, share
-        )
+        plane = Plane(3.0 * turn, 2.0j * turn, 0.0, 0.0, factor * r * u_radius, factor * r * x_radius, share)
         assert plane.test(cells(-0.1, 0.1, -0.1, 0.1)).single[0] == proven
 
 
@@ -173,7 +175,10 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
     """Of three boxes one holds the solution of a bent F, one is empty, one holds it too and need not go on."""
     plane = Plane(1.0 + 0.5j, -0.3 + 1.0j, 1.0, 2.0, bent=0.2)
     boxes = Cells(
-        np.array([0.8, 3.0, 0.99]), np.array([1.2, 3.1, 1.4]), np.array([1.8, 4.0, 1.9]), np.array([2.2, 4.1, 2.3])
+        np.array([0.8, 3.0, 0.99]),
+        np.array([1.2, 3.1, 1.4]),
+        np.array([1.8, 4.0, 1.9]),
+        np.array([2.2, 4.1, 2.3]),
     )
     u, x, solved = solve_in(plane, plane, boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
     assert solved.tolist() == [True, False, False]

@@ -59,7 +59,7 @@ def offered(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
         (["linear", "--parameters", ""], {"a.toml", "two words.toml", "folder"}),
         (["respond", ""], {"a.toml", "two words.toml", "folder"}),
         (["simulate", "--json", "a"], {"a.toml"}),
-        (["spectrum", ""], {"b.csv", "folder"}),
+        (["spectrum", ""], {"b.csv", "d.wav", "e.txt", "folder"}),
         (["spectrum", "b.csv", "--plot", ""], {"c.svg", "folder"}),
         (["spectrum", "b.csv", "--wav", ""], {"d.wav", "folder"}),
         (["report", "--thesis", "e"], {"e.txt"}),

@@ -167,6 +167,31 @@ def test_an_interrupt_is_exit_code_130(entry, monkeypatch) -> None:
     assert main(["other"]) == 130
 
 
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["spectrum", "a.csv", "--rate", "{}"], "rate"),
+        (["spectrum", "a.csv", "--sample-rate", "{}"], "rate"),
+        (["simulate", "--sample-rate", "{}"], "sample_rate"),
+        (["simulate", "--rate", "{}"], "sample_rate"),
+        (["respond", "a.toml", "--wait", "{}"], "periods"),
+        (["map", "a.toml", "--wait", "{}"], "periods"),
+        (["follow", "a.toml", "--vary", "frequency", "--from", "1", "--to", "2", "--wait", "{}"], "wait"),
+        (["simulate", "--drive-frequency", "{}"], "drive"),
+        (["spectrum", "a.csv", "--drive-frequency", "{}"], "drive"),
+    ],
+)
+def test_one_thing_has_one_name_in_all_commands(monkeypatch, words: list[str], name: str) -> None:
+    seen: list[object] = []
+    commands = [
+        replace(command, run=lambda arguments: seen.append(getattr(arguments, name)) or 0)
+        for command in command_line.installed_commands()
+    ]
+    monkeypatch.setattr(command_line, "installed_commands", lambda: commands)
+    assert main([word.format(7) for word in words]) == 0
+    assert seen == [7]
+
+
 def test_version(capsys) -> None:
     with pytest.raises(SystemExit) as stopped:
         main(["--version"])

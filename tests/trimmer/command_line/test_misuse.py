@@ -135,7 +135,15 @@ def test_control_characters_in_a_name_do_not_reach_the_terminal(capsys) -> None:
     assert r"a\x1b[2J.csv: no such file" in told(capsys, "spectrum", "a\x1b[2J.csv")
 
 
-@pytest.mark.parametrize("words", [["linear"], ["parameters"], ["limit-cycles", *PLAY]], ids=" ".join)
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["parameters"],
+        pytest.param(["linear"], marks=pytest.mark.slow),  # Matplotlib looks for all fonts again
+        pytest.param(["limit-cycles", *PLAY], marks=pytest.mark.slow),
+    ],
+    ids=" ".join,
+)
 def test_neither_home_nor_a_place_to_write_is_needed(project_folder: Path, words: list[str]) -> None:
     kept = {name: value for name, value in os.environ.items() if name in ("PATH", "PYTHONPATH")}
     nowhere = {"HOME": "/dev/null/nowhere", "XDG_CACHE_HOME": "/dev/null/nowhere", "LC_ALL": "C"}

@@ -57,7 +57,12 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _add_search_options(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--periods", type=int, default=300, metavar="N", help="drive periods to wait at most (default: 300)"
+        "--periods",
+        "--wait",
+        type=int,
+        default=300,
+        metavar="N",
+        help="drive periods to wait at most (default: 300)",
     )
     parser.add_argument(
         "--starts",

@@ -40,6 +40,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_seed_option(parser)
     parser.add_argument(
         "--periods",
+        "--wait",
         type=positive_whole,
         default=1000,
         metavar="N",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.number_options import finite, positive, positive_whole
 from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
     from trimmer.signals.faults import Fault
@@ -52,6 +53,7 @@ def add_signal_options(parser: ArgumentParser) -> None:
 def _add_reading_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--rate",
+        "--sample-rate",
         type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
@@ -137,7 +139,8 @@ def _add_unit_options(parser: ArgumentParser) -> None:
 
 def _add_conversion_options(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--to",
+        "--as",
+        dest="quantity",
         choices=QUANTITIES,
         help="integrate or differentiate to this quantity, in the band that can be trusted, which is told",
     )
@@ -197,7 +200,7 @@ def chosen_recording(arguments: Namespace) -> ChosenRecording:
         found = faults(measured.longest)
         _refuse_clipped(arguments, found)
         recording = measured
-        if arguments.to is not None:
+        if arguments.quantity is not None:
             recording = Recording(_converted(arguments, measured), measured.gaps)
     except SignalError as error:
         raise (
@@ -212,10 +215,10 @@ def _check(arguments: Namespace, wav: bool) -> None:
         for name, given in (("--ignore-time", arguments.ignore_time), ("--resample", arguments.resample)):
             if given:
                 raise OptionError(f"{name} has no effect on a WAV file, which has no stamps: leave it out")
-    else:
+    elif arguments.file == STANDARD_INPUT or arguments.file.exists():
         refuse_unused(arguments, ["channel"], "a WAV file")
-    if arguments.to is None:
-        refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--to, which converts")
+    if arguments.quantity is None:
+        refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--as, which converts")
     if arguments.ignore_time and arguments.rate is None:
         raise OptionError("--ignore-time needs the sample rate: give it (--rate HZ)")
 
@@ -280,7 +283,7 @@ def _converted(arguments: Namespace, recording: Recording) -> tuple[Signal, ...]
     longest = max(recording.stretches, key=lambda stretch: stretch.values.size)
     first = convert(
         longest,
-        arguments.to,
+        arguments.quantity,
         lowest=arguments.lowest,
         highest=arguments.highest,
         sensor_corner=arguments.sensor_corner,
@@ -293,7 +296,7 @@ def _converted(arguments: Namespace, recording: Recording) -> tuple[Signal, ...]
             converted.append(
                 first
                 if stretch is longest
-                else convert(stretch, arguments.to, lowest=band.lowest or None, highest=highest).signal
+                else convert(stretch, arguments.quantity, lowest=band.lowest or None, highest=highest).signal
             )
         except SignalError:
             short += 1
