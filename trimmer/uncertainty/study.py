@@ -94,7 +94,7 @@ def study_samples(
 
 
 def warm_up(file: SampleFile) -> None:
-    """Follow a motion for two periods, so that what is compiled is compiled once and before the clock runs."""
+    """Follow a motion for two periods, so that all is compiled once, and before the clock runs."""
     TrialWork(file.mechanism, (), (), 2)(())
 
 

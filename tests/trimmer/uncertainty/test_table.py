@@ -42,8 +42,8 @@ def test_forms(line: str, distribution) -> None:
 
 
 def test_a_covariance_takes_its_means_from_the_file() -> None:
-    lines = 'covariance = { places = ["bodies.motor.mass", "plays.bridge.gap"], matrix = [[1e-6, 0], [0, 1e-12]] }'
-    uncertainty = read(lines)
+    places = '["bodies.motor.mass", "plays.bridge.gap"]'
+    uncertainty = read(f"covariance = {{ places = {places}, matrix = [[1e-6, 0], [0, 1e-12]] }}")
     assert uncertainty.places == ("bodies.motor.mass", "plays.bridge.gap")
     assert uncertainty.scatters[0].distribution == Normal(0.035, pytest.approx(1e-3))
 
@@ -78,7 +78,7 @@ def test_what_nobody_knows_scatters_evenly_and_is_called_assumed() -> None:
             "a correlation would exceed 1",
         ),
         (
-            'covariance = { places = ["plays.bridge.gap", "bodies.motor.mass"], matrix = [[1, 0.3], [0.2, 1]] }',
+            'covariance = { places = ["plays.bridge.gap", "bodies.motor.mass"], matrix = [[1, 3], [2, 9]] }',
             "is symmetric",
         ),
         (
