@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -15,16 +15,26 @@ from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
 from trimmer.uncertainty.distributions import Distribution, Joint, Normal, Scatter, Uncertainty, Uniform
 
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
-
 SECTION = "uncertainty"
 COVARIANCE = "covariance"
 FORMS = '{ normal = "5 um" }, { normal = "5 %" } or { uniform = ["20 um", "60 um"] }'
 
 
+class Numbers(Protocol):
+    """What has numbers at places, such as a mechanism."""
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """The SI unit of each place."""
+        ...
+
+    def value(self, place: str) -> float:
+        """Return the number at a place, in that unit."""
+        ...
+
+
 def uncertainty_of(
-    content: object, mechanism: Mechanism, problems: list[Problem], known: tuple[Scatter, ...] = ()
+    content: object, mechanism: Numbers, problems: list[Problem], known: tuple[Scatter, ...] = ()
 ) -> Uncertainty:
     """Read what scatters; what cannot be used is added to the problems.
 
@@ -63,7 +73,7 @@ def _add(
         found[each.place] = each
 
 
-def _place(where: tuple[str, ...], text: object, mechanism: Mechanism, problems: list[Problem]) -> str | None:
+def _place(where: tuple[str, ...], text: object, mechanism: Numbers, problems: list[Problem]) -> str | None:
     try:
         place = place_text(parse_place(str(text)))
     except MechanismError as error:
@@ -71,13 +81,13 @@ def _place(where: tuple[str, ...], text: object, mechanism: Mechanism, problems:
         return None
     if place in mechanism.places:
         return place
-    advice = near_match(place, mechanism.places) or "write a dotted place, as in plays.bridge.gap"
+    advice = near_match(place, mechanism.places) or f"there are {listed(mechanism.places)}"
     problems.append(Problem(where, f"there is no number {place!r}; {advice}"))
     return None
 
 
 def _distribution(
-    where: tuple[str, ...], place: str, value: object, mechanism: Mechanism, problems: list[Problem]
+    where: tuple[str, ...], place: str, value: object, mechanism: Numbers, problems: list[Problem]
 ) -> Distribution | None:
     if not isinstance(value, Mapping):
         problems.append(Problem(where, f"say how it scatters, as in {FORMS}", value))
@@ -164,7 +174,7 @@ def _plain(value: object) -> object:
 
 
 def _joints(
-    value: object, mechanism: Mechanism, problems: list[Problem]
+    value: object, mechanism: Numbers, problems: list[Problem]
 ) -> Iterator[tuple[Joint, list[Scatter]]]:
     where = (SECTION, COVARIANCE)
     for each in value if isinstance(value, list) else [value]:

@@ -14,9 +14,9 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.number_options import positive_whole
+from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
-from trimmer.command_line.parser import INTERRUPTED, OptionError, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import SAMPLES
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from trimmer.uncertainty.study import Study
 
 COUNT = 512
+CHANNELS = ("both", "displacement")
 PLANS = ("latin-hypercube", "sobol")
 
 
@@ -34,7 +35,17 @@ def _configure(parser: ArgumentParser) -> None:
         "file",
         type=file_to_read,
         metavar="FILE",
-        help="mechanism with [uncertainty], a TOML file; - for standard input",
+        help="mechanism with [uncertainty], a TOML file, - for standard input; or a parameter file of the "
+        "thesis's loop, with --gap",
+    )
+    parser.add_argument(
+        "--gap", type=positive("m"), metavar="M", help="of a parameter file: total clearance of the play, m"
+    )
+    parser.add_argument(
+        "--channels",
+        choices=CHANNELS,
+        help="of a parameter file: whether the pin acts by its displacement alone, or by its velocity too "
+        f"(default: {CHANNELS[0]})",
     )
     parser.add_argument(
         "--count",
@@ -84,6 +95,9 @@ def _run(arguments: Namespace) -> int:
     from trimmer.uncertainty.sample_file import read_sample_file
 
     _check(arguments)
+    if arguments.gap is not None:
+        return _run_loop(arguments)
+    refuse_unused(arguments, ["channels"], "--gap and a parameter file")
     file = read_sample_file(arguments.file)
     try:
         study = _study(arguments, file)
@@ -97,6 +111,20 @@ def _run(arguments: Namespace) -> int:
 
         write_picture(arguments, sample_figure(study.samples))
     show(as_json(study) if arguments.json else as_text(study), arguments.plot, arguments.output)
+    return 0
+
+
+def _run_loop(arguments: Namespace) -> int:
+    """Sample the thesis's loop."""
+    from trimmer.command_line.mechanisms.loop_sample_text import as_json, as_text
+    from trimmer.uncertainty.loop_samples import read_loop_file, sample_loop
+
+    unused = ("balance", "output", "plot", "jobs", "scheduler")
+    refuse_unused(arguments, unused, "a mechanism, and with --gap the samples are of the thesis's loop")
+    file = read_loop_file(arguments.file, arguments.gap)
+    channels = arguments.channels or CHANNELS[0]
+    samples = sample_loop(file, _settings(arguments), indices=arguments.indices, channels=channels)
+    print(as_json(samples) if arguments.json else as_text(samples))
     return 0
 
 

@@ -30,12 +30,12 @@ def as_text(study: Study) -> str:
     samples = study.samples
     lines = [*_yield_lines(samples), "what it settles to"]
     total = len(samples.trials)
-    lines += [f"  {kind:<12} {_share_text(share_of(count, total))}" for kind, count in samples.kinds.items()]
+    lines += [f"  {kind:<12} {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()]
     lines += ["", "how measures scatter (in brackets: 95 % interval of a quantile)"]
     heads = ("", "mean", "deviation", "5 %", "50 %", "95 %", "unit")
     lines += table(heads, [row for row in _measure_rows(samples) if row])
     for quantity, indices in study.indices.items():
-        lines += ["", f"what matters for {quantity.name}", *_index_lines(indices)]
+        lines += ["", f"what matters for {quantity.name}", *index_lines(indices)]
     if study.balanced is not None:
         lines += ["", *_balanced_lines(study.balanced)]
     lines += ["", samples.message]
@@ -49,16 +49,17 @@ def _yield_lines(samples: Samples) -> Iterator[str]:
         yield "no targets: write what is wanted below [targets] to learn the yield"
     else:
         met = share_of(int(samples.met.sum()), len(samples.trials))
-        yield f"all targets are met by {_share_text(met)}"
+        yield f"all targets are met by {share_text(met)}"
         if len(samples.targets) > 1:
             for target in samples.targets:
                 count = sum(trial.meets((target,)) for trial in samples.trials)
                 name = f"{target.key} {target.part}".strip()
-                yield f"  {name}: {_share_text(share_of(count, len(samples.trials)))}"
+                yield f"  {name}: {share_text(share_of(count, len(samples.trials)))}"
     yield ""
 
 
-def _share_text(share: Share) -> str:
+def share_text(share: Share) -> str:
+    """Return a share with its interval."""
     return f"{share.value:.1%} of {share.total} ({share.lowest:.1%} to {share.highest:.1%})"
 
 
@@ -72,16 +73,18 @@ def _measure_rows(samples: Samples) -> Iterator[tuple[str, ...]]:
                 name_of(asked),
                 f"{found.mean:.4g}",
                 f"{found.deviation:.3g}",
-                *(_quantile_text(each) for each in found.quantiles),
+                *(quantile_text(each) for each in found.quantiles),
                 asked.measure.value,
             )
 
 
-def _quantile_text(quantile: Quantile) -> str:
+def quantile_text(quantile: Quantile) -> str:
+    """Return a quantile with its interval."""
     return f"{quantile.value:.4g} [{quantile.lowest:.4g}, {quantile.highest:.4g}]"
 
 
-def _index_lines(indices: Indices) -> Iterator[str]:
+def index_lines(indices: Indices) -> Iterator[str]:
+    """Return the table of indices, and what they rest on."""
     rows = [
         (
             each.place,
@@ -121,23 +124,23 @@ def as_json(study: Study) -> str:
             {"place": each.place, "unit": each.unit, "assumed": each.assumed}
             for each in samples.inputs.uncertainty.scatters
         ],
-        "yield": _share(share_of(int(samples.met.sum()), total)) if samples.targets else None,
+        "yield": share_data(share_of(int(samples.met.sum()), total)) if samples.targets else None,
         "targets": [
             {
                 "key": target.key,
                 "part": target.part,
                 "bound": target.bound,
-                **_share(share_of(sum(trial.meets((target,)) for trial in samples.trials), total)),
+                **share_data(share_of(sum(trial.meets((target,)) for trial in samples.trials), total)),
             }
             for target in samples.targets
         ],
-        "kinds": {kind: _share(share_of(count, total)) for kind, count in samples.kinds.items()},
+        "kinds": {kind: share_data(share_of(count, total)) for kind, count in samples.kinds.items()},
         "measures": [
             {
                 "measure": asked.measure.name.lower(),
                 "part": asked.part,
                 "unit": asked.measure.value,
-                **_distribution(distribution_of(samples.measured(asked))),
+                **distribution_data(distribution_of(samples.measured(asked))),
             }
             for asked in samples.asked
             if asked.measure is not Measure.PERIOD
@@ -146,7 +149,7 @@ def as_json(study: Study) -> str:
             {
                 "of": quantity.name,
                 "message": indices.message,
-                "numbers": [_index(each) for each in indices.indices],
+                "numbers": [index_data(each) for each in indices.indices],
             }
             for quantity, indices in study.indices.items()
         ],
@@ -156,11 +159,13 @@ def as_json(study: Study) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
 
 
-def _share(share: Share) -> dict[str, Any]:
+def share_data(share: Share) -> dict[str, Any]:
+    """Return a share as data for JSON."""
     return {"count": share.count, "share": share.value, "interval": [share.lowest, share.highest]}
 
 
-def _distribution(found: Distribution | None) -> dict[str, Any]:
+def distribution_data(found: Distribution | None) -> dict[str, Any]:
+    """Return a distribution as data for JSON."""
     if found is None:
         return {"count": 0, "mean": None, "deviation": None, "quantiles": []}
     return {
@@ -178,7 +183,8 @@ def _distribution(found: Distribution | None) -> dict[str, Any]:
     }
 
 
-def _index(index: Index) -> dict[str, Any]:
+def index_data(index: Index) -> dict[str, Any]:
+    """Return an index as data for JSON."""
     return {
         "place": index.place,
         "first": finite(index.first),
