@@ -12,13 +12,18 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report maps test test-all lint format derive lock mutate benchmark check-install clean
+.PHONY: help report docs maps test test-all lint format derive lock mutate benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
 report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
 	@trimmer report
+
+# Pictures are kept in build/site-pictures until their page or script, or the package, changes.
+docs: .venv/for-development ## build the site, build/site/index.html; fails on a broken link or a block that prints something else
+	@NO_MKDOCS_2_WARNING=1 MPLBACKEND=agg python -m mkdocs build --strict # not --quiet: that hides warnings from --strict
+	@echo build/site/index.html
 
 # BLAS with several threads is slower here: its matrices are small, and the cells already use all cores.
 maps: .venv/for-use ## compute the maps and branches of the twin again, report/data/twin; goes on where it was interrupted

@@ -23,8 +23,8 @@ from trimmer.arrays import Reals
 from trimmer.maps.cells import described
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.processes import ProcessRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play.toml")
 CELLS = 100

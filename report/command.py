@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
@@ -158,7 +158,7 @@ def _differences(earlier: ClaimsFile, built: Built) -> str:
 
 
 def _summary(built: Built) -> str:
-    from report.claim import Verdict
+    from report.verdict import Verdict
 
     verdicts = [finding.verdict for finding in built.document.findings]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict.value}" for verdict in Verdict)
@@ -173,5 +173,22 @@ def _summary(built: Built) -> str:
 
 
 COMMAND = Command(
-    "report", "build the report: derive, solve, judge, draw, write HTML, PDF and JSON", _configure, _run
+    "report",
+    "build the report: derive, solve, judge, draw, write HTML, PDF and JSON",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer report",
+            "what holds of the thesis, in build/report: report.html, report.pdf, claims.json and errata.csv",
+        ),
+        Example(
+            "trimmer report --only ch5 --format html --open",
+            "one chapter alone, as a page, in the browser",
+        ),
+        Example(
+            "trimmer report --compare claims.json",
+            "what has changed since the claims.json of an earlier report",
+        ),
+    ),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Protocol
 
-from report.claim import Severity, Verdict
+from report.verdict import Severity, Verdict
 
 
 class Grade(Enum):

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import final
 
-from report.claim import Finding, JudgedPart, Severity, Verdict
+from report.finding import Finding, JudgedPart
+from report.verdict import Severity, Verdict
 
 
 @final

@@ -6,7 +6,7 @@ import json
 from datetime import date
 from pathlib import Path
 
-from report.document import MutationMeasurement
+from report.document.mutation import MutationMeasurement
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent / "data" / "mutation.json"

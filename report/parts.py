@@ -15,25 +15,13 @@ from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.claim import (
-    Certainty,
-    Check,
-    Comparison,
-    Confirmation,
-    CopyFault,
-    Mathematics,
-    Part,
-    Severity,
-    Shown,
-    Slip,
-    Uncheckable,
-    Verdict,
-    Words,
-)
+from report.claim import Check, Comparison, Confirmation, CopyFault, Part, Slip, Uncheckable
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.comparisons.expression import SameExpression, SameMatrix
+from report.shown import Mathematics, Shown, Words
 from report.text import RecordError, filled
+from report.verdict import Certainty, Severity, Verdict
 
 DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
 

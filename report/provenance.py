@@ -7,7 +7,7 @@ import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
-from report.document import Provenance
+from report.document.thesis import Provenance
 from report.text_copy import read_build_time
 
 LIBRARIES = (

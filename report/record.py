@@ -15,12 +15,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, final
 
-from report.claim import Certainty, Claim, Impact, Part, Severity, Uncheckable
-from report.document import Figure
+from report.claim import Claim, Part, Uncheckable
+from report.document.figure import Figure
 from report.drawing.style import style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence
 from report.text import RecordError, filled
+from report.verdict import Certainty, Impact, Severity
 
 if TYPE_CHECKING:
     import matplotlib.figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from pathlib import Path
 
-from report.document import Section
+from report.document.thesis import Section
 
 PATH = Path(__file__).parent / "data" / "sections.csv"
 

@@ -12,7 +12,7 @@ from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from report.claim import Statement
-from report.document import Follows
+from report.document.overview import Follows
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent / "data" / "follows_from.csv"

@@ -20,7 +20,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
@@ -58,38 +58,51 @@ def main() -> int:
 
 
 def keep(folder: Path) -> int:
-    """Build the report into a folder, with the JSON of the README's commands and the package's names."""
+    """Build the report into a folder, with the JSON of the commands' examples and the package's names."""
     import trimmer
     from trimmer.command_line.main import main as run
 
     if code := run(["report", "--directory", str(folder)]):
         return code
-    write_json(folder / COMMANDS, {line: printed(run, line) for line in readme_commands()})
+    write_json(folder / COMMANDS, {line: printed(run, line) for line in example_commands()})
     write_json(folder / EXPORTS, sorted(trimmer.__all__))
     return 0
 
 
-def readme_commands() -> list[str]:
-    """Return the README's command lines, each with ``--json`` where the command knows it."""
-    lines = re.findall(r"^    trimmer (.*)$", (PROJECT / "README.md").read_text("utf-8"), re.MULTILINE)
-    writes_files = ("parameters",)
-    return [line if line.startswith(writes_files) else f"{line} --json" for line in lines]
+def example_commands() -> list[str]:
+    """Return the examples of each command's help that print JSON, with ``--json``."""
+    from trimmer.command_line.main import installed_commands
+
+    return [
+        f"{example.words} --json"
+        for command in installed_commands()
+        if knows_json(command.configure)
+        for example in command.examples
+        if "--json" not in example.arguments
+    ]
+
+
+def knows_json(configure: Callable[[argparse.ArgumentParser], None]) -> bool:
+    """Say whether a command has the option ``--json``."""
+    parser = argparse.ArgumentParser(add_help=False)
+    configure(parser)
+    return "--json" in parser.format_usage()
 
 
 def printed(run: object, line: str) -> str:
-    """Return what a command prints in an empty folder that holds the files the README speaks of."""
+    """Return what a command prints in a folder that holds the files the examples speak of."""
     assert callable(run)
     here, output = Path.cwd(), io.StringIO()
     with tempfile.TemporaryDirectory() as name, contextlib.redirect_stdout(output):
         os.chdir(name)
         try:
+            Path("examples").symlink_to(PROJECT / "examples", target_is_directory=True)
             run(["parameters", "--output", "mine.toml"])
             vibration = "--element friction --gap 4e-5 --drive 110 --amplitude 1.5e-3 --csv vibration.csv"
             run(["simulate", *vibration.split()])
             output.truncate(0)
             output.seek(0)
-            Path("mine.toml").unlink() if line.startswith("parameters") else None
-            code = run(shlex.split(line))
+            code = run(shlex.split(line)[1:])
         finally:
             os.chdir(here)
     return f"{output.getvalue()}exit code {code}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import os
 import shutil
+import signal
 import subprocess
 from pathlib import Path
 
@@ -18,6 +19,9 @@ settings.load_profile("repeatable")
 # Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
 # examples would depend on which tests ran before.
 HypothesisProvider._local_constants = Constants()
+# A shell that runs the tests in the background lets them ignore interrupts, and so would what they start.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")

@@ -8,10 +8,11 @@ from numbers import Integral
 from typing import Self
 
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed, near_match
 
 
 class ChoiceError(TrimmerError, ValueError):
-    """A value that is none of the possible ones; the message lists their words."""
+    """A value that is none of the possible ones; the message names a near one, or lists their words."""
 
 
 class Choice(Enum):
@@ -35,9 +36,11 @@ class Choice(Enum):
         """
         if isinstance(value, cls):
             return value
-        *others, last = (member.word for member in cls)
+        words = [member.word for member in cls]
         if isinstance(value, str | Integral):
             for member in cls:
                 if str(value) == member.word:
                     return member
-        raise ChoiceError(f"{argument} is {reprlib.repr(value)}: choose {', '.join(others)} or {last}")
+        advice = near_match(value, words) if isinstance(value, str) else ""
+        advice = advice or f"choose {listed(words, 'or')}"
+        raise ChoiceError(f"{argument} is {reprlib.repr(value)}: {advice}")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from trimmer.choices import Choice
 from trimmer.errors import TrimmerError
+from trimmer.messages import did_you_mean
 
 
 class DisplacementError(TrimmerError, ValueError):
@@ -79,10 +80,10 @@ class Displacement:
         match = re.fullmatch(pattern, text, flags=re.ASCII) if isinstance(text, str) else None
         if match is None:
             meanings = ", ".join(f"{body.coordinate} {body.name.lower()}" for body in Body)
-            raise DisplacementError(
-                f"{text!r} is not a displacement: write a coordinate (q2) or a difference of two (q2-q4); "
-                f"coordinates: {meanings}"
+            advice = did_you_mean(_meant(text) if isinstance(text, str) else ()) or (
+                f"write a coordinate (q2) or a difference of two (q2-q4); coordinates: {meanings}"
             )
+            raise DisplacementError(f"{text!r} is not a displacement: {advice}")
         of, relative_to = match.groups()
         return cls(Body(int(of)), Body(int(relative_to)) if relative_to else None)
 
@@ -102,6 +103,23 @@ class Displacement:
             factors[self.relative_to.index] -= 1.0
         return (factors[0], factors[1], factors[2], factors[3])
 
+
+def _meant(text: str) -> list[str]:
+    """Return the displacement that was meant: its bodies by number, or by what they are called."""
+    numbered = text.lower()
+    for body in Body:
+        numbered = numbered.replace(body.name.lower(), str(body.value))
+    numbers = re.findall(r"[0-9]+", numbered)
+    if not 1 <= len(numbers) <= 2 or len(text) > _LONGEST:
+        return []
+    bodies = dict.fromkeys(int(digit) for number in numbers for digit in number)
+    if not bodies.keys() <= {body.value for body in Body} or len(bodies) > 2:
+        return []
+    return ["-".join(f"q{number}" for number in bodies)]
+
+
+_LONGEST = 40
+"""Characters of a text in which a displacement is looked for."""
 
 CUTTER_RELATIVE_TO_GUARD = Displacement(Body.CUTTER, Body.GUARD)
 """The output of the thesis, y = q2 - q4 (equation 2.14)."""

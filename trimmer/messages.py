@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from pathlib import Path
 
 _SHOWN_LENGTH = 40
+_LEAST_RATIO = 0.7
+"""Share of letters in common from which on a word is near: frction is near friction, foo not near follow."""
+_LONGEST_WORD = 100
+"""Longer words are no misspelled names, and comparing them would take long."""
+_SHORTEST_BEGINNING = 3
 
 
 def shown_value(value: object) -> str:
@@ -19,12 +25,57 @@ def shown_value(value: object) -> str:
 
 def near_match(word: str, known: Iterable[str]) -> str:
     """Ask whether the nearest of the known words was meant; empty if none is near."""
-    by_lower_case = {each.lower(): each for each in known}
-    nearest = difflib.get_close_matches(word.lower(), by_lower_case, n=1, cutoff=0.5)
-    return f"did you mean {by_lower_case[nearest[0]]}?" if nearest else ""
+    return did_you_mean(near_words(word, known))
+
+
+def did_you_mean(words: Iterable[str]) -> str:
+    """Ask whether one of some words was meant; empty if there is none."""
+    words = tuple(words)
+    return f"did you mean {listed(words, 'or')}?" if words else ""
+
+
+def near_words(word: str, known: Iterable[str]) -> tuple[str, ...]:
+    """Return the known words that may have been meant: the nearest, and what differs from it in capitals.
+
+    Near is, in this order: what differs in capitals, spaces and punctuation alone; in the order of its
+    letters; in a few letters (Ratcliff's and Obershelp's similarity, as in ``difflib``); and the one word
+    that goes on after what was written.
+    """
+    if len(word) > _LONGEST_WORD:
+        return ()
+    folded = word.casefold()
+    by_folded: dict[str, list[str]] = {}
+    for each in dict.fromkeys(known):
+        by_folded.setdefault(each.casefold(), []).append(each)
+    found = (
+        [each for each in by_folded if _letters(each) == _letters(folded) != ""]
+        or [each for each in by_folded if sorted(each) == sorted(folded)]
+        or difflib.get_close_matches(folded, by_folded, n=1, cutoff=_LEAST_RATIO)
+        or _continued(folded, by_folded)
+    )
+    return tuple(by_folded[found[0]]) if found else ()
+
+
+def near_file(path: Path) -> str:
+    """Ask whether the file of the same folder with the nearest name was meant; empty if none is near."""
+    try:
+        names = [each.name for each in path.parent.iterdir() if each.is_file()]
+    except OSError:
+        return ""
+    return did_you_mean(str(path.with_name(name)) for name in near_words(path.name, names))
 
 
 def listed(words: Iterable[str], conjunction: str = "and") -> str:
     """Join words as a sentence does: ``a, b and c``."""
     *others, last = words
     return f"{', '.join(others)} {conjunction} {last}" if others else last
+
+
+def _letters(word: str) -> str:
+    return "".join(filter(str.isalnum, word))
+
+
+def _continued(word: str, known: Iterable[str]) -> list[str]:
+    """Return the only word that begins with another one, if that is long enough to mean it."""
+    found = [each for each in known if len(word) >= _SHORTEST_BEGINNING and each.startswith(word)]
+    return found if len(found) == 1 else []

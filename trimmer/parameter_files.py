@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from trimmer.messages import shown_value
+from trimmer.messages import near_match, shown_value
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
@@ -69,8 +68,7 @@ def _unknown_keys(content: dict[str, Any]) -> Iterator[str]:
         if isinstance(value, dict):
             yield f"[{key}]: tables are not used; write the keys without a heading"
             continue
-        nearest = difflib.get_close_matches(key.lower(), known, n=1, cutoff=0.4)
-        advice = f"did you mean {nearest[0]}?" if nearest else f"known keys: {', '.join(known)}"
+        advice = near_match(key, known) or f"known keys: {', '.join(known)}"
         yield f"{key} = {shown_value(value)}: unknown key; {advice}"
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from trimmer.errors import TrimmerError
 from trimmer.files import read_content
+from trimmer.messages import near_file
 from trimmer.parameters import parameter_table
 
 
@@ -21,19 +22,22 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         advice: Where a file to start from comes from, for the message of a file that is not there.
 
     Raises:
-        TrimmerError: of the type that is given, if the file cannot be read or is no text.
+        TrimmerError: of the type that is given, if the file cannot be read, is empty or is no text.
     """
     try:
-        return read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
+        text = read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
     except FileNotFoundError:
-        raise error(f"{path}: no such file; {advice}") from None
+        raise error(f"{path}: no such file; {near_file(path) or advice}") from None
     except IsADirectoryError:
         raise error(f"{path}: is a folder; name the file in it") from None
     except UnicodeDecodeError as reason:
         message = f"{path}: not UTF-8 text (byte {reason.start}); save it as UTF-8 plain text"
         raise error(message) from reason
     except OSError as reason:
-        raise error(f"{path}: cannot be read: {reason.strerror or reason}") from reason
+        raise error(f"{path}: cannot be read: {reason.strerror or reason}; {advice}") from reason
+    if not text.strip():
+        raise error(f"{path}: is empty; {advice}")
+    return text
 
 
 def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict[str, Any]:

@@ -32,6 +32,8 @@ def antiderivative(integrand: sympy.Expr, variable: sympy.Symbol) -> sympy.Expr:
         UnprovenError: if its derivative is not the integrand.
         ValueError: if a term is something else than such a product.
     """
+    if integrand == 0:
+        return sympy.Integer(0)
     terms = sympy.Add.make_args(sympy.expand(integrand.rewrite(sympy.exp)))
     primitive = sympy.Add(*(_primitive(term, variable) for term in terms))
     require_equal(f"the antiderivative of {integrand}", primitive.diff(variable), integrand)

@@ -14,6 +14,7 @@ from derivations.elements.steps import (
     limits,
     method,
     slopes,
+    textbook,
 )
 from derivations.step import Step
 
@@ -39,6 +40,16 @@ def proven_steps() -> tuple[ProvenStep, ...]:
         contours.step(),
         equivalent.step(),
     )
+
+
+@cache
+def textbook_narrative() -> tuple[Step, ...]:
+    """Prove every equation on the elements that the thesis does not have, and return the steps.
+
+    Raises:
+        UnprovenError: naming the first equation that is not proven.
+    """
+    return tuple(step.proven() for step in textbook.steps())
 
 
 @cache

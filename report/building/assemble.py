@@ -8,25 +8,19 @@ from dataclasses import dataclass
 from derivations.latex import latex
 from derivations.step import Step
 from derivations.symbols import PARAMETERS
-from report.claim import Finding, Statement
+from report.claim import Statement
 from report.derivation.code_lines import code_lines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
-from report.document import (
-    Answer,
-    Chapter,
-    CorrectedResult,
-    DerivationStep,
-    Document,
-    Equation,
-    Explorable,
-    Figure,
-    Opening,
-    ParameterRow,
-    Program,
-    Robustness,
-    TwinChapter,
-)
+from report.document.derivation import DerivationStep, ParameterRow, Program
+from report.document.document import Document
+from report.document.explorable import Explorable
+from report.document.figure import Equation, Figure
+from report.document.overview import Answer, CorrectedResult, Opening
+from report.document.robustness import Robustness
+from report.document.thesis import Chapter
+from report.document.twin import TwinChapter
+from report.finding import Finding
 from report.inventory import FURTHER, read_inventory
 from report.mutation import read_mutation
 from report.provenance import provenance

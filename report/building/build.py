@@ -11,7 +11,7 @@ from pathlib import Path
 from report.building.progress import Progress
 from report.cache.content_key import content_key
 from report.cache.stage_store import StageStore
-from report.document import Document
+from report.document.document import Document
 from report.octave.archive import write_files
 from report.provenance import provenance
 from report.rendering.render import render

@@ -10,6 +10,8 @@ from typing import TypeVar, final
 
 from tqdm import tqdm
 
+from trimmer.progress import is_silenced
+
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 BAR = "{desc:<9}{percentage:3.0f}% |{bar:30}| {n_fmt}/{total_fmt} {elapsed}"
@@ -31,9 +33,10 @@ class Progress:
         """Yield the results as they come, behind a progress bar; there will be ``count`` of them."""
         started = time.perf_counter()
         # disable=None: bars on a terminal only; a log gets one line for each stage.
-        yield from tqdm(results, desc=name, total=count, bar_format=BAR, disable=None)
+        hidden = True if is_silenced() else None
+        yield from tqdm(results, desc=name, total=count, bar_format=BAR, disable=hidden)
         self.times.append((name, time.perf_counter() - started))
-        if not sys.stderr.isatty():
+        if not sys.stderr.isatty() and not is_silenced():
             print(f"{name:<9}{count}/{count} done", file=sys.stderr)
 
     def add(self, stage: str, task: str, seconds: float) -> None:

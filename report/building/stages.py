@@ -16,15 +16,17 @@ from report.building.progress import Progress
 from report.building.tasks import Task, done
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
-from report.claim import Finding, Statement, judge
+from report.claim import Statement
 from report.collect import Records, collect
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import waveform_pictures
-from report.document import Document
+from report.document.document import Document
 from report.evidence import Evidence, derive, solve
 from report.explorable.make import explorable
+from report.finding import Finding
 from report.folders import templates
 from report.inventory import read_inventory
+from report.judge import judge
 from report.numbers.twin.kept_files import digest_of_files
 from report.numbers.twin_numbers import solve_twin
 from report.octave.listings import corrected_programs

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Self, final
 
-from report.claim import Agreement, Words
+from report.claim import Agreement
+from report.shown import Words
 
 
 @final

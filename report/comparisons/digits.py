@@ -9,7 +9,8 @@ from typing import Self, final
 
 import mpmath
 
-from report.claim import Agreement, Number
+from report.claim import Agreement
+from report.shown import Number
 
 LEAST_DIGITS_SHOWN = 6
 GUARD_DIGITS = 3

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from report.cache.source_closure import ROOT
-from report.document import CodeLines
+from report.document.figure import CodeLines
 
 
 def code_lines(function: Callable[..., Any]) -> CodeLines:

@@ -15,9 +15,9 @@ from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.step import Step
 from derivations.symbols import QUANTITIES
-from report.claim import Finding
 from report.derivation.symbols_of_text import formulas, symbols
-from report.document import NomenclatureRow
+from report.document.derivation import NomenclatureRow
+from report.finding import Finding
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent.parent / "data" / "nomenclature.csv"

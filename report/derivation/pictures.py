@@ -24,7 +24,7 @@ from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A, omega
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.document import Figure
+from report.document.figure import Figure
 from report.text import filled
 
 Values = dict[sympy.Expr, sympy.Expr]

@@ -3,40 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 from matplotlib.ticker import FixedFormatter
 
-from report.drawing.style import BLACK
+from trimmer.drawing.marks import STABLE as STABLE
+from trimmer.drawing.marks import UNSTABLE as UNSTABLE
+from trimmer.drawing.marks import arrow as arrow
+from trimmer.drawing.marks import as_pair
+from trimmer.drawing.marks import limit_cycle as limit_cycle
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
-    Place = tuple[float, float] | complex
-
-
-STABLE: Final = "_stable limit cycle"
-UNSTABLE: Final = "_unstable limit cycle"
-"""Labels of the marks of limit cycles; no legend shows them, the caption says what full and open mean."""
-
-
-def limit_cycle(axes: Axes, place: Place, *, stable: bool) -> None:
-    """Mark a limit cycle as in all figures: full where it is stable, open where it is not."""
-    x, y = _pair(place)
-    fill, label = (BLACK, STABLE) if stable else ("white", UNSTABLE)
-    axes.plot([x], [y], "o", color=BLACK, markersize=5.0, markerfacecolor=fill, label=label, zorder=4)
+    from trimmer.drawing.marks import Place
 
 
 def beside(axes: Axes, text: str, place: Place, offset: tuple[float, float], **keywords: Any) -> None:
     """Write a text beside a place; the offset is in points."""
-    axes.annotate(text, _pair(place), offset, textcoords="offset points", **keywords)
-
-
-def arrow(axes: Axes, start: Place, end: Place, **look: Any) -> None:
-    """Draw an arrow, such as one of rising time on a curve; ``look`` are properties of arrows."""
-    properties = {"arrowstyle": "-|>", "color": BLACK, "mutation_scale": 11} | look
-    axes.annotate("", _pair(end), _pair(start), arrowprops=properties)
+    axes.annotate(text, as_pair(place), offset, textcoords="offset points", **keywords)
 
 
 def span(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
@@ -63,7 +49,3 @@ def few_ticks(*axis: Axis, intervals: int = 4) -> None:
     for each in axis:
         each.set_major_locator(MaxNLocator(intervals, steps=[1, 2, 5, 10]))
         each.set_major_formatter(StrMethodFormatter("{x:g}"))
-
-
-def _pair(place: Place) -> tuple[float, float]:
-    return (place.real, place.imag) if isinstance(place, complex) else place

@@ -9,15 +9,18 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from report.drawing.marks import beside, limit_cycle
-from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, Look
+from report.drawing.style import LINES, Look
 from trimmer import response_at
+from trimmer.drawing.along import Along
+from trimmer.drawing.marks import critical_point as critical_point
+from trimmer.drawing.plane import element_locus, system_locus
+from trimmer.drawing.plane import inverse as inverse_gain
 
 if TYPE_CHECKING:
     import control
     from matplotlib.axes import Axes
 
-    from trimmer.arrays import Complexes
+    from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
 
@@ -30,28 +33,25 @@ _NEAR: Final = 12.0
 """Offset of a text, in points, up to which it needs no such line."""
 
 
-def critical_point(axes: Axes) -> None:
-    """Mark -1, the point that the Nyquist criterion is about."""
-    axes.plot([-1], [0], "+", color=BLACK, markersize=9, markeredgewidth=1.6)
-
-
 def locus(axes: Axes, system: control.lti.LTI) -> None:
     """Draw G for rising frequency."""
-    response = response_at(system, OMEGA)
-    plot_along(axes, response, Along("ω", "rad/s", OMEGA), label="$G$", **LINES[0])
+    system_locus(axes, system, OMEGA, label="$G$", **LINES[0])
     critical_point(axes)
 
 
 def inverse(element: Element) -> Complexes:
     """Return -1/N of an element with a gap, over its domain, from large amplitudes on."""
-    ratios = SHARES * float(element.domain(1.0))
-    return np.asarray(-1 / element.describing_function(element.amplitude_scale / ratios))
+    return inverse_gain(element, _ratios(element))
 
 
 def element_curve(axes: Axes, element: Element, label: str, line: Look) -> None:
     """Draw -1/N of an element with a gap, over its domain; the page reads amplitudes in gaps off it."""
-    ratios = SHARES * float(element.domain(1.0))
-    plot_along(axes, inverse(element), Along("A", "gaps", 1 / ratios), label=label, **line)
+    ratios = _ratios(element)
+    element_locus(axes, element, ratios, Along("A", "gaps", 1 / ratios), label=label, **line)
+
+
+def _ratios(element: Element) -> Reals:
+    return SHARES * float(element.domain(1.0))
 
 
 def curve(axes: Axes, points: Complexes, label: str, line: Look) -> None:

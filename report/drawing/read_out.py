@@ -6,8 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final, final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -15,13 +14,16 @@ from matplotlib.lines import Line2D
 from report.drawing.marks import Names
 from report.drawing.peaks import peaks
 from report.drawing.placed import axes_name, placed
+from trimmer.drawing.along import Along as Along
+from trimmer.drawing.along import CurveAlong
+from trimmer.drawing.along import plot_along as plot_along
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from report.drawing.placed import Place
-    from trimmer.arrays import Complexes, Reals
+    from trimmer.arrays import Reals
 
 SCALES: Final = ("linear", "log")
 _POINTS_PER_INCH = 72
@@ -32,30 +34,6 @@ _VALUE_STEP = 0.05
 _SAME_PLACE = 0.02
 """Share of the figure within which axes stand in one row or column."""
 _SYMBOLS = {"omega": "ω", "gamma": "γ", "beta": "β", "theta": "θ", "phi": "φ", "pi": "π", "mu": "µ"}
-
-
-@dataclass(frozen=True)
-class Along:
-    """A quantity along a curve, such as omega along a Nyquist locus: symbol, unit, a value for each point."""
-
-    quantity: str
-    unit: str
-    values: Reals
-
-
-@final
-class CurveAlong(Line2D):
-    """A line that carries a quantity along it into the page."""
-
-    def __init__(self, points: Complexes, along: Along, **keywords: Any) -> None:
-        super().__init__(points.real, points.imag, **keywords)
-        self.along = along
-
-
-def plot_along(axes: Axes, points: Complexes, along: Along, **keywords: Any) -> None:
-    """Draw a curve in the complex plane that can be read; keywords are those of ``Axes.plot``."""
-    axes.add_line(CurveAlong(points, along, **keywords))
-    axes.autoscale_view()
 
 
 def read_out(figure: Figure) -> str:

@@ -6,24 +6,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Final
 
+from trimmer.drawing.look import BLACK as BLACK
+from trimmer.drawing.look import DOTTED as DOTTED
+from trimmer.drawing.look import FAINT as FAINT
+from trimmer.drawing.look import LINES as LINES
+from trimmer.drawing.look import Look as Look
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Look = dict[str, Any]
-"""Keyword arguments for ``Axes.plot``."""
-BLACK: Final = "#000000"
-LINES: Final[tuple[Look, ...]] = (
-    {"color": "#0072b2", "linestyle": "solid"},  # blue
-    {"color": "#d55e00", "linestyle": (0, (6, 2))},  # vermilion
-    {"color": "#009e73", "linestyle": (0, (6, 2, 1.5, 2))},  # green
-    {"color": "#cc79a7", "linestyle": (0, (1.5, 1.5))},  # purple
-    {"color": "#e69f00", "linestyle": (0, (9, 2, 1.5, 2, 1.5, 2))},  # orange
-    {"color": BLACK, "linestyle": (0, (3, 1.5))},
-)
-"""Lines in the order they are to be used, none told apart by its colour alone (Okabe and Ito, 2008)."""
-DOTTED: Final[Look] = {"color": BLACK, "linestyle": ":", "linewidth": 0.9}
-FAINT: Final[Look] = {"color": "#555555", "linestyle": ":", "linewidth": 1.0}
-"""Lines that only mark a place."""
 WIDTH: Final = 6.5
 """Width of a figure that fills the page, in inches."""
 

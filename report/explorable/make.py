@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document import Explorable, Figure, Panel, Slider
+from report.document.explorable import Explorable, Panel, Slider
+from report.document.figure import Figure
 from report.drawing.plane import OMEGA, critical_point, inverse
 from report.drawing.style import BLACK, LINES, panels, style
 from report.drawing.svg import to_svg

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.document import Answer
+from report.document.overview import Answer
 from report.evidence import Evidence
 from report.text import filled
 from report.thesis import EXPERIMENT_GAP

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from report.document import CorrectedResult
+from report.document.overview import CorrectedResult
 from report.evidence import Evidence
 from report.numbers.exact_orbits import OrbitPair
 from report.numbers.limit_cycle_numbers import Pair

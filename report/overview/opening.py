@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from report.claim import Finding, Verdict
-from report.document import Figure, Highlight, Opening
+from report.document.figure import Figure
+from report.document.overview import Highlight, Opening
 from report.evidence import Evidence
+from report.finding import Finding
 from report.items import items
 from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
 from report.text import filled
 from report.thesis import EXPERIMENT_GAP
+from report.verdict import Verdict
 
 BOUND = 1.0
 """Of friction in the thesis, N."""

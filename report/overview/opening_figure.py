@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document import Figure
-from report.drawing.cells import draw_cells
+from report.document.figure import Figure
 from report.drawing.style import new_figure, style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence
+from trimmer.drawing.cells import draw_cells
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing

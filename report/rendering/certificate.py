@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.claim import Kind
-from report.document import Document
+from report.document.document import Document
 from report.rendering.selection import chapter_name
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.document import Document
+from report.document.document import Document
 from report.rendering import spread_picture
 from report.rendering.verdict_picture import NAME, verdict_picture
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 from collections import Counter
 
-from report.claim import Certainty, Finding, JudgedPart, Severity, Shown, Verdict
-from report.document import Document
+from report.document.document import Document
+from report.finding import Finding, JudgedPart
 from report.items import Item, items
+from report.shown import Shown
+from report.verdict import Certainty, Severity, Verdict
 
 SCHEMA = 2
 

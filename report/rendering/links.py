@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from report.document import Document, SurvivalRow
+from report.document.document import Document
+from report.document.robustness import SurvivalRow
 
 _INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
 _IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)

@@ -9,8 +9,8 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
-from report.claim import Finding, Mathematics, Number, Shown, Words
-from report.document import Document
+from report.document.document import Document
+from report.finding import Finding
 from report.grade import Grade, grade
 from report.rendering import (
     certificate,
@@ -28,6 +28,7 @@ from report.rendering.links import check_claims, check_links
 from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
+from report.shown import Mathematics, Number, Shown, Words
 
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""
@@ -148,8 +149,8 @@ def _fits_half_a_line(side: Shown, most_characters: int) -> bool:
             return True
 
 
-@functools.cache
-def _environment() -> Environment:
+def plain_environment() -> Environment:
+    """Return the environment of all templates that give Markdown, with the filters that escape."""
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES),
         undefined=StrictUndefined,
@@ -166,6 +167,14 @@ def _environment() -> Environment:
         attribute=escaping.attribute,
         mathematics=escaping.inline_mathematics,
         digits=escaping.digits,
+    )
+    return environment
+
+
+@functools.cache
+def _environment() -> Environment:
+    environment = plain_environment()
+    environment.filters.update(
         code_block=code_block,
         code_identifier=identifier,
         grade=grade,

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Finding, Kind
-from report.document import Chapter, Section
+from report.claim import Kind
+from report.document.thesis import Chapter, Section
+from report.finding import Finding
 
 _KINDS = tuple(Kind)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.claim import Finding
+from report.finding import Finding
 from report.rendering.outline import Group
 
 

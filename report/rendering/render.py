@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from report.cache.stage_store import StageStore
-from report.document import Document
+from report.document.document import Document
 from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json

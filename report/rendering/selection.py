@@ -6,8 +6,10 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from report.document import Chapter, Document
+from report.document.document import Document
+from report.document.thesis import Chapter
 from trimmer import TrimmerError
+from trimmer.messages import near_match
 
 
 class UnknownChapterError(TrimmerError, ValueError):
@@ -32,8 +34,9 @@ def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[s
     by_name = {chapter_name(number).lower(): number for number in known}
     for name in names:
         if name.lower() not in by_name:
-            choices = ", ".join(chapter_name(number) for number in sorted(known))
-            raise UnknownChapterError(f"--only {name}: there is no such chapter; choose from {choices}")
+            choices = [chapter_name(number) for number in sorted(known)]
+            advice = near_match(name, choices) or f"choose from {', '.join(choices)}"
+            raise UnknownChapterError(f"--only {name}: there is no such chapter; {advice}")
     return frozenset(by_name[name.lower()] for name in names)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.cache.source_closure import ROOT
-from report.claim import Finding
-from report.document import Document, Observation
+from report.document.document import Document
+from report.document.twin import Observation
+from report.finding import Finding
 from report.rendering.links import BrokenLinkError
 
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from typing import Final
 from xml.sax.saxutils import escape
 
-from report.claim import Finding
-from report.document import Document, Follows
+from report.document.document import Document
+from report.document.overview import Follows
+from report.finding import Finding
 from report.grade import Grade, grade
 from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
 from report.rendering.verdict_picture import COLOURS

@@ -7,10 +7,13 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Certainty, Finding, JudgedPart, Kind
-from report.document import Chapter, Document
+from report.claim import Kind
+from report.document.document import Document
+from report.document.thesis import Chapter
+from report.finding import Finding, JudgedPart
 from report.grade import Grade, grade
 from report.items import Item, items
+from report.verdict import Certainty
 
 SYMBOLS = {
     Grade.CONCLUSION: "✗",

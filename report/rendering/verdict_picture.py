@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 from xml.sax.saxutils import escape
 
-from report.document import Document
+from report.document.document import Document
 from report.grade import Grade
 from report.rendering.summary import GRADES, SYMBOLS, CountRow, count_table
 

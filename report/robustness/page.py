@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from report.document import Digits, EffectRow, Figure, Robustness, SurvivalRow
+from report.document.figure import Figure
+from report.document.robustness import Digits, EffectRow, Robustness, SurvivalRow
 from report.drawing.style import style
 from report.drawing.svg import to_svg
 from report.evidence import Evidence

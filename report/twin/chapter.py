@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.document import Figure, Observation, TwinChapter, TwinSection
+from report.document.figure import Figure
+from report.document.twin import Observation, TwinChapter, TwinSection
 from report.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers

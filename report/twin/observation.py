@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import final
 
 from report.claim import Confirmation
-from report.document import Observation
+from report.document.twin import Observation
 from report.evidence import Evidence
 from report.record import FigureRecord, Text
 from report.text import RecordError, filled

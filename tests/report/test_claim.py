@@ -4,25 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from report.claim import (
-    Certainty,
-    Claim,
-    Confirmation,
-    ContradictionError,
-    CopyFault,
-    Kind,
-    Part,
-    Severity,
-    Slip,
-    Statement,
-    Uncheckable,
-    UngradedError,
-    Verdict,
-    Words,
-    judge,
-)
+from report.claim import Claim, Confirmation, CopyFault, Kind, Part, Slip, Statement, Uncheckable
 from report.comparisons.assertion import Assertion
 from report.comparisons.digits import PrintedDigits
+from report.judge import ContradictionError, UngradedError, judge
+from report.shown import Words
+from report.verdict import Certainty, Severity, Verdict
 
 ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject")
 RIGHT = Part("right", PrintedDigits("1.25", 1.2501))

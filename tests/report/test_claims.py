@@ -11,9 +11,11 @@ from pathlib import Path
 import pytest
 
 from report.cache.source_closure import SourceTree
-from report.claim import Impact, Uncheckable, judge
+from report.claim import Uncheckable
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.inventory import PATH
+from report.judge import judge
+from report.verdict import Impact
 
 REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import pytest
 
 from report.claim import Kind, Statement
-from report.document import Section
+from report.document.thesis import Section
 from report.sections import read_sections
 
 

@@ -107,7 +107,7 @@ def test_what_is_done_about_missing_values_is_chosen_by_its_word(tmp_path: Path)
     for refusal in ("refuse", MissingValues.REFUSE):
         with pytest.raises(ValueError, match="a value is missing"):
             missing(refusal, tmp_path)
-    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse or interpolate"):
+    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse, interpolate or gap"):
         missing("ignore", tmp_path)
 
 
@@ -139,7 +139,7 @@ def test_a_displacement_is_chosen_by_its_label() -> None:
     assert Displacement("q2", "q4") == Displacement(Body.CUTTER, Body.GUARD)
 
 
-@pytest.mark.parametrize("value", ["cutter", "q5", "", 2, None, True, Body.CUTTER])
+@pytest.mark.parametrize("value", ["output", "q5", "", 2, None, True, Body.CUTTER])
 def test_what_is_no_displacement_is_refused(value: Any) -> None:
     uses: list[Callable[[], object]] = [
         lambda: linear_model(P, [value]),

@@ -106,7 +106,8 @@ def test_all_problems_of_a_file_are_reported_at_once(tmp_path: Path) -> None:
 
 
 def test_an_empty_file_lacks_every_key(tmp_path: Path) -> None:
-    assert "13 problems" in message_for(written(tmp_path, ""))
+    assert ": is empty; 'trimmer parameters --output FILE' writes one" in message_for(written(tmp_path, ""))
+    assert "13 problems" in message_for(written(tmp_path, "# nothing"))
 
 
 def test_a_missing_file_is_reported_with_how_to_get_one(tmp_path: Path) -> None:

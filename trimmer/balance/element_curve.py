@@ -71,14 +71,17 @@ class ElementCurve:
         return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
 
     def edge(self, x: Reals) -> Reals:
-        """Supremum of u at which the element has a describing function, a number or in the shape of x."""
+        """Supremum of u at which N exists and changes with u, a number or in the shape of x.
+
+        A solution where N does not change with u any more is one at the edge too.
+        """
         if self.depends_on_x:
-            return np.asarray(self.element.domain(self._omega(x)))
+            return np.minimum(self.element.domain(self._omega(x)), self.element.constant_from)
         return self._edge
 
     @cached_property
     def _edge(self) -> Reals:
-        return np.asarray(self.element.domain())
+        return np.asarray(min(float(self.element.domain()), self.element.constant_from))
 
     def inside(self, cells: Cells) -> Flags:
         """Return whether each box lies inside the domain, whose edge is monotonic in omega."""
@@ -96,8 +99,10 @@ class ElementCurve:
         That point is the middle. Where the edge of the domain runs through the box it is the corner that is
         farthest inside the domain, and the whole widths count.
         """
-        by_u, by_x = self.element.sensitivity((cells.u_lower, cells.u_upper), self._omega_range(cells))
-        u_reach = np.broadcast_to(by_u * cells.u_half, cells.u_half.shape)
+        ranges = (cells.u_lower, cells.u_upper), self._omega_range(cells)
+        by_u, by_x = self.element.sensitivity(*ranges)
+        reach = self.element.reach(*ranges)
+        u_reach = np.broadcast_to(by_u * cells.u_half if reach is None else reach, cells.u_half.shape)
         if not self.depends_on_x:
             centre = self.value(cells.u_centre, cells.x_centre)
             return GainDisks(centre, u_reach, u_reach, np.ones(len(cells), dtype=bool))

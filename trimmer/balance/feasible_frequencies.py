@@ -24,6 +24,7 @@ from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.showing.shown import Shown
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
@@ -37,8 +38,8 @@ _JUST_TOUCHING = 1.0 - 1e-12
 _LOG_GAMMAS = (math.log(GAMMA_LIMITS[0]), math.log(GAMMA_LIMITS[1]))
 
 
-@dataclass(frozen=True)
-class BandEnd:
+@dataclass(frozen=True, repr=False)
+class BandEnd(Shown):
     """An end of a band of frequencies.
 
     Attributes:
@@ -52,9 +53,14 @@ class BandEnd:
     time_constant: float
     limit_cycle: LimitCycle | None = None
 
+    def _told(self) -> str:
+        if math.isnan(self.time_constant):
+            return "no end"
+        return f"{self.frequency:.6g} Hz, M/D {self.time_constant:.6g} s"
 
-@dataclass(frozen=True)
-class FeasibleBand:
+
+@dataclass(frozen=True, repr=False)
+class FeasibleBand(Shown):
     """A band of frequencies at each of which some M/D gives a limit cycle."""
 
     lower: BandEnd
@@ -68,6 +74,9 @@ class FeasibleBand:
     def holds(self, frequency: float) -> bool:
         """Say whether a frequency, Hz, lies in the band or at one of its ends."""
         return self.lower.frequency <= frequency <= self.upper.frequency
+
+    def _told(self) -> str:
+        return f"from {self.lower._told()}, to {self.upper._told()}"
 
 
 def feasible_bands(

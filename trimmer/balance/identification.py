@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.optimize import minimize_scalar
 
 from trimmer.arguments import positive_number, real_number
+from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
-from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import Problem, find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.showing.shown import Record, Shown, Tabular
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
+    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.balance.inverse_response import InverseResponse
@@ -45,8 +50,8 @@ _BESIDE = 1e-6
 """How far inside a band, relative, a limit cycle is sought that exists up to its end only."""
 
 
-@dataclass(frozen=True)
-class IdentifiedTimeConstant:
+@dataclass(frozen=True, repr=False)
+class IdentifiedTimeConstant(Shown):
     """A time constant that gives a limit cycle at the measured frequency.
 
     Attributes:
@@ -67,9 +72,14 @@ class IdentifiedTimeConstant:
         """Whether that limit cycle is stable."""
         return self.limit_cycle.stable
 
+    def _told(self) -> str:
+        kind = "stable" if self.stable else "unstable"
+        at = f"{self.limit_cycle.frequency:.6g} Hz"
+        return f"M/D {self.time_constant:.6g} s, amplitude {self.amplitude:.6g}, {at}, {kind}"
+
 
 @dataclass(frozen=True)
-class TimeConstantInterval:
+class TimeConstantInterval(Record):
     """The time constants that give a limit cycle within a range of frequencies.
 
     Attributes:
@@ -83,8 +93,8 @@ class TimeConstantInterval:
     frequencies: tuple[float, float]
 
 
-@dataclass(frozen=True)
-class Identification:
+@dataclass(frozen=True, repr=False)
+class Identification(Tabular):
     """What a measured frequency tells of the load.
 
     Attributes:
@@ -97,6 +107,7 @@ class Identification:
         bands: All frequencies at which some M/D gives a limit cycle.
         nearest: With the limit cycle that is nearest in frequency, if the measured frequency lies outside all
             bands; None if it does not, or there is no limit cycle with any M/D.
+        gap: Total clearance, m.
     """
 
     frequency: float
@@ -105,6 +116,43 @@ class Identification:
     intervals: tuple[TimeConstantInterval, ...]
     bands: tuple[FeasibleBand, ...]
     nearest: IdentifiedTimeConstant | None
+    gap: float
+    _response: InverseResponse = field(compare=False)
+
+    def limit_cycles_with(self, time_constant: float) -> tuple[LimitCycle, ...]:
+        """Find the limit cycles with a load of another M/D, s, by rising frequency.
+
+        Raises:
+            WrongTypeError: if it is no number.
+            ValueError: if it is negative or NaN.
+        """
+        curve = ElementCurve(ViscousBacklash(self.gap, time_constant))
+        found = solve_bounded(self._response, curve, None).result
+        return limit_cycles_at(LoopEquation(self._response, curve), found.u, found.x)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw M/D over the frequency of the limit cycle, with what was measured and what it gives.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.identification import draw_identification
+
+        return draw_identification(self, ax)
+
+    def _told(self) -> str:
+        return f"{self.frequency:.9g} Hz; {self.message}"
+
+    def _table(self) -> Table:
+        cycle = attributes(
+            amplitude=IN_UNIT_OF_INPUT, omega="rad/s", frequency="Hz", stable="", crossing_angle="rad"
+        )
+        of_cycle = (replace(each, of=attrgetter(f"limit_cycle.{each.name}")) for each in cycle)
+        columns = (*attributes(time_constant="s"), *of_cycle)
+        return Table("Time constants M/D of the load", self.time_constants, columns)
 
     @property
     def success(self) -> bool:
@@ -173,6 +221,8 @@ def identify_time_constant(
         intervals=tuple(_intervals(at, bands, frequency - spread, frequency + spread)),
         bands=bands,
         nearest=None if found else _nearest(at, bands, frequency),
+        gap=float(gap),
+        _response=response,
     )
 
 

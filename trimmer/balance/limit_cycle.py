@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from trimmer.showing.shown import Record, Shown, Tabular, counted
+from trimmer.showing.table import Table, attributes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.motion.loops import ClosedLoop
 
 NEAR_TANGENCY = math.radians(5.0)
 """Crossing angle, rad, below which a limit cycle is reported as near tangency."""
 
 
 @dataclass(frozen=True)
-class LimitCycle:
+class LimitCycle(Record):
     """A solution of 1 + N(A, omega) G(j omega) = 0 (equation 2.25 of the thesis).
 
     Attributes:
@@ -52,7 +61,7 @@ class LimitCycle:
 
 
 @dataclass(frozen=True)
-class UndecidedRegion:
+class UndecidedRegion(Record):
     """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
 
     Attributes:
@@ -96,8 +105,8 @@ def _doubts_of_gain(smallest_gain: float) -> Iterator[str]:
         )
 
 
-@dataclass(frozen=True)
-class Certificate:
+@dataclass(frozen=True, repr=False)
+class Certificate(Shown):
     """How far it is certain that no limit cycle was missed.
 
     Attributes:
@@ -114,6 +123,8 @@ class Certificate:
         index_sum: Sum of the indices of the limit cycles that were found.
         zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
             the winding number cannot be determined.
+        unproven: What is not proven because the element has no bounds, in sentences without a full stop; none
+            if it has them.
     """
 
     method: str
@@ -125,6 +136,7 @@ class Certificate:
     winding_number: int | None
     index_sum: int
     zero_on_axis: bool
+    unproven: tuple[str, ...] = ()
 
     @property
     def checked(self) -> bool:
@@ -146,9 +158,15 @@ class Certificate:
     @property
     def other_doubts(self) -> tuple[str, ...]:
         """The doubts that are about no undecided region."""
-        doubts = tuple(_doubts_of_gain(self.smallest_gain))
+        doubts = (*self.unproven, *_doubts_of_gain(self.smallest_gain))
         # Where something is undecided the winding number may well lack what is there.
-        return doubts if self.checked or self.undecided else (*doubts, self._failed_check())
+        return doubts if self.checked or self.undecided or self.unproven else (*doubts, self._failed_check())
+
+    def _told(self) -> str:
+        lowest, highest = self.omegas
+        answer = "complete" if self.complete else "not complete"
+        undecided = counted(len(self.undecided), "undecided region")
+        return f"{answer}, {lowest:.4g} to {highest:.4g} rad/s, {undecided}"
 
     def _failed_check(self) -> str:
         if self.winding_number is None:
@@ -161,17 +179,33 @@ class Certificate:
         )
 
 
-@dataclass(frozen=True)
-class HarmonicBalance:
+IN_UNIT_OF_INPUT = "unit of the element's input"
+"""Stands for the unit of an amplitude; m for a play."""
+CYCLE_COLUMNS = attributes(
+    amplitude=IN_UNIT_OF_INPUT,
+    omega="rad/s",
+    frequency="Hz",
+    stable="",
+    residual="",
+    crossing_angle="rad",
+    near_tangency="",
+    other_unstable_poles="",
+)
+
+
+@dataclass(frozen=True, repr=False)
+class HarmonicBalance(Tabular):
     """All limit cycles of a loop, and the certificate.
 
     Attributes:
         limit_cycles: In order of frequency, then of amplitude.
         certificate: How far it is certain that there are no others.
+        loop: The loop, with the element as it was solved for; None if the result was put together by hand.
     """
 
     limit_cycles: tuple[LimitCycle, ...]
     certificate: Certificate
+    loop: ClosedLoop | None = field(default=None, compare=False)
 
     @property
     def confirmed(self) -> bool | None:
@@ -192,3 +226,24 @@ class HarmonicBalance:
         return "; ".join(
             [found, *(self.certificate.doubts or ["no other is in the range that was searched"])]
         )
+
+    def plot(self, ax: Axes | None = None, *, near: bool = False) -> Axes:
+        """Draw G(j omega) and -1/N in the complex plane, with the limit cycles: full stable, open not.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+            near: Show only what lies around the limit cycles and -1.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            ValueError: if the result has no loop.
+        """
+        from trimmer.drawing.locus import draw_balance
+
+        return draw_balance(self, ax, near=near)
+
+    def _told(self) -> str:
+        return self.message
+
+    def _table(self) -> Table:
+        return Table("Limit cycles", self.limit_cycles, CYCLE_COLUMNS)

@@ -1,7 +1,8 @@
 """The linear part of an element, which harmonic balance moves to the linear system without approximation.
 
-With N = N_linear + N_rest, 1 + N G = 0 is 1/G + N_linear + N_rest = 0. So viscous friction leaves the element
-and joins 1/G as a linear feedback round the system, and what is left is bounded, or proportional to 1/A.
+With N = N_linear + N_rest, 1 + N G = 0 is 1/G + N_linear + N_rest = 0. So viscous friction, and the slope of
+a preload, leave the element and join 1/G as a linear feedback round the system; what is left is bounded, or
+proportional to 1/A.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.elements.element_at_frequency import ElementAtFrequency
+from trimmer.elements.preload import Preload
+from trimmer.elements.relay import Relay
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
@@ -58,6 +61,8 @@ def parted(element: Element) -> tuple[LinearGain, Element | None]:
     match element:
         case ViscousFriction():
             return LinearGain(damping=element.damping), None
+        case Preload():
+            return LinearGain(element.slope), Relay(element.level)
         case ScaledElement():
             linear, rest = parted(element.element)
             return linear.scaled(element.factor), None if rest is None else element.factor * rest

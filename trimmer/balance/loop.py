@@ -12,6 +12,7 @@ from trimmer.arguments import shown
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain, parted, with_feedback
+from trimmer.elements.control_element import adopted, is_element
 from trimmer.elements.element import Element
 from trimmer.errors import LinearElementError, UnsupportedElementError
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso
@@ -35,19 +36,20 @@ class LoopEquation:
     linear: LinearGain = field(default=_NOTHING)
 
 
-def require_element(element: object) -> None:
-    """Check that an element was given.
+def require_element(element: object) -> Element:
+    """Return the element that was given; a nonlinearity of python-control as one.
 
     Raises:
-        UnsupportedElementError: if it was not.
+        UnsupportedElementError: if it is none, or a nonlinearity that is not odd.
     """
     if isinstance(element, type):
         raise UnsupportedElementError(
             f"element: the class {element.__name__} is not an element: give an instance, such as "
             "FrictionBacklash(4e-5)"
         )
-    if not isinstance(element, Element):
+    if not is_element(element):
         raise UnsupportedElementError(f"element: {shown(element)} is not an element: give a trimmer.Element")
+    return adopted("element", element)
 
 
 def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:

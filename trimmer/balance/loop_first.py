@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar
 import control
 
 from trimmer.balance.loop import require_element
-from trimmer.elements.element import Element
+from trimmer.elements.control_element import is_element
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
 from trimmer.motion.loops import ClosedLoop, Loop
 from trimmer.motion.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
+    from trimmer.elements.element import Element
+
     Rest = ParamSpec("Rest")
     Result = TypeVar("Result", covariant=True)
 
@@ -67,15 +69,15 @@ def _loop_and_rest(
         given = (named.pop("loop") if "loop" in named else named.pop("system"),)
     first, *rest = given
     if isinstance(first, Loop):
-        if {"system", "element"} & named.keys() or (rest and isinstance(rest[0], Element)):
+        if {"system", "element"} & named.keys() or (rest and is_element(rest[0])):
             raise WrongTypeError(f"{_wanted(name)}: a loop holds its system and its element already")
         return _closed(first), tuple(rest)
     if not rest and "element" not in named:
         raise WrongTypeError(f"{_wanted(name)}: {type(first).__name__} is given without an element")
     element = rest.pop(0) if rest else named.pop("element")
-    require_element(element)
+    adopted = require_element(element)
     require_siso(first)
-    return ClosedLoop(first, element), tuple(rest)
+    return ClosedLoop(first, adopted), tuple(rest)
 
 
 def _wanted(name: str) -> str:

@@ -20,9 +20,11 @@ from trimmer.balance.limit_cycle import (
 from trimmer.balance.loop import loop_equation
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.proportional import solve_proportional
+from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
+from trimmer.motion.loops import ClosedLoop
 
 if TYPE_CHECKING:
     from trimmer.balance.cells import Cells
@@ -30,7 +32,6 @@ if TYPE_CHECKING:
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
     from trimmer.balance.search import Searched
-    from trimmer.motion.loops import ClosedLoop
 
 CALLER = 3
 """Level of the stack on which a warning of a function that takes a loop names its caller's line."""
@@ -55,7 +56,7 @@ def limit_cycles(
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     undecided = undecided_regions(outcome.result.undecided, equation.curve)
-    doubts = list(doubts_of_search(undecided, outcome.smallest_gain))
+    doubts = [*unproven(equation.curve, outcome), *doubts_of_search(undecided, outcome.smallest_gain)]
     if omega_range is None and not outcome.outside_excluded:
         doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
     for doubt in doubts:
@@ -88,6 +89,9 @@ def harmonic_balance(
     limit cycles beyond a million times the outermost roots are not excluded if -1/G and
     N get parallel there faster than linearly, as without damping; give the range that matters then.
 
+    An element without bounds, as one of python-control's or a user's own, is searched on a grid
+    (``trimmer.balance.sampled``), and the certificate says that nothing is proven then.
+
     Args:
         loop: The closed loop; or ``system, element`` in its place. The system is rational, proper, continuous
             in time, with one input and one output; it may be unstable. A delay must be approximated, as by
@@ -107,7 +111,9 @@ def harmonic_balance(
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
+    element = loop.element if frozen_omega is None else loop.element.at(frozen_omega)
     cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
+    element_has_bounds = equation.curve.element.has_bounds
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
@@ -115,11 +121,12 @@ def harmonic_balance(
         boxes=outcome.result.examined,
         undecided=undecided_regions(outcome.result.undecided, equation.curve),
         smallest_gain=outcome.smallest_gain,
-        winding_number=winding_number(equation, outcome.omegas),
+        winding_number=winding_number(equation, outcome.omegas) if element_has_bounds else None,
         index_sum=sum(cycle.index for cycle in cycles),
         zero_on_axis=_has_zero_on_axis(equation.response, outcome.omegas),
+        unproven=unproven(equation.curve, outcome),
     )
-    return HarmonicBalance(cycles, certificate)
+    return HarmonicBalance(cycles, certificate, ClosedLoop(loop.system, element))
 
 
 def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) -> bool:
@@ -136,6 +143,8 @@ def _solve(
         _require_positive(frozen_omega)
         element = element.at(frozen_omega)
     equation = loop_equation(loop.system, element)
+    if not equation.curve.element.has_bounds:
+        return equation, solve_sampled(equation.response, equation.curve, given)
     unbounded = bool(np.isinf(equation.curve.edge(np.zeros(1))).any())
     solve = solve_proportional if unbounded else solve_bounded
     return equation, solve(equation.response, equation.curve, given)
@@ -179,8 +188,20 @@ def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegio
         omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))
         edge = np.minimum(curve.edge(members.x_lower), curve.edge(members.x_upper))
         at_edge = bool((members.u_upper >= _AT_EDGE * edge).any())
+        if at_edge and _goes_on(curve):
+            # There N is the same at all smaller amplitudes.
+            amplitudes, at_edge = (0.0, amplitudes[1]), False
         regions.append(UndecidedRegion(amplitudes, omegas, at_edge))
     return tuple(regions)
+
+
+def _goes_on(curve: ElementCurve) -> bool:
+    """Return whether N exists beyond the edge and is not zero there, as that of a saturation."""
+    edge = curve.element.constant_from
+    if curve.depends_on_x or math.isinf(edge):
+        return False
+    beyond = complex(curve.value(np.full(1, 2.0 * edge), np.zeros(1))[0])
+    return beyond != 0 and math.isfinite(abs(beyond))
 
 
 def _amplitude_of_lowest(curve: ElementCurve, u: float) -> float:

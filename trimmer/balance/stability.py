@@ -105,15 +105,17 @@ def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> Places | in
     """Count the positive real roots of 1/G(s) + N_mean.
 
     Where 1/G has no zero or pole on the positive axis it keeps the sign of its gain; there is no root then if
-    N_mean does not have the other sign.
+    N_mean does not have the other sign. Where N_mean is not known (NaN), none are counted.
     """
     on_axis = np.abs(response.roots.imag) <= _NEARLY_REAL * np.abs(response.roots)
-    if not (on_axis & (response.roots.real > 0)).any() and (response.gain.real * mean_gains >= 0).all():
+    known = ~np.isnan(mean_gains)
+    gains = np.where(known, mean_gains, 0.0)
+    if not (on_axis & (response.roots.real > 0)).any() and (response.gain.real * gains >= 0).all():
         return 0
-    poles = closed_loop_poles(response, mean_gains.astype(complex))
+    poles = closed_loop_poles(response, gains.astype(complex))
     sizes = np.abs(poles)
     drifting = (poles.real > _ROUNDING * sizes) & (np.abs(poles.imag) <= _NEARLY_REAL * sizes)
-    return np.asarray(drifting.sum(axis=1))
+    return np.asarray(np.where(known, drifting.sum(axis=1), 0))
 
 
 def limit_cycles_at(loop: LoopEquation, u: Reals, x: Reals) -> tuple[LimitCycle, ...]:

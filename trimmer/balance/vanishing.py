@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.small_gains import COASTING, GENTLEST, LEAST, STEEPEST
+from trimmer.elements.small_gains import COASTING, LEAST
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -99,6 +99,7 @@ class _Neighbourhood:
         turns: ±j/D of each other root, with the sign that r has them.
         lag: gamma over frequency.
         largest: |N| over its scale up to which its phase is known.
+        small: What is known of that phase.
     """
 
     place: float
@@ -109,6 +110,7 @@ class _Neighbourhood:
     turns: Complexes
     lag: float
     largest: float
+    small: SmallGains
 
     @classmethod
     def of(cls, response: InverseResponse, small: SmallGains, place: float, side: float) -> _Neighbourhood:
@@ -126,7 +128,8 @@ class _Neighbourhood:
             0.0 if abs(heading) < _ROUNDING else heading,
             exponents * 1j * side / apart,
             small.lag * response.reference,
-            small.largest / small.scale,
+            small.reach,
+            small,
         )
 
     def empty_up_to(self) -> float | None:
@@ -136,6 +139,7 @@ class _Neighbourhood:
         limits += [0.5 * self.place] if self.place > 0 else []
         limits += [(self.largest / self.size) ** (1.0 / self.order)] if 0 < self.size < math.inf else []
         distance = min(limits, default=0.0)
+        distance = 1.0 if distance == math.inf else distance
         for _ in range(_HALVINGS):
             if not 0 < distance < math.inf:
                 return None
@@ -164,21 +168,21 @@ class _Neighbourhood:
             return False
         if largest < self._least_gain(distance):
             return True
-        steepest = STEEPEST * math.sqrt(largest)
+        steepest, behind = self.small.steepest * math.sqrt(largest), self.small.behind * largest
         trend = float(self.turns.imag.sum()) * distance
         lowest, highest = self.heading + trend - remainder, self.heading + trend + remainder
         if self.heading != 0:
             lowest, highest = min(lowest, self.heading - remainder), max(highest, self.heading + remainder)
-            beyond = steepest < lowest and highest < 2.0 * math.pi
-            return beyond or (steepest - 2.0 * math.pi < lowest and highest < 0)
-        if highest < 0 or (self.order >= 2 and steepest < lowest):
+            beyond = steepest < lowest and highest < 2.0 * math.pi - behind
+            return beyond or (steepest - 2.0 * math.pi < lowest and highest < -behind)
+        if highest < -behind or ((self.order >= 2 or steepest == 0) and steepest < lowest):
             return True
-        if highest == 0 and self.lag == 0:
+        if highest == 0 and self.lag == 0 and self.small.gentlest > 0:
             return True
         return (
             self.order <= 2
             and self._is_decided(distance, smallest)
-            and highest < GENTLEST * math.sqrt(smallest)
+            and highest < self.small.gentlest * math.sqrt(smallest)
         )
 
     def _least_gain(self, distance: float) -> float:

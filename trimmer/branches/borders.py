@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.branches.arc import Arc
 from trimmer.branches.narrowing import narrowed
 from trimmer.branches.orbit import Place
-from trimmer.branches.period_map import Phase
+from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 MOST_BORDERS = 12

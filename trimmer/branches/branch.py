@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_map import Signature
+from trimmer.branches.period_maps.period_map import Signature
 from trimmer.branches.special import SpecialPoint
 from trimmer.choices import Choice
 

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
@@ -16,15 +15,13 @@ from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Problem
-from trimmer.branches.period_map import PeriodMap
+from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.branches.step import Front, begun
 from trimmer.branches.stepping import Interval, Limits, scales, steps
 from trimmer.branches.switching import parted_fronts
-
-SILENCE = 2.0
-"""Time before a progress bar shows, s."""
+from trimmer.progress import progress_bar
 
 
 @dataclass
@@ -146,13 +143,8 @@ def _followed(
 
 def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
     """Follow the orbits of one map, and record what is found."""
-    taken_steps = tqdm(
-        steps(front, limits, len(record.points)),
-        desc="follow",
-        unit=" orbits",
-        delay=SILENCE,
-        leave=False,
-        disable=True if limits.settings.quiet else None,
+    taken_steps = progress_bar(
+        steps(front, limits, len(record.points)), "follow", quiet=limits.settings.quiet, unit=" orbits"
     )
     for taken in taken_steps:
         if isinstance(taken, BranchEnd):

@@ -10,10 +10,10 @@ import numpy as np
 from trimmer.arguments import real_array, require_instance, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.branches.fitting import fitting
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
-from trimmer.branches.mechanism_map import MechanismMap
-from trimmer.branches.self_excited_map import SelfExcitedMap
+from trimmer.branches.period_maps.fitting import fitting
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import MechanismError, OrbitNotFoundError

@@ -2,39 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
-from trimmer.branches.mechanism_map import MechanismMap, MechanismPassage
-from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
-from trimmer.branches.self_excited_map import SelfExcitedMap, with_trivial
+from trimmer.branches.outputs import OutputMeasure, output_measures
+from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
-from trimmer.harmonics.balance import harmonic_balance_of
-from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.mechanism.place_text import parse_place, place_text, unit_of
+from trimmer.showing.shown import Shown, Tabular, counted
+from trimmer.showing.table import Column, Table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
-@dataclass(frozen=True, eq=False)
-class BalancedOrbit:
-    """The same orbit by multi-harmonic balance.
-
-    Attributes:
-        distance: Root mean square of the difference from the exact displacements, relative to those, of the
-            body where it is largest; a number.
-        converged: Whether the forces balance.
-    """
-
-    distance: float
-    converged: bool
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedOrbit:
+@dataclass(frozen=True, eq=False, repr=False)
+class FollowedOrbit(Shown):
     """An exact periodic motion on a branch.
 
     Attributes:
@@ -71,6 +61,11 @@ class FollowedOrbit:
         """
         multipliers = self.point.multipliers
         return with_trivial(multipliers) if isinstance(self.map, SelfExcitedMap) else multipliers
+
+    @property
+    def largest_multiplier(self) -> float:
+        """Largest modulus of the multipliers, without the one of a shift in time."""
+        return float(abs(self.point.multipliers).max(initial=0.0))
 
     @property
     def periods(self) -> int:
@@ -112,26 +107,15 @@ class FollowedOrbit:
             raise UnsupportedMotionError(
                 "harmonic balance runs beside driven motions only, and the mechanism has no frequency"
             )
-        course = self.passage.course
-        exact = body_coefficients(course, self.periods, self.periods * harmonics)
-        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
-        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
-        power = course.nodes.weights @ moved**2 / course.duration
-        # What the exact motion has beyond the last harmonic is a part of the difference.
-        beyond = np.maximum(power - _power(exact), 0.0)
-        apart = _power(balance.coefficients - exact) + beyond
-        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
-        return BalancedOrbit(distance, balance.converged)
+        return balanced_beside(self.passage.course, self.passage.flow.mechanism, self.periods, harmonics)
+
+    def _told(self) -> str:
+        kind = "stable" if self.stable else "not stable"
+        return f"{self.map.place} = {self.value:.9g}, {kind}, {counted(self.periods, 'drive period')}"
 
 
-def _power(harmonics: Complexes) -> Reals:
-    """Return the mean square of displacements without their mean, (bodies,)."""
-    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
-    return power
-
-
-@dataclass(frozen=True, eq=False)
-class FollowedBranch:
+@dataclass(frozen=True, eq=False, repr=False)
+class FollowedBranch(Tabular):
     """A branch of exact periodic motions of a mechanism over one of its numbers.
 
     Attributes:
@@ -168,6 +152,54 @@ class FollowedBranch:
         course = self.map.passage(special.value, special.state).course
         return output_measures(self.map.mechanism, course)
 
+    def all(self) -> Iterator[FollowedBranch]:
+        """Yield the branch, then those that part from it, each before those that part from that."""
+        yield self
+        for other in self.branches:
+            yield from other.all()
+
+    def plot(self, ax: Axes | None = None, output: str | None = None) -> Axes:
+        """Draw peak to peak of an output, m, over the number that is varied, with those that part from it.
+
+        Stable stretches are solid, others dashed; special points have marks.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+            output: Name of the output; the first one if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            MechanismError: if the mechanism has no such output, or none at all.
+        """
+        from trimmer.drawing.branch import draw_branch
+
+        return draw_branch(self, ax, output)
+
+    def _told(self) -> str:
+        others = len(list(self.all())) - 1
+        found = [counted(len(self.points), "orbit"), counted(len(self.special), "special point")]
+        found += [f"{others} more branches" if others > 1 else "one more branch"] if others else []
+        return f"over {self.map.place}, {', '.join(found)}; {self.message}"
+
+    def _table(self) -> Table:
+        items = [(number, point) for number, each in enumerate(self.all()) for point in each.points]
+        outputs = (
+            Column(f"outputs.{name}.peak_to_peak", "m", _stroke(name)) for name in self.map.mechanism.outputs
+        )
+        columns = (
+            Column("branch", "", lambda item: item[0]),
+            Column("value", unit_of(self.map.mechanism.places, self.map.place), lambda item: item[1].value),
+            Column("stable", "", lambda item: item[1].stable),
+            Column("period", "s", lambda item: item[1].period),
+            Column("period_count", "", lambda item: item[1].periods),
+            Column(
+                "largest_multiplier", "", lambda item: float(abs(item[1].point.multipliers).max(initial=0.0))
+            ),
+            Column("events_per_period", "", lambda item: item[1].events_per_period),
+            *outputs,
+        )
+        return Table(f"Orbits over {self.map.place}; branch 0 is this one", items, columns)
+
     @property
     def searched(self) -> str:
         """Where special points were looked for, and where not, in a sentence."""
@@ -180,3 +212,8 @@ class FollowedBranch:
     def success(self) -> bool:
         """Whether it was followed to an end of the interval, around, or to one that it joins."""
         return self.reason.is_success
+
+
+def _stroke(name: str) -> Callable[[tuple[int, FollowedOrbit]], float]:
+    """Return what gives peak to peak of an output, m, of an orbit beside the number of its branch."""
+    return lambda item: item[1].outputs[name].peak_to_peak

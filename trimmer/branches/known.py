@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import BranchEnd, BranchPoint
 from trimmer.branches.orbit import Problem
-from trimmer.branches.period_map import PeriodMap
+from trimmer.branches.period_maps.period_map import PeriodMap
 
 SAME = 1e-6
 """Distance within which two orbits are the same."""

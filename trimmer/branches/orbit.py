@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_map import Passage, PeriodMap, Phase
+from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Phase
 from trimmer.errors import TrimmerError
 
 MOST_ITERATIONS = 14

@@ -10,6 +10,7 @@ import numpy as np
 from trimmer.response.extremes import extremes
 from trimmer.response.fourier import fourier
 from trimmer.response.motion_signals import output_rows, steady
+from trimmer.showing.shown import Shown
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
 HARMONICS = 15
 
 
-@dataclass(frozen=True, eq=False)
-class OutputMeasure:
+@dataclass(frozen=True, eq=False, repr=False)
+class OutputMeasure(Shown):
     """What a displacement does over a period.
 
     Attributes:
@@ -31,6 +32,9 @@ class OutputMeasure:
 
     peak_to_peak: float
     harmonics: Reals
+
+    def _told(self) -> str:
+        return f"{self.peak_to_peak:.6g} m peak to peak, {len(self.harmonics)} harmonics"
 
 
 def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMeasure]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from trimmer.arrays import Reals
 from trimmer.choices import Choice
+from trimmer.showing.shown import Shown
 
 
 class SpecialKind(Choice):
@@ -19,8 +20,8 @@ class SpecialKind(Choice):
     SYMMETRY_BREAKING = "a multiplier passes 1 without a fold: a pair of asymmetric branches parts"
 
 
-@dataclass(frozen=True, eq=False)
-class SpecialPoint:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpecialPoint(Shown):
     """A special point of a branch.
 
     Attributes:
@@ -36,3 +37,7 @@ class SpecialPoint:
     state: Reals
     parts: tuple[str, ...] = ()
     note: str = ""
+
+    def _told(self) -> str:
+        parts = f" of {' and '.join(self.parts)}" if self.parts else ""
+        return f"{self.kind.word}{parts} at {self.value:.9g}"

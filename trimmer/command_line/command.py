@@ -1,10 +1,29 @@
-"""The record of a subcommand: name, help, options and action."""
+"""The record of a subcommand: name, help, options, action, and examples of its use."""
 
 from __future__ import annotations
 
+import shlex
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Example:
+    """A use of a subcommand, as it is typed.
+
+    Attributes:
+        words: The line, from ``trimmer`` on, without anything that only one shell understands.
+        purpose: What it answers, as a piece of a sentence.
+    """
+
+    words: str
+    purpose: str
+
+    @property
+    def arguments(self) -> list[str]:
+        """The words after ``trimmer``."""
+        return shlex.split(self.words)[1:]
 
 
 @dataclass(frozen=True)
@@ -16,12 +35,14 @@ class Command:
     Attributes:
         name: The word that selects it.
         help: One line for the list of commands.
-        configure: Adds the command's options to its parser.
+        configure: Adds the command's options to its parser. Each command gets ``--quiet`` beside them.
         run: Does the work and returns the exit code. An error that the user can correct it raises as a
             ``trimmer.errors.TrimmerError``.
+        examples: Uses that its help shows.
     """
 
     name: str
     help: str
     configure: Callable[[ArgumentParser], None]
     run: Callable[[Namespace], int]
+    examples: tuple[Example, ...] = ()

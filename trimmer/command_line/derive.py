@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import sys
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     add_overwrite_option,
     check_targets,
@@ -14,6 +13,7 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
+from trimmer.command_line.parser import note
 from trimmer.files import LATEX, MODULE, STANDARD_INPUT, write_atomically
 
 DIRECTORY = Path("build") / "derivation"
@@ -63,7 +63,7 @@ def _run_for_thesis(arguments: Namespace) -> int:
     from trimmer.generated import linear_trimmer
 
     installed = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
-    print("deriving the linear trimmer and the describing functions ...", file=sys.stderr)
+    note("deriving the linear trimmer and the describing functions ...")
     sources = derive_sources()
     state = "the same as the one in use" if sources.module == installed else "different from the one in use"
     _write(arguments, sources.module, sources.latex, f"numeric module, {state}", "derivations")
@@ -76,7 +76,7 @@ def _run_for_mechanism(arguments: Namespace) -> int:
     mechanism = Mechanism.from_toml(arguments.file)
     from trimmer.code_generation import derive_mechanism_sources
 
-    print(f"deriving {mechanism.title or 'the mechanism'} ...", file=sys.stderr)
+    note(f"deriving {mechanism.title or 'the mechanism'} ...")
     sources = derive_mechanism_sources(mechanism)
     told = "derivation, and the laws of contact and friction"
     _write(arguments, sources.module, sources.latex, "numeric module", told)
@@ -107,4 +107,18 @@ COMMAND = Command(
     "derive equations of motion, of the thesis or of a mechanism; write numeric module and LaTeX",
     _configure,
     _run,
+    examples=(
+        Example(
+            "trimmer derive examples/two-mass-stop.toml",
+            "equations of motion of a mechanism, in build/derivation as LaTeX and as Python",
+        ),
+        Example(
+            "trimmer derive examples/two-mass-stop.toml --module - --latex two-mass.tex --quiet",
+            "the same, the Python on standard output",
+        ),
+        Example(
+            "trimmer derive",
+            "the thesis's trimmer and its describing functions, derived again",
+        ),
+    ),
 )

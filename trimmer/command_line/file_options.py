@@ -20,6 +20,7 @@ from trimmer.files import (
     is_standard_output,
     is_stream,
 )
+from trimmer.progress import is_silenced
 
 PICTURES = {".svg": SVG, ".png": PNG, ".pdf": PDF}
 """Kinds of pictures by the end of the file's name."""
@@ -82,9 +83,13 @@ def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: M
 
 
 def show(text: str, *written: Path | None) -> None:
-    """Print what a command has to tell; on standard error, if standard output takes one of its files."""
+    """Print what a command has to tell.
+
+    If standard output takes one of its files, it goes to standard error, or with ``--quiet`` nowhere.
+    """
     taken = any(path is not None and is_standard_output(path) for path in written)
-    print(text, file=sys.stderr if taken else sys.stdout)
+    if not (taken and is_silenced()):
+        print(text, file=sys.stderr if taken else sys.stdout)
 
 
 def _kind(name: str, path: Path, kinds: Kinds) -> FileKind:

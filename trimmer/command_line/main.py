@@ -6,26 +6,27 @@ import codecs
 import io
 import os
 import sys
+import warnings
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points
 
 import trimmer
-from trimmer.command_line import derive, parameters, simulate
+from trimmer.command_line import completion, derive, parameters, simulate
 from trimmer.command_line.command import Command
+from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
 from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
-from trimmer.command_line.mechanisms import follow, motion_maps, respond
+from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample
+from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import spectrum
+from trimmer.command_line.signals import overlay, spectrum
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed, shown_value
+from trimmer.progress import silenced
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
-
-EXIT_CODES = (
-    "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
-    "used; 3 a simulation that ended before its time; 130 interrupted."
-)
 
 _IN_ASCII = {"±": "+-", "µ": "u", "μ": "u", "ω": "omega", "·": "*", "…": "..."}
 
@@ -50,7 +51,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         try:
             parsed = _parsed(arguments)
-            code: int = parsed.run(parsed)
+            _hush_drawing()
+            with silenced() if parsed.quiet else _warnings_told():
+                code: int = parsed.run(parsed)
         finally:
             sys.stdout.flush()
         return code
@@ -67,9 +70,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
         tell(f"{name}: {error.strerror}; send the output elsewhere")
         drop(sys.stdout)
         return WRONG_USE
+    except MemoryError as error:
+        tell(f"there is not enough memory for that ({error or 'no more could be had'}); ask for less")
+        return WRONG_USE
     except KeyboardInterrupt:
         tell("interrupted before the result was complete")
         return INTERRUPTED
+
+
+@contextmanager
+def _warnings_told() -> Iterator[None]:
+    """Tell warnings in a sentence, without the line of code that they come from."""
+
+    def told(message: Warning | str, *_: object) -> None:
+        tell(f"warning: {message}")
+
+    with warnings.catch_warnings():
+        warnings.showwarning = told  # type: ignore[assignment]
+        yield
+
+
+def _hush_drawing() -> None:
+    """Keep Matplotlib from telling at length where it keeps its fonts if there is no home to keep them in."""
+    import logging
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
 def _prepare_streams() -> None:
@@ -91,12 +116,13 @@ def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
     return codecs.backslashreplace_errors(error)
 
 
-def _commands() -> list[Command]:
+def installed_commands() -> list[Command]:
+    """Return the commands of this package and those of others."""
     own = [
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND),
-        *(respond.COMMAND, follow.COMMAND, motion_maps.COMMAND),
-        *(parameters.COMMAND, derive.COMMAND),
+        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
+        *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND, sample.COMMAND),
+        *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
     return own + [command for command in others if command is not None]
@@ -116,9 +142,10 @@ def _loaded(entry: EntryPoint) -> Command | None:
 
 
 def _parsed(arguments: Sequence[str] | None) -> Namespace:
-    parsed, unknown = _parser(_commands()).parse_known_args(arguments)
+    parsed, unknown = _parser(installed_commands()).parse_known_args(arguments)
     if unknown:
-        parsed.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+        have, them = ("has", "it") if len(unknown) == 1 else ("have", "them")
+        parsed.parser.error(f"{listed(map(shown_value, unknown))} {have} no use here; leave {them} out")
     return parsed
 
 
@@ -130,8 +157,13 @@ def _parser(commands: Sequence[Command]) -> ArgumentParser:
     subparsers = parser.add_subparsers(metavar="COMMAND", title="commands", required=True)
     for command in commands:
         subparser = subparsers.add_parser(
-            command.name, help=command.help, description=command.help, epilog=EXIT_CODES
+            command.name,
+            help=command.help,
+            description=command.help,
+            epilog=epilog(command),
+            formatter_class=HelpText,
         )
         command.configure(subparser)
-        subparser.set_defaults(run=command.run, parser=subparser)
+        add_quiet_option(subparser)
+        subparser.set_defaults(run=command.run, parser=subparser, whole=parser)
     return parser

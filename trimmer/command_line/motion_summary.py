@@ -35,7 +35,7 @@ def summary_lines(duration: float, ending: str, events: Iterable[tuple[str, str]
 
 def last_times(duration: float) -> Reals:
     """Return times at the end of a motion, s, (``POINTS``,)."""
-    return np.linspace((1.0 - SHARE) * duration, duration, POINTS)
+    return np.minimum(np.linspace((1.0 - SHARE) * duration, duration, POINTS), duration)
 
 
 def amplitudes(signals: Mapping[str, Reals]) -> dict[str, float]:

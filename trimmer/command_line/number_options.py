@@ -6,6 +6,11 @@ import math
 from argparse import ArgumentTypeError
 from collections.abc import Callable
 
+from trimmer.command_line.parser import MOST
+from trimmer.messages import shown_value
+
+_DIGITS = len(str(MOST)) + 1
+
 
 def positive(unit: str) -> Callable[[str], float]:
     """Make the type of an option whose values are positive finite numbers, in a unit."""
@@ -16,7 +21,22 @@ def positive(unit: str) -> Callable[[str], float]:
         except ValueError:
             value = math.nan
         if not 0 < value < math.inf:
-            raise ArgumentTypeError(f"{text!r} is not a positive number ({unit})")
+            raise ArgumentTypeError(f"{shown_value(text)} is not a positive number ({unit})")
+        return value
+
+    return number
+
+
+def finite(unit: str) -> Callable[[str], float]:
+    """Make the type of an option whose values are finite numbers, in a unit."""
+
+    def number(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            raise ArgumentTypeError(f"{text!r} is not a finite number{f' ({unit})' if unit else ''}")
         return value
 
     return number
@@ -28,6 +48,6 @@ def positive_whole(text: str) -> int:
     Raises:
         ArgumentTypeError: if it states none.
     """
-    if not text.isdecimal() or int(text) == 0:
-        raise ArgumentTypeError(f"{text!r} is not a positive whole number")
+    if not (text.isascii() and text.isdecimal()) or not 1 <= int(text[:_DIGITS]) <= MOST:
+        raise ArgumentTypeError(f"{shown_value(text)} is not a positive whole number up to {MOST}")
     return int(text)

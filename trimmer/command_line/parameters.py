@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_write, show
 
 
@@ -34,7 +34,25 @@ def _run(arguments: Namespace) -> int:
 
 
 def _holds_something(path: Path) -> bool:
-    return path.is_file() and path.stat().st_size > 0
+    try:
+        return path.is_file() and path.stat().st_size > 0
+    except OSError:  # writing says why
+        return False
 
 
-COMMAND = Command("parameters", "write a commented parameter file (the thesis's trimmer)", _configure, _run)
+COMMAND = Command(
+    "parameters",
+    "write a commented parameter file (the thesis's trimmer)",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer parameters",
+            "what the parameters of the thesis's trimmer are",
+        ),
+        Example(
+            "trimmer parameters --output mine.toml",
+            "the same in a file: change the numbers, then `trimmer linear --parameters mine.toml`",
+        ),
+    ),
+)

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+import io
 import math
 import os
 import re
 import sys
-from argparse import Action, ArgumentError, ArgumentParser, Namespace
+from argparse import (
+    Action,
+    ArgumentError,
+    ArgumentParser,
+    ArgumentTypeError,
+    Namespace,
+    _SubParsersAction,
+)
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed, near_match, shown_value
+from trimmer.progress import is_silenced
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
@@ -19,7 +30,12 @@ ENDED_EARLY = 3
 INTERRUPTED = 130
 """Exit code after an interrupt, as a shell gives it."""
 
+MOST = 1_000_000_000
+"""Largest whole number of an option: none counts more."""
+
 _GIVEN = "given"
+_CONTROL = {code: f"\\x{code:02x}" for code in (*range(32), 127) if chr(code) != "\n"}
+"""Control characters, which may be in the name of a file, and what is printed for them."""
 _NEGATIVE_NUMBER = re.compile(
     r"-(?:(?:[0-9][0-9_]*\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?(?:\s*[^\W\d_].*)?|inf(?:inity)?|nan)$",
     flags=re.IGNORECASE,
@@ -34,7 +50,8 @@ class Parser(ArgumentParser):
     """A parser of options.
 
     A single value that is given twice is an error, since one of them would be ignored. Negative numbers are
-    values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit.
+    values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit. Options, commands
+    and choices that do not exist are told before what is missing, with the one that was meant.
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
@@ -44,11 +61,60 @@ class Parser(ArgumentParser):
         )
         for name in (None, "store"):
             self.register("action", name, _Once)
+        self.register("type", float, _number)
+        self.register("type", int, _whole)
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse words; those that look like options must be some."""
+        words = sys.argv[1:] if args is None else list(args)
+        for word in words:
+            if word == "--" or (self._subparsers is not None and not word.startswith("-")):
+                break
+            self._check_option(word)
+        return super().parse_known_args(words, namespace)
+
+    def _check_option(self, word: str) -> None:
+        name = word.partition("=")[0]
+        if not name.startswith("-") or name == "-" or " " in name or _NEGATIVE_NUMBER.match(word):
+            return
+        known = self._option_string_actions
+        if name in known or any(each.startswith(name) for each in known if name.startswith("--")):
+            return
+        meant = near_match(name, [each for each in known if each.startswith("--")])
+        self.error(f"there is no option {name}{f'; {meant}' if meant else ''}")
+
+    def _check_value(self, action: Action, value: Any) -> None:
+        """Check that a value is one of the choices (called by argparse)."""
+        if action.choices is None or value in action.choices:
+            return
+        words = [str(each) for each in action.choices]
+        told = shown_value(value) if isinstance(value, str) else str(value)
+        advice = near_match(str(value), words) or f"choose {listed(words, 'or')}"
+        if isinstance(action, _SubParsersAction):
+            raise ArgumentError(None, f"there is no command {told}; {advice}")
+        raise ArgumentError(action, f"there is no {told}; {advice}")
 
     def error(self, message: str) -> NoReturn:
         """Tell in one sentence what is wrong, and where the options are explained, and exit."""
-        tell(f"{message}; see {self.prog} --help")
+        tell(f"{message}{' See' if message.endswith('?') else '; see'} {self.prog} --help")
         raise SystemExit(WRONG_USE)
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{shown_value(text)} is no number") from None
+
+
+def _whole(text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        raise ArgumentTypeError(f"{shown_value(text)} is no whole number") from None
+    if abs(value) > MOST:
+        raise ArgumentTypeError(f"{shown_value(text)} is more than {MOST}, the largest that can be used")
+    return value
 
 
 class _Once(Action):
@@ -108,12 +174,18 @@ def as_option(name: str) -> str:
 def tell(message: str) -> None:
     """Print a message for the user on standard error, if anybody reads that."""
     try:
-        print(f"trimmer: {message}", file=sys.stderr, flush=True)
+        print(f"trimmer: {message.translate(_CONTROL)}", file=sys.stderr, flush=True)
     except OSError:
         drop(sys.stderr)
 
 
+def note(message: str) -> None:
+    """Print on standard error what is good to know and no error; nothing with ``--quiet``."""
+    if not is_silenced():
+        tell(message)
+
+
 def drop(stream: TextIO) -> None:
     """Send to nowhere what a stream has left to write; Python would complain at its end."""
-    with open(os.devnull, "wb") as nowhere:
+    with suppress(io.UnsupportedOperation), open(os.devnull, "wb") as nowhere:
         os.dup2(nowhere.fileno(), stream.fileno())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -25,10 +25,12 @@ from trimmer.command_line.parser import (
     ENDED_EARLY,
     INTERRUPTED,
     OptionError,
+    note,
     refuse_unused,
     require_positive,
     tell,
 )
+from trimmer.command_line.patience import patience
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
@@ -49,6 +51,7 @@ def _configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--sample-rate",
+        "--rate",
         type=float,
         default=20_000.0,
         metavar="HZ",
@@ -100,7 +103,8 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
     from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 
     try:
-        motion = simulate_loop(loop, arguments.duration, impulse=impulse)
+        with patience():
+            motion = simulate_loop(loop, arguments.duration, impulse=impulse)
     except SimulationInterrupted as interrupt:
         motion = interrupt.motion
     except ValueError as error:
@@ -129,11 +133,10 @@ def _check_duration(arguments: Namespace) -> None:
 
 def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Write the files that are wanted."""
-    from trimmer.motion.motion import Motion
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
 
-    if arguments.plot is not None and not isinstance(motion, Motion):
+    if arguments.plot is not None:
         draw(arguments, motion)
     if arguments.csv is None and arguments.wav is None:
         return
@@ -152,7 +155,7 @@ def _note_aliasing(motion: Motion | MechanismMotion, arguments: Namespace) -> No
     drive = arguments.drive if arguments.file is None else motion.mechanism.frequency  # type: ignore[union-attr]
     doubt = aliasing_doubt(drive, arguments.sample_rate) if drive else None
     if doubt is not None:
-        tell(f"note: {doubt}")
+        note(f"note: {doubt}")
 
 
 def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signal]:
@@ -173,5 +176,26 @@ def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signa
     return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]
 
 
-COMMAND = Command("simulate", "exact motion with play and friction, as text, CSV or sound", _configure, _run)
+_DRIVEN = "--element friction --drive 110 --amplitude 1.5e-3"
+
+COMMAND = Command(
+    "simulate",
+    "exact motion with play and friction, as text, CSV or sound",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer simulate examples/thesis-play.toml --duration 0.05 --plot motion.svg",
+            "how bridge and pin meet in the first 50 ms, and a picture of it",
+        ),
+        Example(
+            f"trimmer simulate --gap 4e-5 {_DRIVEN} --csv vibration.csv",
+            "how the thesis's trimmer with play moves when it is driven at 110 Hz, as samples",
+        ),
+        Example(
+            f"trimmer simulate --gap 2e-4 {_DRIVEN} --friction q2-q4=0.5",
+            "the same with a wide play and dry friction between cutter and guard",
+        ),
+    ),
+)
 """The subcommand ``trimmer simulate``."""

@@ -9,7 +9,6 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.contact.integration import (
-    AT_REST,
     CYCLING,
     DIVERGED,
     LOG_FULL,
@@ -34,6 +33,7 @@ from trimmer.contact.statuses import (
 )
 from trimmer.contact.step_event import NO_EVENT
 from trimmer.contact.tables import Modes
+from trimmer.contact.tabulated_change import AT_REST
 from trimmer.contact.work import Log, work_for
 
 if TYPE_CHECKING:
@@ -210,7 +210,7 @@ class _Progress:
         }
         for number, function in enumerate(self.modes[self.mode].functions):
             if function.action == ARRIVED:
-                sizes = tables.sizes[self.mode, number, :, :2].sum(axis=1)
+                sizes = tables.sizes[self.mode, number, :2].sum(axis=0)
                 if abs(function.row @ state) <= AT_REST * (sizes @ abs(state)):
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp) - contacts

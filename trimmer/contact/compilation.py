@@ -11,11 +11,13 @@ from trimmer.motion.compilation import sources as sources_of_motion
 SOURCES = (
     "integration",
     "nodes",
+    "relaxing_root",
+    "segment",
     "series",
     "statuses",
     "step_event",
     "tables",
-    "variation",
+    "tabulated_change",
     "work",
 )
 """Modules that compiled code is made of, apart from those of ``trimmer.motion``."""

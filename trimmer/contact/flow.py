@@ -14,7 +14,6 @@ import numpy as np
 
 from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
-from trimmer.contact.integration import AT_REST
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
 from trimmer.contact.nodes import Nodes, nodes, sample
@@ -35,6 +34,7 @@ from trimmer.contact.statuses import (
     TRUNCATES,
 )
 from trimmer.contact.tables import Modes
+from trimmer.contact.tabulated_change import AT_REST
 from trimmer.contact.variation import propagated
 from trimmer.contact.work import Log
 

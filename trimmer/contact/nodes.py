@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
@@ -12,7 +13,7 @@ from trimmer.arrays import Integers, Reals
 from trimmer.contact.compilation import sources
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Log
-from trimmer.motion.compilation import kept
+from trimmer.motion.compilation import inlined, kept
 from trimmer.motion.linear_combination import combine, copy, evaluate_terms
 from trimmer.motion.taylor import DEGREE
 
@@ -36,53 +37,34 @@ class Nodes(NamedTuple):
     states: Reals
 
 
-def _entry(sources: bytes) -> Callable[..., int]:
-    def entry(tables: Tables, log: Log, end: float, rule: tuple[Reals, Reals], room: Nodes) -> int:
-        """Write the nodes of all steps; returns their number, and writes as many as there is room for."""
-        sources  # noqa: B018
-        (points, weights), (times, shares, rows, states) = rule, room
-        size, count = log.state.shape[1], 0
-        state, following, terms = np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size)
-        for row in range(log.start.size):
-            until = log.start[row + 1] if row + 1 < log.start.size else end
-            mode = tables.settled[log.mode[row]]
-            begin, step = log.start[row], tables.step[mode]
-            copy(log.state[row], size, state)
-            while begin < until:
-                length = min(step, until - begin)
-                if count + points.size <= times.size:
-                    combine(state, tables.series[mode], terms.size, terms)
-                    for i in range(points.size):
-                        at = count + i
-                        times[at] = begin + points[i] * length
-                        shares[at] = weights[i] * length
-                        rows[at] = row
-                        evaluate_terms(terms, DEGREE + 1, points[i] * length / step, states[at])
-                        for contact in range(tables.gap.size):
-                            rate = tables.relaxation[log.mode[row], contact]
-                            if rate > 0.0:
-                                z = tables.relaxing_state[contact]
-                                states[at, z] = log.state[row, z] * np.exp(
-                                    -rate * (times[at] - log.start[row])
-                                )
-                count += points.size
-                combine(state, tables.screen[mode], size, following)
-                copy(following, size, state)
-                begin += step
-        return count
+class _Step(NamedTuple):
+    """Room for the state at the start of a step, the next one, and the terms of its series."""
 
-    return kept(entry)
+    state: Reals
+    following: Reals
+    terms: Reals
 
 
-_compiled_entry = _entry(sources())
+def _step(size: int) -> _Step:
+    return _Step(np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size))
 
 
-def _sample_entry(sources: bytes) -> Callable[..., None]:
-    def entry(tables: Tables, log: Log, times: Reals, states: Reals) -> None:
+@inlined
+def _relax(tables: Tables, log: Log, row: int, time: float, state: Reals) -> None:
+    """Write the stretches of relaxing springs, which the steps leave out."""
+    for contact in range(tables.gap.size):
+        rate = tables.relaxation[log.mode[row], contact]
+        if rate > 0.0:
+            z = tables.relaxing_state[contact]
+            state[z] = log.state[row, z] * math.exp(-rate * (time - log.start[row]))
+
+
+def _entry(sources: bytes) -> Callable[..., None]:
+    def entry(tables: Tables, log: Log, times: Reals, work: _Step, states: Reals) -> None:
         """Write the extended states at times that do not decrease; at an event, just after it."""
         sources  # noqa: B018
-        size, done = log.state.shape[1], 0
-        state, following, terms = np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size)
+        state, following, terms = work
+        size, done = state.size, 0
         for row in range(log.start.size):
             until = log.start[row + 1] if row + 1 < log.start.size else np.inf
             mode = tables.settled[log.mode[row]]
@@ -100,17 +82,13 @@ def _sample_entry(sources: bytes) -> Callable[..., None]:
                     combine(state, tables.series[mode], terms.size, terms)
                     fresh = True
                 evaluate_terms(terms, DEGREE + 1, (times[done] - begin) / step, states[done])
-                for contact in range(tables.gap.size):
-                    rate = tables.relaxation[log.mode[row], contact]
-                    if rate > 0.0:
-                        z = tables.relaxing_state[contact]
-                        states[done, z] = log.state[row, z] * np.exp(-rate * (times[done] - log.start[row]))
+                _relax(tables, log, row, times[done], states[done])
                 done += 1
 
     return kept(entry)
 
 
-_compiled_sample = _sample_entry(sources())
+_compiled_entry = _entry(sources())
 
 
 @cache
@@ -129,18 +107,19 @@ def nodes(tables: Tables, log: Log, end: float) -> Nodes:
         log: The segments.
         end: Time at which the motion ends, s.
     """
-    count = NODES * 64
-    while True:
-        room = Nodes(
-            np.empty(count),
-            np.empty(count),
-            np.empty(count, dtype=np.int64),
-            np.empty((count, log.state.shape[1])),
-        )
-        needed = _compiled_entry(tables, log, float(end), _gauss(), room)
-        if needed <= count:
-            return Nodes._make(each[:needed] for each in room)
-        count = needed
+    points, weights = _gauss()
+    lasts, lengths = np.append(log.start[1:], end) - log.start, tables.step[tables.settled[log.mode]]
+    steps = np.ceil(lasts / lengths).astype(np.int64)
+    rows = np.repeat(np.arange(len(steps)), steps)
+    begins = (np.arange(len(rows)) - np.repeat(np.cumsum(steps) - steps, steps)) * lengths[rows]
+    taken = np.minimum(lengths[rows], lasts[rows] - begins)
+    times = (log.start[rows] + begins)[:, None] + taken[:, None] * points
+    return Nodes(
+        times.ravel(),
+        (taken[:, None] * weights).ravel(),
+        np.repeat(rows, NODES),
+        sample(tables, log, times.ravel()),
+    )
 
 
 def sample(tables: Tables, log: Log, times: Reals) -> Reals:
@@ -149,6 +128,7 @@ def sample(tables: Tables, log: Log, times: Reals) -> Reals:
     Returns:
         Array (number of times, N).
     """
-    states = np.empty((len(times), log.state.shape[1]))
-    _compiled_sample(tables, log, np.ascontiguousarray(times, dtype=np.float64), states)
+    size = log.state.shape[1]
+    states = np.empty((len(times), size))
+    _compiled_entry(tables, log, np.ascontiguousarray(times, dtype=np.float64), _step(size), states)
     return states

@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.compilation import sources
-from trimmer.motion.compilation import inlined, kept
+from trimmer.motion.compilation import compiled, kept
 from trimmer.motion.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
 
 STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
@@ -32,7 +32,7 @@ class ModeTables(NamedTuple):
         series: (N, (K + 1) N).
         terms: (LEVELS,).
         taylor: (functions, N, K + 1).
-        sizes: (functions, N, K + 1).
+        sizes: (functions, K + 1, N).
         bernstein_from_taylor: It is read, (MOST_ZEROS + 1, K + 1, K + 1).
     """
 
@@ -44,7 +44,7 @@ class ModeTables(NamedTuple):
     bernstein_from_taylor: Reals
 
 
-@inlined
+@compiled
 def _multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
     """Write factor · left (n, n) · right (n, n)."""
     size = left.shape[0]
@@ -58,7 +58,7 @@ def _multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
                     result[i, j] += weight * right[k, j]
 
 
-@inlined
+@compiled
 def _norm(matrix: Reals, first: int, end: int) -> float:
     """Return the largest sum of moduli of a column of a block on the diagonal."""
     largest = 0.0
@@ -70,7 +70,7 @@ def _norm(matrix: Reals, first: int, end: int) -> float:
     return largest
 
 
-@inlined
+@compiled
 def _balance(matrix: Reals) -> None:
     """Scale rows and columns of a square matrix alike until their sums match (Parlett and Reinsch 1969)."""
     count = matrix.shape[0]
@@ -88,16 +88,17 @@ def _balance(matrix: Reals) -> None:
                     matrix[i, j] /= scale
 
 
-@inlined
-def _growth(matrix: Reals, count: int) -> float:
+@compiled
+def _growth(matrix: Reals, room: Reals) -> float:
     """Return the root of the norm of a power of the first block of a matrix, balanced, 1/s.
 
-    It bounds the remainder of the exponential series.
+    It bounds the remainder of the exponential series. The room is for three blocks.
     """
-    balanced, total, other = np.zeros((count, count)), np.zeros((count, count)), np.zeros((count, count))
+    balanced, total, other = room[0], room[1], room[2]
+    count = balanced.shape[0]
     for i in range(count):
-        total[i, i] = 1.0
         for j in range(count):
+            total[i, j] = 1.0 if i == j else 0.0
             balanced[i, j] = matrix[i, j]
     _balance(balanced)
     size, growth = _norm(balanced, 0, count), 0.0
@@ -111,7 +112,7 @@ def _growth(matrix: Reals, count: int) -> float:
     return growth
 
 
-@inlined
+@compiled
 def _write_flow(terms: Reals, target: ModeTables) -> None:
     """Write the flow over a whole step, and the terms of its series side by side."""
     size = terms.shape[1]
@@ -124,7 +125,7 @@ def _write_flow(terms: Reals, target: ModeTables) -> None:
             target.screen[j, i] = whole
 
 
-@inlined
+@compiled
 def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
     """Write the coefficients of s^k of a functional, and the sums of the moduli of their terms."""
     for j in range(row.size):
@@ -135,10 +136,10 @@ def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
                 value += term
                 modulus += abs(term)
             taylor[j, k] = value
-            sizes[j, k] = modulus
+            sizes[k, j] = modulus
 
 
-@inlined
+@compiled
 def _write_screen(function: int, target: ModeTables) -> None:
     """Write the Bernstein coefficients of an event function beside those of the others."""
     size = target.screen.shape[0]
@@ -150,7 +151,7 @@ def _write_screen(function: int, target: ModeTables) -> None:
             target.screen[j, size + function * COUNT + i] = value
 
 
-@inlined
+@compiled
 def _sufficient(terms: Reals, level: int) -> int:
     """Return how many terms give every entry of the flow to rounding, for fractions up to 4^-level."""
     needed, size = 1, terms.shape[1]
@@ -170,12 +171,11 @@ def _sufficient(terms: Reals, level: int) -> int:
 
 
 def _entry(sources: bytes) -> Callable[..., float]:
-    def entry(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:
+    def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals) -> float:
         sources  # noqa: B018
         size = flow.shape[0]
-        rate = max(_growth(flow, states), _norm(flow, states, size), 1.0 / LONGEST_STEP)
+        rate = max(_growth(flow, room), _norm(flow, room.shape[1], size), 1.0 / LONGEST_STEP)
         step = STEP / rate
-        terms = np.zeros((COUNT, size, size))
         for i in range(size):
             terms[0, i, i] = 1.0
         for k in range(1, COUNT):
@@ -206,4 +206,6 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
     Returns:
         The length h of a step, s.
     """
-    return _compiled_entry(flow, states, rows, target)
+    size = len(flow)
+    room, terms = np.empty((3, states, states)), np.zeros((COUNT, size, size))
+    return _compiled_entry(flow, rows, target, room, terms)

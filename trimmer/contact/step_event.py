@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from trimmer.arrays import Reals
+from trimmer.contact.relaxing_root import UNSURE, relaxing_root
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Work
 from trimmer.motion.compilation import inlined
@@ -10,8 +11,7 @@ from trimmer.motion.first_event import NOWHERE, ROUNDING, first_root
 from trimmer.motion.linear_combination import (
     any_below,
     combine,
-    combine_moduli,
-    combine_polynomials,
+    combined_moduli,
     within,
 )
 from trimmer.motion.taylor import DEGREE, MOST_ZEROS
@@ -32,13 +32,15 @@ def _known_zeros(tables: Tables, work: Work, now: int, function: int) -> int:
 
 
 @inlined
-def _zeros(taylor: Reals, sizes: Reals, known: int, at_start: bool) -> int:
+def _zeros(taylor: Reals, state: Reals, sizes: Reals, known: int, at_start: bool) -> int:
     """Count the coefficients at the start that are known or found to be zero, and make them so."""
-    zeros = 0
+    zeros, size = 0, combined_moduli(state, sizes[0])
     while zeros < COUNT:
-        small = at_start and abs(taylor[zeros]) <= ROUNDING * max(sizes[0], sizes[zeros])
-        if zeros >= known and not small and taylor[zeros] != 0.0:
-            break
+        if zeros >= known and taylor[zeros] != 0.0:
+            if not at_start:
+                break
+            if abs(taylor[zeros]) > ROUNDING * max(size, combined_moduli(state, sizes[zeros])):
+                break
         taylor[zeros] = 0.0
         zeros += 1
     return zeros
@@ -53,11 +55,10 @@ def _root(
     Returns:
         The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
     """
-    state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, work.sizes
-    combine_polynomials(state, tables.taylor[now, function], taylor)
-    combine_moduli(state, tables.sizes[now, function], sizes)
-    rounding, root, jumped = ROUNDING * sizes[0], NOWHERE, False
-    zeros = _zeros(taylor, sizes, known, at_start)
+    state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, tables.sizes[now, function]
+    combine(state, tables.taylor[now, function], taylor.size, taylor)
+    rounding, root, jumped = ROUNDING * combined_moduli(state, sizes[0]), NOWHERE, False
+    zeros = _zeros(taylor, state, sizes, known, at_start)
     if zeros < COUNT and not within(bernstein, rounding):  # Otherwise it stays at zero.
         zeros = min(zeros, MOST_ZEROS)
         if zeros > 0:
@@ -68,6 +69,17 @@ def _root(
         elif any_below(bernstein, COUNT - zeros, 0.0):
             root, _ = first_root(bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces)
     return root, jumped
+
+
+@inlined
+def _root_while_relaxing(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
+    """Find the first zero within a step that leaves a relaxing spring out, which is added here."""
+    owner = tables.owner[now, function]
+    z = tables.relaxing_state[owner]
+    stretch = tables.taylor[mode, function, z, 0] * work.state[z]
+    combine(work.state, tables.taylor[now, function], work.taylor.size, work.taylor)
+    decay = tables.relaxation[mode, owner] * tables.step[now]
+    return relaxing_root(work.bernstein, work.taylor, stretch, decay, work.pieces)
 
 
 @inlined
@@ -102,13 +114,16 @@ def first_event(
         below = False
         for i in range(first, first + COUNT):
             below |= not screened[i] > margin
-        if (known > 0 or below) and margin > 0.0:
-            close = True
-            break
         if known > 0 or below:
             for i in range(COUNT):
                 bernstein[i] = screened[first + i]
-            root, at_once = _root(tables, work, now, function, known, at_start)
+            if margin > 0.0:
+                root, at_once = _root_while_relaxing(tables, work, mode, now, function), False
+            else:
+                root, at_once = _root(tables, work, now, function, known, at_start)
+            if root == UNSURE or (known > 0 and margin > 0.0):
+                close = True
+                break
             if root < fraction or (root == 0.0 and owner == recent):
                 fired, fraction, jumped = function, root, at_once
         first += COUNT

@@ -35,7 +35,7 @@ class Tables(NamedTuple):
         series: (M h)^k / k!, transposed and side by side, (modes, N, (K + 1) N).
         terms: How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS).
         taylor: Coefficients of s^k of the event functions, (modes, functions, N, K + 1).
-        sizes: Sums of the moduli of what these are made of, in the same shape.
+        sizes: Sums of the moduli of what these are made of, (modes, functions, K + 1, N).
         hold: The state, made to fit what is held, transposed, (modes, N, N).
         function_count: Number of event functions, (modes,).
         owner: The parts that they belong to, (modes, functions).
@@ -88,7 +88,7 @@ def _empty(machine: Machine, capacity: int, functions: int) -> Tables:
         series=np.zeros((capacity, size, degree * size)),
         terms=integers(LEVELS),
         taylor=np.zeros((capacity, functions, size, degree)),
-        sizes=np.zeros((capacity, functions, size, degree)),
+        sizes=np.zeros((capacity, functions, degree, size)),
         hold=np.zeros((capacity, size, size)),
         function_count=integers(),
         owner=integers(functions),

@@ -1,4 +1,4 @@
-"""The derivative of a motion by the state it begins with: compiled flow, and what events make of it.
+"""The derivative of a motion by the state it begins with: flow between events, and what events make of it.
 
 At an event at which a functional g falls to zero, a neighbouring motion changes its mode earlier or later. So
 its distance is multiplied by 1 + (f₊ - f₋) gᵀ / (g · f₋), with the rates f before and after (Aizerman and
@@ -8,66 +8,18 @@ matrix is singular.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import Reals
-from trimmer.contact.compilation import sources
 from trimmer.contact.statuses import FREE
-from trimmer.motion.compilation import inlined, kept
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.contact.tables import Modes
     from trimmer.contact.work import Log
-
-
-@inlined
-def _apply(matrix: Reals, first: int, size: int, stride: int, left: Reals, result: Reals) -> None:
-    """Write the product of a matrix, kept transposed from a column on, and ``left``, (n, columns)."""
-    columns = left.shape[1]
-    for i in range(stride):
-        for j in range(columns):
-            result[i, j] = 0.0
-    for k in range(size):
-        for i in range(stride):
-            weight = matrix[k, first + i]
-            if weight != 0.0:
-                for j in range(columns):
-                    result[i, j] += weight * left[k, j]
-
-
-def _entry(sources: bytes) -> Callable[..., None]:
-    def entry(step: float, screen: Reals, series: Reals, duration: float, tangents: Reals) -> None:
-        """Multiply tangents (n, columns), in place, by the flow of a mode over a duration, s."""
-        sources  # noqa: B018
-        count, columns = tangents.shape
-        size = screen.shape[0]
-        following, total = np.empty((count, columns)), np.empty((count, columns))
-        left = duration
-        while left > step:
-            _apply(screen, 0, count, count, tangents, following)
-            for i in range(count):
-                for j in range(columns):
-                    tangents[i, j] = following[i, j]
-            left -= step
-        fraction = left / step
-        _apply(series, DEGREE * size, count, count, tangents, total)
-        for k in range(DEGREE - 1, -1, -1):
-            _apply(series, k * size, count, count, tangents, following)
-            for i in range(count):
-                for j in range(columns):
-                    total[i, j] = total[i, j] * fraction + following[i, j]
-        for i in range(count):
-            for j in range(columns):
-                tangents[i, j] = total[i, j]
-
-    return kept(entry)
-
-
-_compiled_entry = _entry(sources())
 
 
 def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
@@ -109,9 +61,16 @@ def _fitted(modes: Modes, mode: int, distances: Reals) -> Reals:
 
 
 def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
-    tables = modes.tables
+    """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
+    tables, count = modes.tables, len(distances)
     settled = int(tables.settled[mode])
-    _compiled_entry(tables.step[settled], tables.screen[settled], tables.series[settled], duration, distances)
+    step, size = tables.step[settled], tables.screen.shape[1]
+    steps = max(math.ceil(duration / step) - 1, 0)
+    powers = (duration / step - steps) ** np.arange(DEGREE + 1)
+    flow = (powers @ tables.series[settled].reshape(size, DEGREE + 1, size)[:count, :, :count]).T
+    if steps > 0:
+        flow = flow @ np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
+    distances[:] = flow @ distances
     machine = modes.machine
     for contact, z in enumerate(machine.relaxing_state):
         # Springs that relax, or that have relaxed, are left out of the flow.

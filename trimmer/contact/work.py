@@ -22,7 +22,7 @@ class Work(NamedTuple):
         negligible: Stretches of relaxing springs that count as zero, m, (m,).
         margins: By how much relaxing springs could bring contact forward, m, (m,).
         screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
-        following, terms, bernstein, taylor, sizes, pieces: Room for states and polynomials.
+        following, terms, bernstein, taylor, pieces: Room for states and polynomials.
     """
 
     state: Reals
@@ -35,7 +35,6 @@ class Work(NamedTuple):
     terms: Reals
     bernstein: Reals
     taylor: Reals
-    sizes: Reals
     pieces: Reals
 
 
@@ -54,7 +53,6 @@ def work_for(tables: Tables) -> Work:
         terms=np.empty(size * degree),
         bernstein=np.empty(degree),
         taylor=np.empty(degree),
-        sizes=np.empty(degree),
         pieces=np.empty((DEEPEST + 3, degree + 2)),
     )
 

@@ -6,22 +6,25 @@ A colour stands for a number of drive periods, so that an asymmetric branch has 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from matplotlib.figure import Figure
-
 from trimmer.branches.special import SpecialKind
-from trimmer.drawing.content import content_of
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.content import new_figure
+from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis
+from trimmer.errors import MechanismError
+from trimmer.mechanism.place_text import unit_of
+from trimmer.messages import listed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from trimmer.branches.followed import FollowedBranch
 
-_WIDTH, _HEIGHT = 6.4, 3.2
-_MARKERS = {
+WIDTH, HEIGHT = 7.2, 3.4
+MARKERS = {
     SpecialKind.GRAZING: "o",
     SpecialKind.STICK: "s",
     SpecialKind.FOLD: "v",
@@ -31,36 +34,47 @@ _MARKERS = {
 }
 
 
-def draw_branch(branch: FollowedBranch, file_format: str) -> bytes:
-    """Draw a branch and those that part from it, one panel per output, and return the content of the file.
+def branch_figure(branch: FollowedBranch) -> Figure:
+    """Draw a branch that has points and those that part from it, one panel per output."""
+    names = _outputs(branch)
+    figure = new_figure(WIDTH, HEIGHT * len(names))
+    for name, axes in zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True):
+        draw_branch(branch, axes, name)
+    return figure
 
-    Args:
-        branch: The branch; it has points.
-        file_format: ``svg``, ``png`` or ``pdf``.
-    """
-    names = list(branch.map.mechanism.outputs)
-    figure = Figure(figsize=(_WIDTH, _HEIGHT * max(len(names), 1)), layout="constrained")
-    panels = figure.subplots(max(len(names), 1), squeeze=False)[:, 0]
-    shown = list(_all(branch))
+
+def draw_branch(branch: FollowedBranch, ax: Axes | None = None, output: str | None = None) -> Axes:
+    """Draw peak to peak of an output over the number that is varied; see ``FollowedBranch.plot``."""
+    name = _chosen(branch, output)
+    axes = axes_for(ax)
+    shown = [each for each in branch.all() if each.points]
     periods = sorted({each.periods for each in shown})
-    for name, axes in zip(names, panels, strict=False):
-        for each in shown:
-            _draw_line(axes, each, name, f"C{periods.index(each.periods) % 10}")
-            _draw_special(axes, each, name)
-        name_axis(axes.xaxis, branch.map.place, "" if branch.unit == "1" else branch.unit)
-        name_axis(axes.yaxis, f"{name}, peak to peak", "m")
-        axes.grid(alpha=0.3)
-        _add_legend(axes)
-    return content_of(figure, file_format)
+    for each in shown:
+        _draw_line(axes, each, name, colour(periods.index(each.periods)))
+        _draw_special(axes, each, name)
+    place = branch.map.place
+    name_axis(axes.xaxis, place, unit_of(branch.map.mechanism.places, place))
+    name_axis(axes.yaxis, f"{name}, peak to peak", "m")
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
 
 
-def _all(branch: FollowedBranch) -> Iterator[FollowedBranch]:
-    yield branch
-    for other in branch.branches:
-        yield from _all(other)
+def _outputs(branch: FollowedBranch) -> list[str]:
+    names = list(branch.map.mechanism.outputs)
+    if not names:
+        raise MechanismError("the mechanism has no output, so there is no stroke: give it one ([outputs])")
+    return names
 
 
-def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> None:
+def _chosen(branch: FollowedBranch, output: str | None) -> str:
+    names = _outputs(branch)
+    if output is not None and output not in names:
+        raise MechanismError(f"no output is called {output!r}; there are {listed(names)}")
+    return names[0] if output is None else output
+
+
+def _draw_line(axes: Axes, branch: FollowedBranch, name: str, look: str) -> None:
     """Draw stable stretches solid, unstable ones dashed."""
     values = [point.value for point in branch.points]
     strokes = [point.outputs[name].peak_to_peak for point in branch.points]
@@ -70,9 +84,10 @@ def _draw_line(axes: Axes, branch: FollowedBranch, name: str, colour: str) -> No
         axes.plot(
             values[part],
             strokes[part],
-            "-" if stable else "--",
-            color=colour,
-            linewidth=1.2 if stable else 0.8,
+            linestyle=STABLE if stable else UNSTABLE,
+            color=look,
+            linewidth=1.4 if stable else 1.0,
+            marker="." if len(values) == 1 else "",
             label=f"{'stable' if stable else 'unstable'}, {_period(branch)}",
         )
 
@@ -89,18 +104,10 @@ def _draw_special(axes: Axes, branch: FollowedBranch, name: str) -> None:
         axes.plot(
             special.value,
             measures[name].peak_to_peak,
-            _MARKERS[special.kind],
-            color="black",
+            MARKERS[special.kind],
+            color=BLACK,
             fillstyle="none",
             markersize=5,
             linestyle="none",
             label=special.kind.word,
         )
-
-
-def _add_legend(axes: Axes) -> None:
-    """Add a legend in which each label stands once."""
-    handles, labels = axes.get_legend_handles_labels()
-    once = dict(zip(labels, handles, strict=True))
-    if once:
-        axes.legend(once.values(), once.keys(), fontsize="x-small")

@@ -1,82 +1,147 @@
-"""The picture of harmonic balance: G(j omega) and -1/N in the complex plane, intersections marked."""
+"""The picture of harmonic balance: G(j omega) and -1/N in the complex plane, limit cycles marked."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
-from trimmer.drawing.content import content_of
+from trimmer.drawing.along import Along
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.content import figure_of, new_figure
+from trimmer.drawing.frequencies import telling_frequencies
+from trimmer.drawing.look import line
+from trimmer.drawing.marks import critical_point, limit_cycle
+from trimmer.drawing.plane import element_locus, system_locus
 from trimmer.linear.frequency_response import response_at
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
-    from trimmer.arrays import Complexes
-    from trimmer.balance.limit_cycle import HarmonicBalance
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
     from trimmer.motion.loops import ClosedLoop
 
-_POINTS = 4000
-_SIZE = (6.4, 5.0)
+ANY = np.geomspace(1e-6, 1e6, 1800)
+"""u = amplitude_scale/amplitude where any amplitude will do."""
+SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 600), 1.0 - np.geomspace(0.5, 1e-9, 1200)[1:]])
+"""Shares of the largest u, close together at both ends."""
+EACH_INTEGRATED = 9
+"""One place of so many is shown of an element without closed form, each point of which is integrated."""
+MARGIN = 0.08
+"""Free room around what is shown, as a share of it."""
+CLOSE = 0.25
+"""Share of the picture, across and up, within which limit cycles are enlarged."""
+FAR = 4.0
+"""How far out a locus is shown that goes to infinity, in sizes of what is of interest."""
 
 
-def draw_loci(loop: ClosedLoop, balance: HarmonicBalance, file_format: str) -> bytes:
-    """Draw G and -1/N, mark the limit cycles, and return the content of the file.
+def balance_figure(balance: HarmonicBalance) -> Figure:
+    """Draw G and -1/N; where the limit cycles lie close together for that, a second panel enlarges them."""
+    whole, near = _spans(balance)
+    if not near.size or (near > CLOSE * whole).any():
+        return figure_of(balance.plot)
+    figure = new_figure(7.2, 8.2)
+    upper, lower = figure.subplots(2)
+    balance.plot(upper)
+    draw_balance(balance, lower, near=True)
+    upper.set_title("all of G(jω)", fontsize="medium")
+    lower.set_title("around the limit cycles", fontsize="medium")
+    return figure
+
+
+def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool = False) -> Axes:
+    """Draw G and -1/N, and mark the limit cycles; see ``HarmonicBalance.plot``.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
-
-    Args:
-        loop: The closed loop.
-        balance: Limit cycles; its certificate gives the range of frequencies, rad/s.
-        file_format: ``svg``, ``png`` or ``pdf``.
     """
-    figure = Figure(figsize=_SIZE, layout="constrained")
-    axes = figure.add_subplot()
-    omega = np.geomspace(*balance.certificate.omegas, _POINTS)
-    response = response_at(loop.system, omega)
-    axes.plot(response.real, response.imag, label="G(jω)")
-    for label, curve in _element_curves(loop.element, balance):
-        axes.plot(curve.real, curve.imag, label=label)
-    for cycle in balance.limit_cycles:
-        point = complex(response_at(loop.system, cycle.omega))
-        kind = "stable" if cycle.stable else "unstable"
-        text = f"{cycle.frequency:.4g} Hz, {cycle.amplitude:.4g} ({kind})"
-        axes.plot(
-            point.real,
-            point.imag,
-            "o",
-            color="black",
-            fillstyle="full" if cycle.stable else "none",
-            label=text,
-        )
-    _frame(axes, response)
+    axes, loop = axes_for(ax), _loop(balance)
+    system_locus(axes, loop.system, _omegas(balance), label="G(jω)", **line(0))
+    for number, (label, at) in enumerate(_frequencies(balance), start=1):
+        draw_element_curve(axes, loop.element, at, label, number)
+    for cycle, place in zip(balance.limit_cycles, _places(balance), strict=True):
+        limit_cycle(axes, place, stable=cycle.stable, label=_words(cycle))
+    critical_point(axes)
+    _frame(axes, _places(balance, -1.0) if near and balance.limit_cycles else _shown(balance))
     axes.set_xlabel("real part")
     axes.set_ylabel("imaginary part")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize="small")
-    return content_of(figure, file_format)
+    add_legend(axes, title="A: amplitude in the unit\nof the element's input" if balance.limit_cycles else "")
+    return axes
 
 
-def _element_curves(element: Element, balance: HarmonicBalance) -> list[tuple[str, Complexes]]:
-    """Return the curves -1/N over amplitude, down to the smallest of the domain, with their labels."""
-    if not element.depends_on_frequency:
-        return [("-1/N(A)", _inverse(element, None))]
-    omegas = [cycle.omega for cycle in balance.limit_cycles] or [np.sqrt(np.prod(balance.certificate.omegas))]
-    return [(f"-1/N(A) at {omega:.5g} rad/s", _inverse(element, omega)) for omega in omegas]
+def _loop(balance: HarmonicBalance) -> ClosedLoop:
+    if balance.loop is None:
+        raise ValueError("the result has no loop, so there is nothing to draw: make it with harmonic_balance")
+    return balance.loop
 
 
-def _inverse(element: Element, omega: float | None) -> Complexes:
-    largest = min(float(element.domain(omega)), 1e6)
-    u = largest * np.concatenate([np.geomspace(1e-6, 0.5, _POINTS), 1.0 - np.geomspace(0.5, 1e-9, _POINTS)])
-    gain = element.describing_function(element.amplitude_scale / u, omega)
-    return np.asarray(-1.0 / gain[gain != 0])
+def _omegas(balance: HarmonicBalance) -> Reals:
+    return telling_frequencies(ZeroPoleGain.of(_loop(balance).system), balance.certificate.omegas)
 
 
-def _frame(axes: Axes, response: Complexes) -> None:
-    """Show G, whatever -1/N does outside."""
-    for parts, set_limits in ((response.real, axes.set_xlim), (response.imag, axes.set_ylim)):
+def _places(balance: HarmonicBalance, *others: complex) -> Complexes:
+    """Return where the limit cycles lie on G, and other places."""
+    omegas = np.array([cycle.omega for cycle in balance.limit_cycles])
+    return np.concatenate([response_at(_loop(balance).system, omegas), others])
+
+
+def _spans(balance: HarmonicBalance) -> tuple[Reals, Reals]:
+    """Return width and height of all that is shown, and of what is around the limit cycles, if any."""
+    near = _places(balance, -1.0) if balance.limit_cycles else np.empty(0)
+    whole, close = (
+        [np.ptp(each.real), np.ptp(each.imag)] if each.size else [] for each in (_shown(balance), near)
+    )
+    return np.array(whole), np.array(close)
+
+
+def draw_element_curve(axes: Axes, element: Element, omega: float | None, label: str, number: int) -> None:
+    """Draw -1/N over the whole domain, with the amplitude along it, as the line of a number."""
+    ratios = ratios_of(element, omega)
+    along = Along("A", "", element.amplitude_scale / ratios)
+    element_locus(axes, element, ratios, along, omega, label=label, **line(number))
+
+
+def ratios_of(element: Element, omega: float | None) -> Reals:
+    """Return u = amplitude_scale/amplitude over the domain of an element, close together at both ends."""
+    # From ``constant_from`` on the curve is one point.
+    largest = min(float(element.domain(omega)), element.constant_from)
+    ratios = ANY if np.isinf(largest) else largest * SHARES
+    return ratios if element.has_bounds else ratios[::EACH_INTEGRATED]
+
+
+def _frequencies(balance: HarmonicBalance) -> list[tuple[str, float | None]]:
+    """Return the curves of -1/N: label, and omega where it depends on that."""
+    loop: ClosedLoop | None = balance.loop
+    assert loop is not None
+    if not loop.element.depends_on_frequency:
+        return [("−1/N(A)", None)]
+    found = [cycle.omega for cycle in balance.limit_cycles]
+    omegas = found or [float(np.sqrt(balance.certificate.omegas[0]) * np.sqrt(balance.certificate.omegas[1]))]
+    return [(f"−1/N(A), {omega / (2 * np.pi):.5g} Hz", omega) for omega in omegas]
+
+
+def _words(cycle: LimitCycle) -> str:
+    kind = "stable" if cycle.stable else "unstable"
+    return f"{kind}: {cycle.frequency:.5g} Hz,\nA = {cycle.amplitude:.4g}"
+
+
+def _shown(balance: HarmonicBalance) -> Complexes:
+    """Return what is to be seen: G, -1 and limit cycles; of a G that goes to infinity what is near them."""
+    system = _loop(balance).system
+    response, places = response_at(system, _omegas(balance)), _places(balance, -1.0)
+    factored = ZeroPoleGain.of(system)
+    if (factored.roots.real[factored.exponents < 0] == 0).any():
+        response = response[abs(response) <= FAR * abs(places).max()]
+    return np.concatenate([response, places])
+
+
+def _frame(axes: Axes, shown: Complexes) -> None:
+    """Show some places with a margin around them, whatever lies outside."""
+    for parts, set_limits in ((shown.real, axes.set_xlim), (shown.imag, axes.set_ylim)):
         lowest, highest = float(parts.min()), float(parts.max())
-        margin = 0.06 * (highest - lowest or 1.0)
+        margin = MARGIN * (highest - lowest) or MARGIN
         set_limits(lowest - margin, highest + margin)

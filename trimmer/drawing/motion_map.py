@@ -1,30 +1,89 @@
-"""The picture of a map: kinds of motion as areas, or a stroke over one number."""
+"""The picture of a map: kinds of motion as areas, or a stroke over one number; and of a basin."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from matplotlib.figure import Figure
+import numpy as np
 
-from trimmer.drawing.content import content_of
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.curves import add_curves
+from trimmer.drawing.kinds import Category, categories, category, legend_of
+from trimmer.drawing.units import name_axis
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Integers
+    from trimmer.maps.basin import Basin
     from trimmer.maps.result import MotionMap
-    from trimmer.maps.special_curve import SpecialCurves
 
-_SIZE = (7.2, 4.4)
+BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
+"""Of the motions of a basin in turn: the colours of Okabe and Ito."""
+BASIN_HATCHES = ("", "", "//", "..", "\\\\", "xx", "")
 
 
-def draw_motion_map(result: MotionMap, special: SpecialCurves | None, file_format: str) -> bytes:
-    """Draw a map and return the content of the file.
+def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
+    """Draw the kinds of motion of a map; see ``MotionMap.plot``."""
+    axes = axes_for(ax)
+    motions = [cell.motions[0] for cell in result.cells]
+    found = {category(motion) for motion in motions}
+    legend = [each for each in categories() if each in found]
+    numbers = np.array([legend.index(category(motion)) for motion in motions]).reshape(result.shape)
+    lines: list[Line2D] = []
+    if len(result.places) == 1:
+        _draw_line(axes, result, numbers[0], legend)
+    else:
+        draw_areas(axes, result, numbers, legend)
+        lines = add_curves(axes, curves, hold=True)
+    add_legend(axes, [*legend_of(legend), *lines])
+    return axes
 
-    Args:
-        result: The map.
-        special: Curves over it, None for no curves.
-        file_format: ``svg``, ``png`` or ``pdf``.
-    """
-    figure = Figure(figsize=_SIZE, dpi=160, layout="constrained")
-    axes = figure.add_subplot()
-    result.plot(axes, () if special is None else special.drawn)
-    axes.set_title(result.inputs.mechanism.title, fontsize="small", parse_math=False)
-    return content_of(figure, file_format)
+
+def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
+    """Draw areas of one colour each, by the numbers of their colours, (n2, n1)."""
+    colours = {number: each.colour for number, each in enumerate(legend)}
+    hatches = {number: each.hatch for number, each in enumerate(legend)}
+    first, second = result.values
+    draw_cells(axes, first, second, numbers, colours, hatches)
+    for axis, place, unit in zip((axes.xaxis, axes.yaxis), result.places, result.units, strict=True):
+        name_axis(axis, place, unit)
+
+
+def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
+    outputs = result.inputs.mechanism.outputs
+    heights = (result.stroke if outputs else result.impacts)[0]
+    colours = [legend[number].colour for number in numbers]
+    axes.scatter(result.values[0], heights, c=colours, edgecolors="0.4", linewidths=0.4, s=14)
+    if outputs:
+        name_axis(axes.yaxis, f"{next(iter(outputs))}, peak to peak", "m")
+    else:
+        name_axis(axes.yaxis, "impacts per drive period", "")
+    axes.grid(alpha=0.3)
+    name_axis(axes.xaxis, result.places[0], result.units[0])
+
+
+def draw_basin(basin: Basin, ax: Axes | None = None) -> Axes:
+    """Draw which motion is reached from where; see ``Basin.plot``."""
+    axes = axes_for(ax)
+    legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
+    draw_areas(axes, basin.result, basin.number, legend)
+    add_legend(axes, legend_of(legend))
+    return axes
+
+
+def _of_basin(basin: Basin, number: int) -> Category:
+    """Return name, colour and hatching of a motion: of its kind, or of its number if it repeats."""
+    motions, name = basin.motions, basin.names[number]
+    if motions[number].kind is not MotionKind.PERIODIC:
+        return replace(category(motions[number]), name=name)
+    before = sum(motion.kind is MotionKind.PERIODIC for motion in motions[:number])
+    place = before % len(BASIN_COLOURS)
+    return Category(name, BASIN_COLOURS[place], BASIN_HATCHES[place])

@@ -1,49 +1,70 @@
-"""The picture of what a mechanism settles to."""
+"""The picture of what a mechanism settles to, and of a simulated motion."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from matplotlib.figure import Figure
-
-from trimmer.drawing.content import content_of
-from trimmer.drawing.motions import draw_motion, draw_phase_plane, draw_section, draw_statuses
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.content import head, new_figure
+from trimmer.drawing.motions import draw_motion, draw_phase_plane, draw_section
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.response.motion import MechanismMotion
     from trimmer.response.response import Response, SettledMotion
 
-SIZE = (7.2, 7.2)
+SIZE = (7.6, 7.2)
+CLOSE = 0.05
+"""Share of the phase plane within which a section is shown in the frame of that."""
 SHOWN = 8
 """Drive periods that are shown of a motion that does not repeat."""
 
 
-def draw_response(response: Response, file_format: str) -> bytes:
-    """Draw the first motion over time and in the phase plane, and the Poincaré section of all motions.
+def draw_settled(motion: SettledMotion, ax: Axes | None = None) -> Axes:
+    """Draw what one motion does over time; see ``Response.plot``."""
+    return draw_motion(*shown(motion), ax)
 
-    Args:
-        response: What was found; its first motion could be followed.
-        file_format: ``svg``, ``png`` or ``pdf``.
-    """
+
+def response_figure(response: Response) -> Figure:
+    """Draw the first motion over time and in the phase plane, and the Poincaré section of all motions."""
     flow, course = shown(response.motion)
-    figure = Figure(figsize=SIZE, layout="constrained")
-    panels = figure.subplot_mosaic(
-        [["motion", "motion"], ["statuses", "statuses"], ["plane", "section"]], height_ratios=[3, 1, 4]
-    )
-    panels["motion"].set_title(response.mechanism.title, fontsize="medium", parse_math=False)
-    panels["motion"].set_xlim(0.0, course.duration)
-    draw_motion(panels["motion"], flow, course)
-    draw_statuses(panels["statuses"], flow, course)
-    draw_phase_plane(panels["plane"], flow, course)
+    figure = new_figure(*SIZE)
+    panels = figure.subplot_mosaic([["motion", "motion"], ["plane", "section"]], height_ratios=[4, 5])
+    draw_motion(flow, course, panels["motion"])
+    draw_phase_plane(flow, course, panels["plane"])
     panels["plane"].set_title("phase plane", fontsize="small")
-    for number, motion in enumerate(response.motions, start=1):
-        _add_section(panels["section"], motion, f"{number}: {motion.share:.0%} of the starts")
+    for number, motion in enumerate(response.motions):
+        _add_section(panels["section"], motion, f"{number + 1}: {motion.share:.0%} of the starts", number)
+    _frame(panels["section"], panels["plane"])
     panels["section"].set_title("at the start of each drive period", fontsize="small")
     if len(response.motions) > 1:
-        panels["section"].legend(fontsize="x-small")
-    return content_of(figure, file_format)
+        add_legend(panels["section"])
+    head(figure, response.mechanism.title)
+    return figure
+
+
+def _frame(section: Axes, plane: Axes) -> None:
+    """Show as much as the phase plane does, where points lie so close together that they would look apart."""
+    limits = plane.get_xlim(), plane.get_ylim()
+    spans = [abs(high - low) for low, high in limits]
+    sizes = section.dataLim.size
+    if all(size < CLOSE * span for size, span in zip(sizes, spans, strict=True)):
+        section.set(xlim=limits[0], ylim=limits[1])
+        section.xaxis.set_major_formatter(plane.xaxis.get_major_formatter())
+        section.set_xlabel(plane.get_xlabel(), parse_math=False)
+
+
+def motion_figure(motion: MechanismMotion) -> Figure:
+    """Draw a motion over time, with contact and stick marked, and its phase plane."""
+    figure = new_figure(*SIZE)
+    above, below = figure.subplots(2, height_ratios=[4, 5])
+    draw_motion(motion.flow, motion.course, above)
+    draw_phase_plane(motion.flow, motion.course, below)
+    head(figure, motion.mechanism.title)
+    return figure
 
 
 def shown(motion: SettledMotion) -> tuple[ExactFlow, Course]:
@@ -59,8 +80,8 @@ def shown(motion: SettledMotion) -> tuple[ExactFlow, Course]:
     return motion.window.flow, motion.window.flow.course(motion.window.end, SHOWN)
 
 
-def _add_section(axes: Axes, motion: SettledMotion, label: str) -> None:
+def _add_section(axes: Axes, motion: SettledMotion, label: str, number: int) -> None:
     if motion.orbit is not None:
-        draw_section(axes, motion.orbit.flow, motion.orbit.strobed, label)
+        draw_section(axes, motion.orbit.flow, motion.orbit.strobed, label, number)
     elif motion.window is not None:
-        draw_section(axes, motion.window.flow, motion.window.states, label)
+        draw_section(axes, motion.window.flow, motion.window.states, label, number)

@@ -1,25 +1,31 @@
-"""The picture of a spectrum: amplitude over frequency, with its peaks and what they may be."""
+"""The pictures of spectra: amplitude over frequency, with peaks and what they may be; harmonics."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
-from trimmer.drawing.content import content_of
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.look import BLACK, colour
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from trimmer.arrays import Reals
     from trimmer.spectra.analysis import SpectrumAnalysis
+    from trimmer.spectra.averaged import AveragedSpectrum
+    from trimmer.spectra.harmonics import HarmonicFit
     from trimmer.spectra.spectrum import Spectrum
 
-_SIZE = (6.4, 4.0)
-_POINTS = 4000
-_LABELLED = 6
-_DYNAMIC_RANGE = 1e-7
-_MARKERS = {
+POINTS = 4000
+LABELLED = 6
+"""Peaks with their frequency written beside them, the largest."""
+APART = 0.06
+"""Share of the axes' width by which two such peaks must be apart, lest their texts overlap."""
+DYNAMIC_RANGE = 1e-7
+MARKERS = {
     Harmonic: ("o", "harmonic of the drive"),
     NaturalMode: ("s", "natural mode"),
     LimitCycleLine: ("^", "limit cycle"),
@@ -27,51 +33,94 @@ _MARKERS = {
 }
 
 
-def draw_spectrum(analysis: SpectrumAnalysis, file_format: str) -> bytes:
-    """Draw a spectrum up to a little above its highest peak, and return the content of the file.
-
-    Peaks are marked by their best explanation; the largest have their frequency, Hz, written beside them.
+def draw_spectrum(
+    spectrum: Spectrum, ax: Axes | None = None, unit: str = "", highest: float = np.inf
+) -> Axes:
+    """Draw the amplitude over frequency, Hz; see ``Spectrum.plot``.
 
     Args:
-        analysis: The spectrum and its classified peaks.
-        file_format: ``svg``, ``png`` or ``pdf``.
+        spectrum: The spectrum.
+        ax: Where to draw; new axes if not given.
+        unit: Unit of the amplitude, if it is known.
+        highest: Frequency up to a little above which it is drawn, Hz.
     """
-    figure = Figure(figsize=_SIZE, layout="constrained")
-    axes = figure.add_subplot()
-    frequency, amplitude = _outline(analysis)
-    axes.semilogy(frequency, amplitude, linewidth=0.9, color="0.4")
-    for kind, (marker, label) in _MARKERS.items():
-        found = [classified.peak for classified in analysis.peaks if type(_origin(classified)) is kind]
-        if found:
-            heights = [peak.amplitude for peak in found]
-            axes.plot([peak.frequency for peak in found], heights, marker, linestyle="none", label=label)
-    for classified in analysis.peaks[:_LABELLED]:
-        place = (classified.peak.frequency, classified.peak.amplitude)
-        axes.annotate(f"{place[0]:.6g}", place, (4, 3), textcoords="offset points", fontsize="x-small")
+    axes = axes_for(ax)
+    axes.semilogy(*outline(spectrum, highest), linewidth=0.9, color="0.4")
     axes.set_xlabel("frequency, Hz")
-    unit = analysis.signal.unit
     axes.set_ylabel(f"amplitude, {unit}" if unit else "amplitude", parse_math=False)
-    axes.set_title(
-        f"{analysis.spectrum.window.word} window, bins {analysis.spectrum.bin_width:.4g} Hz apart",
-        fontsize="small",
-    )
+    axes.set_title(f"{spectrum.window.word} window, bins {spectrum.bin_width:.4g} Hz apart", fontsize="small")
     axes.grid(alpha=0.3)
-    if analysis.peaks:
-        axes.legend(fontsize="small")
-    return content_of(figure, file_format)
+    return axes
+
+
+def draw_analysis(analysis: SpectrumAnalysis, ax: Axes | None = None) -> Axes:
+    """Draw a spectrum with its peaks, marked by their best explanation; see ``SpectrumAnalysis.plot``."""
+    highest = max((each.peak.frequency for each in analysis.peaks), default=np.inf)
+    axes = draw_spectrum(analysis.spectrum, ax, analysis.signal.unit, highest)
+    axes.margins(x=0.01, y=0.12)
+    for number, (kind, (marker, label)) in enumerate(MARKERS.items()):
+        found = [each.peak for each in analysis.peaks if type(_origin(each)) is kind]
+        if found:
+            places = [peak.frequency for peak in found], [peak.amplitude for peak in found]
+            axes.plot(*places, marker, linestyle="none", color=colour(number), label=label)
+    _write_frequencies(axes, analysis)
+    add_legend(axes)
+    return axes
+
+
+def _write_frequencies(axes: Axes, analysis: SpectrumAnalysis) -> None:
+    """Write the frequency, Hz, above the largest peaks that are far enough apart."""
+    low, high = axes.get_xlim()
+    written: list[float] = []
+    for classified in analysis.peaks:
+        place = classified.peak.frequency, classified.peak.amplitude
+        near = any(abs(place[0] - other) < APART * (high - low) for other in written)
+        if len(written) < LABELLED and not near:
+            written.append(place[0])
+            look: dict[str, Any] = {"fontsize": "x-small", "ha": "center", "textcoords": "offset points"}
+            axes.annotate(f"{place[0]:.6g}", place, (0, 7), **look)
 
 
 def _origin(classified: ClassifiedPeak) -> object:
     return classified.explanation.origin if classified.explanation else None
 
 
-def _outline(analysis: SpectrumAnalysis) -> tuple[Reals, Reals]:
-    """Return frequency, Hz, and amplitude of at most ``_POINTS`` points, largest of each block of bins."""
-    spectrum = analysis.spectrum
-    last = _last_bin(spectrum, max((each.peak.frequency for each in analysis.peaks), default=np.inf))
+def draw_harmonics(fit: HarmonicFit, ax: Axes | None = None) -> Axes:
+    """Draw the amplitude of each harmonic over its order; see ``HarmonicFit.plot``."""
+    axes = axes_for(ax)
+    orders, amplitudes = np.array(fit.orders), fit.amplitudes
+    floor = DYNAMIC_RANGE * (float(amplitudes.max()) or 1.0)
+    seen = amplitudes > floor
+    axes.set_yscale("log")
+    axes.vlines(orders[seen], floor, amplitudes[seen], color=colour(0), linewidth=1.2)
+    axes.plot(orders[seen], amplitudes[seen], "o", color=BLACK, markersize=4, linestyle="none")
+    axes.set_xlabel(f"order of the drive, {fit.frequency:.6g} Hz")
+    axes.set_ylabel("amplitude, unit of the signal")
+    axes.locator_params(axis="x", integer=True)
+    axes.grid(alpha=0.3)
+    return axes
+
+
+def draw_averaged(spectrum: AveragedSpectrum, ax: Axes | None = None) -> Axes:
+    """Draw the power density over frequency, with its confidence; see ``AveragedSpectrum.plot``."""
+    axes = axes_for(ax)
+    frequency, density = spectrum.frequency[1:], spectrum.density[1:]
+    low, high = (factor * density for factor in spectrum.interval)
+    axes.fill_between(frequency, low, high, color="0.85", linewidth=0, label="interval of 95 %, of noise")
+    axes.semilogy(frequency, density, color=colour(0), linewidth=0.9, label="density")
+    axes.set_xlabel("frequency, Hz")
+    axes.set_ylabel("density, unit² of the signal/Hz")
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def outline(spectrum: Spectrum, highest_peak: float) -> tuple[Reals, Reals]:
+    """Return frequency, Hz, and amplitude of at most ``POINTS`` points, largest of each block of bins."""
+    last = _last_bin(spectrum, highest_peak)
     frequency, amplitude = spectrum.frequency[1 : last + 1], spectrum.amplitude[1 : last + 1]
-    amplitude = np.maximum(amplitude, _DYNAMIC_RANGE * (float(amplitude.max()) or 1.0))
-    block = -(-amplitude.size // _POINTS)
+    amplitude = np.maximum(amplitude, DYNAMIC_RANGE * (float(amplitude.max()) or 1.0))
+    block = -(-amplitude.size // POINTS)
     begins = np.arange(0, amplitude.size, block)
     return np.asarray(frequency[begins]), np.asarray(np.maximum.reduceat(amplitude, begins))
 

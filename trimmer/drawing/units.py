@@ -24,12 +24,22 @@ def name_axis(axis: Axis, name: str, unit: str) -> None:
         name: What it shows.
         unit: The SI unit, empty for a number.
     """
-    largest = max(abs(float(end)) for end in axis.get_view_interval())
-    factor, prefix = 1.0, ""
-    if unit in PREFIXED and largest > 0:
-        fitting = [each for each in PREFIXES if largest >= FITS * each[0]]
-        factor, prefix = fitting[0] if fitting else PREFIXES[-1]
+    factor, prefix = prefix_for(max(abs(float(end)) for end in axis.get_view_interval()), unit)
     axis.set_major_formatter(
         FuncFormatter(lambda value, _: f"{value / factor:.6g}".replace("-", "\N{MINUS SIGN}"))
     )
     axis.set_label_text(f"{name}, {prefix}{unit}" if unit else name, parse_math=False)
+
+
+def with_prefix(value: float, unit: str, digits: int = 4) -> str:
+    """Write a value with its unit, with the prefix that suits it."""
+    factor, prefix = prefix_for(abs(value), unit)
+    return f"{value / factor:.{digits}g} {prefix}{unit}".rstrip()
+
+
+def prefix_for(largest: float, unit: str) -> tuple[float, str]:
+    """Return the factor and the prefix of a unit that suit the largest of some numbers."""
+    if unit not in PREFIXED or not largest > 0:
+        return 1.0, ""
+    fitting = [each for each in PREFIXES if largest >= FITS * each[0]]
+    return fitting[0] if fitting else PREFIXES[-1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, TypeVar
 
@@ -12,6 +13,7 @@ from trimmer.elements.arguments import harmonic_number, positive_amplitudes, pos
 from trimmer.elements.expansion import Derivatives, Expansion
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     from trimmer.arrays import Complexes, Reals
@@ -57,6 +59,19 @@ class Element(ABC):
     @abstractmethod
     def amplitude_scale(self) -> float:
         """Natural scale of the amplitude, in the unit of the input; u = amplitude_scale / amplitude."""
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether ``sensitivity`` and ``variation`` are finite bounds, on which a certificate can rest."""
+        return True
+
+    @property
+    def constant_from(self) -> float:
+        """The u from which on N does not change with u any more; infinite if there is none, or none is known.
+
+        Below an amplitude a static element may be linear. A limit cycle there would be one of any amplitude.
+        """
+        return math.inf
 
     def describing_function(
         self, amplitude: ArrayLike, omega: ArrayLike | None = None, harmonic: int = 1
@@ -180,6 +195,15 @@ class Element(ABC):
         of ``sensitivity``, and so is what is proven.
         """
 
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Bound how far N is from its value in the middle of u, on boxes in the domain, at constant omega.
+
+        An element whose |dN/du| is not bounded gives it. None: |dN/du| times half the width is a bound.
+
+        Arguments and errors are those of ``sensitivity``, and so is what is proven.
+        """
+        return None
+
     def small_gains(self) -> SmallGains | None:
         """Tell how N goes to zero at the edge of the domain; None if nothing is known of that.
 
@@ -211,14 +235,41 @@ class Element(ABC):
 
         return ElementAtFrequency(self, omega)
 
+    def plot(self, ax: Axes | None = None, omega: float | None = None) -> Axes:
+        """Draw magnitude and phase of the describing function over the amplitude.
+
+        Args:
+            ax: Where to draw; new axes if not given. The phase has an axis of its own, at the right.
+            omega: Angular frequency, rad/s. Needed if ``depends_on_frequency``.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            ValueError: as for ``describing_function``.
+        """
+        from trimmer.drawing.describing_function import draw_describing_function
+
+        return draw_describing_function(self, ax, omega)
+
+    def plot_locus(self, ax: Axes | None = None, omega: float | None = None) -> Axes:
+        """Draw -1/N in the complex plane, with an arrow towards larger amplitudes.
+
+        Arguments and errors are those of ``plot``.
+        """
+        from trimmer.drawing.describing_function import draw_element_locus
+
+        return draw_element_locus(self, ax, omega)
+
     # The results of arithmetic are elements themselves, so their modules need this one first.
     def __add__(self, other: Element) -> SumOfElements:
+        from trimmer.elements.control_element import is_element
         from trimmer.elements.sum_of_elements import SumOfElements
 
-        return SumOfElements((self, other)) if isinstance(other, Element) else NotImplemented
+        return SumOfElements((self, other)) if is_element(other) else NotImplemented
 
     def __sub__(self, other: Element) -> SumOfElements:
-        return self + (-other) if isinstance(other, Element) else NotImplemented
+        from trimmer.elements.control_element import adopted, is_element
+
+        return self + (-adopted("other", other)) if is_element(other) else NotImplemented
 
     def __mul__(self, factor: float) -> ScaledElement:
         from trimmer.elements.scaled_element import ScaledElement

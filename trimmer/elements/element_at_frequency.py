@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.arguments import positive_number, require_instance
+from trimmer.arguments import positive_number
 from trimmer.elements.bounds import range_shape
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -39,7 +40,7 @@ class ElementAtFrequency(Element):
     omega: float
 
     def __post_init__(self) -> None:
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
         positive_number("omega", self.omega, "rad/s")
 
     @property
@@ -51,6 +52,16 @@ class ElementAtFrequency(Element):
     def amplitude_scale(self) -> float:
         """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether the element has bounds."""
+        return self.element.has_bounds
+
+    @property
+    def constant_from(self) -> float:
+        """That of the element."""
+        return self.element.constant_from
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element at the frozen omega, in the shape of ``omega``."""
@@ -67,6 +78,11 @@ class ElementAtFrequency(Element):
         shape = range_shape(u_range, omega_range)
         bound = self.element.variation(u_range, (self.omega, self.omega))
         return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Return the element's bound at the frozen omega."""
+        bound = self.element.reach(u_range, (self.omega, self.omega))
+        return None if bound is None else np.broadcast_to(bound, range_shape(u_range, omega_range))[()]
 
     def small_gains(self) -> SmallGains | None:
         """Return what is known of the element if that does not depend on omega."""

@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
-from trimmer.arguments import real_number, require_instance
+from trimmer.arguments import real_number
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -35,7 +36,7 @@ class ScaledElement(Element):
     factor: float
 
     def __post_init__(self) -> None:
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
         if not math.isfinite(real_number("factor", self.factor)) or self.factor == 0:
             raise ValueError(f"factor must be finite and not zero, not {self.factor!r}")
 
@@ -48,6 +49,16 @@ class ScaledElement(Element):
     def amplitude_scale(self) -> float:
         """The scale of the element: a factor on the output leaves the input alone."""
         return self.element.amplitude_scale
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether the element has bounds."""
+        return self.element.has_bounds
+
+    @property
+    def constant_from(self) -> float:
+        """That of the element."""
+        return self.element.constant_from
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element, which the factor leaves alone."""
@@ -62,6 +73,11 @@ class ScaledElement(Element):
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.variation(u_range, omega_range)
         return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Return the bound of the element times the modulus of the factor."""
+        bound = self.element.reach(u_range, omega_range)
+        return None if bound is None else abs(self.factor) * bound
 
     def small_gains(self) -> SmallGains | None:
         """Return what is known of the element, scaled."""

@@ -19,6 +19,9 @@ SMALL = 0.25
 SINE = [(-1.0) ** k / factorial(2 * k + 3) for k in range(6)]
 COSINE = [(-1.0) ** k / factorial(2 * k + 4) for k in range(6)]
 HYPERBOLIC_SINE = [1.0 / factorial(2 * k + 3) for k in range(6)]
+SPHERICAL = [(-1.0) ** k * (2 * k + 2) / factorial(2 * k + 3) for k in range(13)]
+SPHERICAL_SMALL = 2.0
+"""Below it the series of sin x - x cos x is used; the first term it leaves out is less than 1e-19."""
 DECAY = [(-1.0) ** k / factorial(k + 2) for k in range(12)]
 DECAY_INTEGRAL = [(-1.0) ** k / factorial(k + 3) for k in range(12)]
 
@@ -29,6 +32,15 @@ def argument_less_sine(x: Reals) -> Reals:
     small = x < SMALL
     if small.any():
         value[small] = x[small] ** 3 * sine_remainder(x[small])
+    return value
+
+
+def sine_less_cosine_part(x: Reals) -> Reals:
+    """Evaluate sin x - x cos x for x >= 0, by its series x³/3 - x⁵/30 + ... up to x = 2."""
+    value = np.asarray(np.sin(x) - x * np.cos(x))
+    small = x < SPHERICAL_SMALL
+    if small.any():
+        value[small] = x[small] ** 3 * _series(x[small] ** 2, SPHERICAL)
     return value
 
 

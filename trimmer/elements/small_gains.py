@@ -17,10 +17,14 @@ below cover.
   -π Im N < (gamma + l)² + gamma², and it is more than |N| π/1.03, as tan δ < 0.22. With gamma <= √|N|/5,
   l > 1.5 √|N|, hence gamma < l/7, and tan δ > 0.66 l³ / ((8/7)² + 1/49) l² > 0.49 l > 0.73 √|N|. So
   δ > 0.7 √|N|.
+
+A saturation, a dead zone and a relay with a dead zone but no hysteresis have a real N: δ = 0. With hysteresis
+N goes to zero for large amplitudes only, and lags (``trimmer.elements.threshold_relay``).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 BACKLASH_LARGEST = 0.003
@@ -43,23 +47,31 @@ LEAST = 0.3
 class SmallGains:
     """What is known of N where |N| is at most ``largest``: its phase is that of the direction, and δ.
 
-    There 0 <= δ <= ``STEEPEST`` √(|N|/scale), and δ >= ``GENTLEST`` √(|N|/scale) if |N| >= ``COASTING`` scale
-    (lag omega)². Everywhere |N| >= min(``LEAST`` scale (lag omega)², largest).
+    There -``behind`` |N|/scale <= δ <= ``steepest`` √(|N|/scale), and δ >= ``gentlest`` √(|N|/scale) if
+    |N| >= ``COASTING`` scale (lag omega)². Everywhere |N| >= min(``LEAST`` scale (lag omega)², largest).
 
     Attributes:
         direction: Limit of N/|N| for N to 0.
         scale: Factor on N.
         lag: gamma/omega, s; 0 for a load that does not coast.
+        steepest: See above, >= 0.
+        gentlest: See above, >= 0; if it is positive, δ is so wherever N is not zero.
+        behind: See above, >= 0.
+        reach: |N|/scale up to which the bounds hold; may be infinite.
     """
 
     direction: complex
     scale: float
     lag: float
+    steepest: float = STEEPEST
+    gentlest: float = GENTLEST
+    behind: float = 0.0
+    reach: float = BACKLASH_LARGEST
 
     @property
     def largest(self) -> float:
         """|N| up to which the bounds hold."""
-        return self.scale * BACKLASH_LARGEST
+        return self.scale * self.reach
 
     def scaled(self, factor: float) -> SmallGains:
         """Take N times a factor that is not 0."""
@@ -73,3 +85,8 @@ class SmallGains:
 def small_gains_of_backlash(lag: float) -> SmallGains:
     """Give those of a backlash whose load has the time constant ``lag``, s."""
     return SmallGains(direction=-1j, scale=1.0, lag=lag)
+
+
+def real_small_gains(scale: float) -> SmallGains:
+    """Give those of an N that is real and positive, or zero, at all amplitudes; any size of it is a scale."""
+    return SmallGains(1.0, scale, lag=0.0, steepest=0.0, gentlest=0.0, reach=math.inf)

@@ -1,4 +1,4 @@
-"""The common base of ideal relay and Coulomb friction: an output that switches between two values."""
+"""The common base of relay, preload and Coulomb friction: an output that switches between two values."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from trimmer.elements.expansion import Sensitivity, Variation
 
 
-_FUNDAMENTAL = 4.0 / np.pi
+FUNDAMENTAL = 4.0 / np.pi
 """First Fourier coefficient of a square wave between -1 and 1."""
 
 
 class SquareWaveElement(Element):
-    """An element whose output is a square wave of the same height for any input A sin θ.
+    """An element whose output is a square wave of one height for any input A sin θ; a gain may be beside it.
 
     With u = height / A and the lead φ of the output, N_n = (4/(π n)) exp(jnφ) u for odd n.
     """
@@ -52,16 +52,16 @@ class SquareWaveElement(Element):
         return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is proportional to u."""
-        return constant_sensitivity(_FUNDAMENTAL, 0.0, u_range, omega_range)
+        """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is linear in u."""
+        return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return zeros: N is proportional to u."""
+        """Return zeros: N is linear in u."""
         return no_variation(u_range, omega_range)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        return self.LEAD**harmonic * (_FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
+        return self.LEAD**harmonic * (FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
 
     def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
         value = self._describing_function(amplitude, omega, 1)
-        return Expansion(value, np.full_like(value, self.LEAD * _FUNDAMENTAL), np.zeros_like(value))
+        return Expansion(value, np.full_like(value, self.LEAD * FUNDAMENTAL), np.zeros_like(value))

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.arguments import require_instances
+from trimmer.elements.bounds import range_shape
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 
@@ -35,8 +37,9 @@ class SumOfElements(Element):
     terms: tuple[Element, ...]
 
     def __post_init__(self) -> None:
-        terms = require_instances("terms", self.terms, Element, "an element, such as FrictionBacklash(4e-5)")
-        object.__setattr__(self, "terms", terms)
+        terms = require_instances("terms", self.terms, object, "an element")
+        adopted_terms = tuple(adopted(f"terms[{place}]", term) for place, term in enumerate(terms))
+        object.__setattr__(self, "terms", adopted_terms)
         if not self.terms:
             raise ValueError("terms must hold at least one element")
 
@@ -49,6 +52,16 @@ class SumOfElements(Element):
     def amplitude_scale(self) -> float:
         """The scale of the first term; u of the sum is that of this term."""
         return self.terms[0].amplitude_scale
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether all terms have bounds."""
+        return all(term.has_bounds for term in self.terms)
+
+    @property
+    def constant_from(self) -> float:
+        """The largest of the terms' values, each in terms of the u of the sum."""
+        return max(self._ratio(term) * term.constant_from for term in self.terms)
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the smallest of the terms' suprema, each in terms of the u of the sum."""
@@ -77,6 +90,20 @@ class SumOfElements(Element):
             reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
             reduce(add, (bound.by_log_omega for _, bound in bounds)),
         )
+
+    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
+        """Return the sum of the terms' bounds; None if none of them gives one."""
+        bounds = [term.reach(self._range_of(term, u_range), omega_range) for term in self.terms]
+        if all(bound is None for bound in bounds):
+            return None
+        half_width = 0.5 * np.subtract(u_range[1], u_range[0])
+        total = np.zeros(range_shape(u_range, omega_range))
+        for term, bound in zip(self.terms, bounds, strict=True):
+            if bound is None:
+                steepest = term.sensitivity(self._range_of(term, u_range), omega_range).by_u
+                bound = steepest * half_width / self._ratio(term)
+            total = total + bound
+        return total[()]
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return the sum of the terms' gains for the mean."""

@@ -17,6 +17,7 @@ import numpy as np
 from trimmer.arguments import real_number
 from trimmer.linear.extrema import polished_root, stationary_gains, stationary_phases
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
     import control
@@ -32,7 +33,7 @@ _PHASE_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
-class RealAxisCrossing:
+class RealAxisCrossing(Record):
     """A place where G(j omega) is real.
 
     Attributes:

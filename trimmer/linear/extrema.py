@@ -18,6 +18,7 @@ from scipy.linalg import eigvals
 from scipy.optimize import brentq
 
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
     import control
@@ -106,7 +107,7 @@ def _sign_changes(
 
 
 @dataclass(frozen=True)
-class Extremum:
+class Extremum(Record):
     """A local extremum of |G(j omega)|.
 
     Attributes:

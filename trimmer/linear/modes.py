@@ -12,6 +12,7 @@ from scipy.linalg import eig, eigh
 from trimmer.displacement import Body
 from trimmer.generated import linear_trimmer
 from trimmer.parameters import require_parameters
+from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes
@@ -21,7 +22,7 @@ Shape = tuple[complex, complex, complex, complex]
 
 
 @dataclass(frozen=True)
-class Mode:
+class Mode(Record):
     """A damped mode: a pair of conjugate eigenvalues, or one real eigenvalue.
 
     Attributes:
@@ -58,7 +59,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class UndampedMode:
+class UndampedMode(Record):
     """A mode of the trimmer without its dampers.
 
     Attributes:

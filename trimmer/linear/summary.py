@@ -14,9 +14,12 @@ from trimmer.linear.model import InputChannels, transfer_function
 from trimmer.linear.modes import Mode, modes
 from trimmer.linear.nyquist import PointOnLocusError, encirclements
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
+    from matplotlib.axes import Axes
 
     from trimmer.parameters import TrimmerParameters
 
@@ -37,8 +40,8 @@ class LowPass:
     crossings: tuple[float, ...]
 
 
-@dataclass(frozen=True)
-class LinearSummary:
+@dataclass(frozen=True, repr=False)
+class LinearSummary(Tabular):
     """Results of the linear model from pin displacement (m) to one output (m).
 
     Attributes:
@@ -68,6 +71,29 @@ class LinearSummary:
     antiresonances: tuple[Extremum, ...]
     roll_off: float
     encirclements: int | None
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw |G| in dB over frequency, Hz, with its peaks and dips.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.frequency_response import draw_summary
+
+        return draw_summary(self, ax)
+
+    def _told(self) -> str:
+        found = (counted(len(self.modes), "mode"), counted(len(self.peaks), "peak"))
+        return f"output {self.output.label}, {', '.join(found)}, roll-off {self.roll_off:.4g} dB per decade"
+
+    def _table(self) -> Table:
+        columns = attributes(
+            frequency="Hz", omega_natural="rad/s", omega_damped="rad/s", damping_ratio="", eigenvalue="1/s"
+        )
+        return Table("Modes", self.modes, columns)
 
 
 def summarise(

@@ -11,8 +11,11 @@ import numpy as np
 
 from trimmer.arguments import positive_number, real_array, real_number, real_values
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
+from trimmer.showing.shown import Record, Tabular
+from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -22,8 +25,8 @@ SPACING_TOLERANCE = 1e-6
 """How far a distance between instants may be off, relative to the first; time stamps are rounded."""
 
 
-@dataclass(frozen=True, eq=False)
-class TimeResponse:
+@dataclass(frozen=True, eq=False, repr=False)
+class TimeResponse(Tabular):
     """A sampled response, with the names and shapes of python-control's ``TimeResponseData``.
 
     Attributes:
@@ -40,9 +43,41 @@ class TimeResponse:
     states: Reals
     inputs: Reals
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw inputs and outputs over time, in their units.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.samples import draw_time_response
+
+        return draw_time_response(self, ax)
+
+    @property
+    def named(self) -> dict[str, Reals]:
+        """Inputs and outputs by their names, each of shape (n,): numbered from 1 where there are several."""
+        return {**_numbered("input", self.inputs), **_numbered("output", self.outputs)}
+
+    def _told(self) -> str:
+        return f"{self.time.size} samples from {self.time[0]:.6g} to {self.time[-1]:.6g} s"
+
+    def _table(self) -> Table:
+        signals = {**self.named, **_numbered("state", np.atleast_2d(self.states))}
+        columns = (Column(name, "", values.__getitem__) for name, values in signals.items())
+        return Table("Samples", range(self.time.size), (*arrays(time=("s", self.time)), *columns))
+
+
+def _numbered(name: str, values: Reals) -> dict[str, Reals]:
+    if values.ndim == 1:
+        return {name: values}
+    return {f"{name} {number}": each for number, each in enumerate(values, start=1)}
+
 
 @dataclass(frozen=True)
-class SteadyState:
+class SteadyState(Record):
     """The output amplitude * sin(omega t + phase) that is left in the end when the input is a sine.
 
     Attributes:

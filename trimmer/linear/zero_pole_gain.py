@@ -14,6 +14,7 @@ import numpy as np
 from scipy.linalg.lapack import dgebal, dgeev
 
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso
+from trimmer.showing.shown import Shown, counted
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -24,8 +25,8 @@ _ROUNDING = 64 * np.finfo(float).eps
 """Relative size below which a computed quantity is taken for a rounded zero."""
 
 
-@dataclass(frozen=True)
-class ZeroPoleGain:
+@dataclass(frozen=True, repr=False)
+class ZeroPoleGain(Shown):
     """G(s) = gain (s - z1)(s - z2).../((s - p1)(s - p2)...).
 
     A real part that is rounding beside the largest root is 0: a root on the imaginary axis is there exactly.
@@ -61,6 +62,10 @@ class ZeroPoleGain:
             return cls(float(gain), _ordered(np.roots(numerator)), _ordered(np.roots(denominator)))
         gain, zeros = _gain_and_zeros(system)
         return cls(gain, _ordered(zeros), _ordered(_eigenvalues(system.A)))
+
+    def _told(self) -> str:
+        roots = (counted(len(self.zeros), "zero"), counted(len(self.poles), "pole"))
+        return f"gain {self.gain:.6g}, {' and '.join(roots)}"
 
     @property
     def relative_degree(self) -> int:

@@ -12,9 +12,10 @@ from trimmer.arguments import require_instance
 from trimmer.errors import MapError
 from trimmer.maps.cells import CellMotion, described, same_motion
 from trimmer.maps.motion_map import motion_map
-from trimmer.maps.result import MotionMap
+from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
-from trimmer.response.response import MotionKind
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,12 +26,10 @@ if TYPE_CHECKING:
 
 START = "start"
 """First name of the places of initial values."""
-COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
-"""Of the motions in turn: the colours of Okabe and Ito."""
 
 
-@dataclass(frozen=True, eq=False)
-class Basin:
+@dataclass(frozen=True, eq=False, repr=False)
+class Basin(Tabular):
     """Which motion is reached from where.
 
     Attributes:
@@ -50,31 +49,39 @@ class Basin:
         """Share of the cells from which each motion is reached."""
         return tuple(float((self.number == each).mean()) for each in range(len(self.motions)))
 
-    def plot(self, axes: Axes) -> None:
-        """Draw which motion is reached from where; the legend numbers them from 1."""
-        from matplotlib.patches import Patch
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What each motion is, numbered from 1, as in the legend of the picture."""
+        return tuple(f"{number}: {described(motion)}" for number, motion in enumerate(self.motions, start=1))
 
-        from trimmer.maps.drawing import draw_areas
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw which motion is reached from where; the legend numbers them from 1.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            MapError: if it is not over two initial values.
+        """
+        from trimmer.drawing.motion_map import draw_basin
 
         if len(self.result.places) != 2:
             raise MapError("only a basin over two initial values can be drawn: vary two")
-        legend = [(self._name(each), _colour(self.motions, each)) for each in range(len(self.motions))]
-        draw_areas(axes, self.result, self.number, legend)
-        handles = [Patch(facecolor=colour, edgecolor="0.4", label=name) for name, colour in legend]
-        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize="small")
+        return draw_basin(self, ax)
 
-    def _name(self, number: int) -> str:
-        motion = self.motions[number]
-        return f"{number + 1}: {described(motion)}"
+    def _told(self) -> str:
+        shares = (f"{name}, {share:.0%}" for name, share in zip(self.names, self.shares, strict=True))
+        return f"over {' and '.join(self.result.places)}; {'; '.join(shares)}"
 
-
-def _colour(motions: tuple[CellMotion, ...], number: int) -> str:
-    from trimmer.maps.drawing import category
-
-    if motions[number].kind is not MotionKind.PERIODIC:
-        return category(motions[number])[1]
-    before = sum(motion.kind is MotionKind.PERIODIC for motion in motions[:number])
-    return COLOURS[before % len(COLOURS)]
+    def _table(self) -> Table:
+        of_motion = (
+            Column("motion", "", lambda cell: int(self.number.flat[cell]) + 1),
+            Column("kind", "", lambda cell: self.motions[self.number.flat[cell]].kind),
+            Column("period_count", "", lambda cell: self.motions[self.number.flat[cell]].period_count),
+        )
+        columns = (*place_columns(self.result), *of_motion)
+        return Table("Motion that is reached from each start", range(self.number.size), columns)
 
 
 def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any) -> Basin:

@@ -6,25 +6,28 @@ from cell to cell, until no cell beside has a motion that is new.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, same_motion
-from trimmer.maps.motion_map import FEW, SILENCE
-from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
+from trimmer.maps.motion_map import FEW
+from trimmer.maps.result import MotionMap, place_columns
+from trimmer.progress import progress_bar
 from trimmer.response.response import MotionKind
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Column, Table
 
 CONTINUED = 0.1
 """Difference of two orbits, relative to their sizes, up to which one is taken for the other carried on."""
 
 
-@dataclass(frozen=True, eq=False)
-class Coexistence:
+@dataclass(frozen=True, eq=False, repr=False)
+class Coexistence(Tabular):
     """A map with the motions that were found from those of neighbouring cells.
 
     Attributes:
@@ -44,6 +47,25 @@ class Coexistence:
         """Row and column of each cell in which several motions coexist."""
         return tuple((int(row), int(column)) for row, column in np.argwhere(self.result.motion_count > 1))
 
+    def _told(self) -> str:
+        return f"{len(self.several)} of {len(self.result.cells)} cells have several motions"
+
+    def _table(self) -> Table:
+        items = [
+            (number, at, motion)
+            for number, cell in enumerate(self.result.cells)
+            for at, motion in enumerate(cell.motions, start=1)
+        ]
+        places = (Column(place.name, place.unit, _of_cell(place)) for place in place_columns(self.result))
+        columns = (
+            *places,
+            Column("motion", "", lambda item: item[1]),
+            Column("kind", "", lambda item: item[2].kind),
+            Column("period_count", "", lambda item: item[2].period_count),
+            Column("largest_multiplier", "", lambda item: item[2].largest_multiplier),
+        )
+        return Table("Motions of the cells", items, columns)
+
     @property
     def searched(self) -> str:
         """What was searched, in a sentence."""
@@ -56,6 +78,11 @@ class Coexistence:
             f"{end}. {len(self.several)} cells have several motions. One that no start and no neighbour "
             "leads to was not looked for."
         )
+
+
+def _of_cell(column: Column) -> Callable[[tuple[int, int, CellMotion]], object]:
+    """Return what gives the value of a column for a motion beside the numbers of its cell and itself."""
+    return lambda item: column.of(item[0])
 
 
 def coexisting_motions(
@@ -104,8 +131,7 @@ def _tried(
     if runner is None:
         runner = ProcessRunner() if len(cells) > FEW else SerialRunner()
     results = runner.results(CellWork(inputs.mechanism, inputs.places, inputs.settings), cells)
-    hidden = True if quiet else None
-    bar = tqdm(results, f"round {number}", total=len(cells), delay=SILENCE, leave=False, disable=hidden)
+    bar = progress_bar(results, f"round {number}", quiet=quiet, total=len(cells))
     yield from sorted(bar, key=lambda found: found.number)
 
 

@@ -8,7 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.locus import LocusEnd
+from trimmer.branches.loci.locus import LocusEnd
 from trimmer.maps.special_curve import SAME_STATE, Meeting, SpecialCurve
 
 NEAR = 2e-2

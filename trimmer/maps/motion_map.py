@@ -6,15 +6,15 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tqdm import tqdm
-
 from trimmer.arguments import file_path, whole_number
 from trimmer.errors import MapError
 from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
+from trimmer.progress import progress_bar
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 FEW = 12
 """Cells up to which other processes are not worth their beginning."""
-SILENCE = 1.0
-"""Seconds before a progress bar shows."""
 
 
 class MapInterruptedError(KeyboardInterrupt):
@@ -105,14 +103,7 @@ def _computed(
     results = iter(runner.results(work, cells))
     kept = results if target is None else checkpoint.append(target, results)
     finished = len(done)
-    bar = tqdm(
-        total=inputs.count,
-        initial=finished,
-        desc="cells",
-        delay=SILENCE,
-        leave=False,
-        disable=True if quiet else None,
-    )
+    bar = progress_bar(description="cells", quiet=quiet, total=inputs.count, initial=finished)
     try:
         with bar:
             for result in kept:

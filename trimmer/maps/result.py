@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -10,6 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import MapError
+from trimmer.maps.cells import described
+from trimmer.mechanism.place_text import unit_of
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,8 +25,8 @@ if TYPE_CHECKING:
     from trimmer.maps.inputs import MapInputs
 
 
-@dataclass(frozen=True, eq=False)
-class MotionMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class MotionMap(Tabular):
     """Which motion where. Arrays have the shape (n2, n1): the first place varies along a row.
 
     With one place n2 is 1. All arrays are of the first motion of each cell, which is that from rest, or from
@@ -152,11 +157,68 @@ class MotionMap:
         """What was looked at, in a sentence."""
         return _searched(self)
 
-    def plot(self, axes: Axes, curves: Iterable[tuple[str, ArrayLike]] = ()) -> None:
-        """Draw the kinds of motion into axes, with curves over them; see ``drawing.draw_map``."""
-        from trimmer.maps.drawing import draw_map
+    @property
+    def units(self) -> tuple[str, ...]:
+        """SI unit of each place, empty for a number; Hz for a frequency."""
+        known = self.inputs.mechanism.places
+        return tuple(unit_of(known, place) for place in self.places)
 
-        draw_map(axes, self, curves)
+    def plot(self, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
+        """Draw the kinds of motion as areas; a map over one place as its stroke, in the same colours.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+            curves: Curves over it with what they are, such as ``SpecialCurves.drawn``: values of the two
+                places, SI units, (points, 2). Curves of one name share a line of the legend.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.motion_map import draw_map
+
+        return draw_map(self, ax, curves)
+
+    def _told(self) -> str:
+        kinds = Counter(described(cell.motions[0]) for cell in self.cells)
+        found = ", ".join(f"{count} {name}" for name, count in kinds.most_common())
+        size = " x ".join(str(len(values)) for values in self.inputs.values)
+        return f"{size} cells over {' and '.join(self.places)}: {found}"
+
+    def _table(self) -> Table:
+        columns = (*place_columns(self), *_cells(self))
+        return Table("Cells, each with its first motion", range(len(self.cells)), columns)
+
+
+def place_columns(result: MotionMap) -> tuple[Column, ...]:
+    """Return columns of the values of a map's places, for rows numbered as its cells."""
+    grid = np.meshgrid(*result.values)
+    return tuple(
+        Column(place, unit, values.ravel().__getitem__)
+        for place, unit, values in zip(result.places, result.units, grid, strict=True)
+    )
+
+
+def _cells(result: MotionMap) -> Iterator[Column]:
+    """Yield columns of what is measured, with the names of the JSON."""
+    for name, unit, values in (
+        ("kind", "", result.kind),
+        ("period_count", "", result.period_count),
+        ("drive_periods", "", result.periods),
+        ("motion_count", "", result.motion_count),
+        ("largest_multiplier", "", result.largest_multiplier),
+        ("lyapunov", "", result.lyapunov),
+        ("events_per_period", "", result.events),
+        ("impacts_per_period", "", result.impacts),
+        ("impact_speed", "m/s", result.impact_speed),
+    ):
+        yield Column(name, unit, np.ravel(values).__getitem__)
+    for section, measure, unit, by_name in (
+        ("outputs", "peak_to_peak", "m", result.peak_to_peak),
+        ("bodies", "rms_acceleration", "m/s²", result.rms_acceleration),
+        ("frictions", "wear_power", "W", result.wear_power),
+    ):
+        for part, values in by_name.items():
+            yield Column(f"{section}.{part}.{measure}", unit, np.ravel(values).__getitem__)
 
 
 def _searched(result: MotionMap) -> str:

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.locus import Locus
+from trimmer.branches.loci.locus import Locus
 from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 SAME = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
@@ -19,8 +26,8 @@ SAME_STATE = 5e-2
 """Distance of the states then, relative to their sizes on the curve."""
 
 
-@dataclass(frozen=True, eq=False)
-class SpecialCurve:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpecialCurve(Tabular):
     """A curve on which a special point lies.
 
     Attributes:
@@ -67,8 +74,24 @@ class SpecialCurve:
     @property
     def name(self) -> str:
         """What it is, with the parts, for a legend."""
-        parts = f", {' and '.join(self.parts)}" if self.parts else ""
-        return f"{self.kind.word}{parts}"
+        return self.sides[0].name
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the curve over both numbers, in their units.
+
+        Args:
+            ax: Where to draw, such as over a map; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        return SpecialCurves((self,), "").plot(ax)
+
+    def _told(self) -> str:
+        return f"{self.name} over {' and '.join(self.sides[0].places)}, {counted(len(self.values), 'point')}"
+
+    def _table(self) -> Table:
+        return SpecialCurves((self,), "")._table()
 
     def holds(self, point: SpecialPoint, second: float, spans: Reals) -> bool:
         """Say whether it passes a special point at a value of the second number, as near as can be told."""
@@ -114,8 +137,8 @@ class Meeting:
     distance: float
 
 
-@dataclass(frozen=True, eq=False)
-class SpecialCurves:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpecialCurves(Tabular):
     """The curves over a map.
 
     Attributes:
@@ -132,3 +155,52 @@ class SpecialCurves:
     def drawn(self) -> list[tuple[str, Reals]]:
         """The curves as ``MotionMap.plot`` takes them, ordered by their names."""
         return sorted(((curve.name, curve.values) for curve in self.curves), key=lambda each: each[0])
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the curves over both numbers, in their units.
+
+        Args:
+            ax: Where to draw, such as over a map; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.curves import draw_curves
+
+        places, units = self._axes
+        return draw_curves(self.drawn, places, units, ax)
+
+    @property
+    def _axes(self) -> tuple[tuple[str, str], tuple[str, str]]:
+        """Return places and units; of no curves none."""
+        if not self.curves:
+            return ("", ""), ("", "")
+        side = self.curves[0].sides[0]
+        return side.places, side.units
+
+    def _told(self) -> str:
+        kinds = Counter(curve.kind.word for curve in self.curves)
+        found = ", ".join(f"{count} of {word}" for word, count in kinds.items())
+        return counted(len(self.curves), "curve") + (f": {found}" if found else "")
+
+    def _table(self) -> Table:
+        items = [
+            (number, curve, values) for number, curve in enumerate(self.curves) for values in curve.values
+        ]
+        columns = [
+            Column("curve", "", lambda item: item[0]),
+            Column("kind", "", lambda item: item[1].kind),
+            Column("parts", "", lambda item: ", ".join(item[1].parts)),
+            Column("drive_periods", "", lambda item: item[1].periods),
+        ]
+        if self.curves:
+            columns += [
+                Column(place, unit, _value(number))
+                for number, (place, unit) in enumerate(zip(*self._axes, strict=True))
+            ]
+        return Table("Points of the curves", items, tuple(columns))
+
+
+def _value(number: int) -> Callable[[tuple[int, SpecialCurve, Reals]], float]:
+    """Return what gives one of the two values of a point beside its curve."""
+    return lambda item: float(item[2][number])

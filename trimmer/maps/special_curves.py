@@ -12,14 +12,15 @@ import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.locus import LocusEnd, LocusRanges
+from trimmer.branches.loci.locus import LocusEnd, LocusRanges
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MapError
 from trimmer.maps.meetings import meetings
 from trimmer.maps.result import MotionMap
-from trimmer.maps.runner import ProcessRunner, Runner, SerialRunner
 from trimmer.maps.special_curve import SpecialCurve, SpecialCurves
 from trimmer.maps.special_work import Line, LineWork, Side, SideWork, bare, in_order
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import Runner, SerialRunner
 
 LINES = 3
 MOST_CURVES = 8

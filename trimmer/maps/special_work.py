@@ -7,20 +7,19 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.continuation import SILENCE
 from trimmer.branches.follow import follow
-from trimmer.branches.follow_special import follow_special
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.locus import Locus, LocusRanges, LocusSettings
+from trimmer.branches.loci.follow_special import follow_special
+from trimmer.branches.loci.locus import Locus, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.maps.inputs import varied
-from trimmer.maps.runner import Runner
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
+from trimmer.runners.runner import Runner
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""
@@ -139,5 +138,5 @@ def in_order(
 ) -> list[Made]:
     """Return what work makes of pieces, in their order, behind a progress bar."""
     results: Iterator[tuple[int, Made]] = runner.results(_Numbered(work), list(enumerate(pieces)))  # type: ignore[arg-type]
-    bar = tqdm(results, name, total=len(pieces), delay=SILENCE, leave=False, disable=True if quiet else None)
+    bar = progress_bar(results, name, quiet=quiet, total=len(pieces))
     return [made for _, made in sorted(bar, key=lambda result: result[0])]

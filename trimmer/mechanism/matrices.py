@@ -11,13 +11,14 @@ import numpy as np
 from trimmer.arguments import require_instance
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
+from trimmer.showing.shown import Shown, counted
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 
-@dataclass(frozen=True, eq=False)
-class LinearMatrices:
+@dataclass(frozen=True, eq=False, repr=False)
+class LinearMatrices(Shown):
     """Matrices of M q'' + C q' + K q = P_u u + P_v u' + F f, in this order.
 
     q are the displacements of the bodies in the fixed frame, u those of the pins relative to their carriers,
@@ -38,6 +39,10 @@ class LinearMatrices:
     pin_displacement: Reals
     pin_velocity: Reals
     forces: Reals
+
+    def _told(self) -> str:
+        sizes = (len(self.mass), self.pin_displacement.shape[1], self.forces.shape[1])
+        return ", ".join(map(counted, sizes, ("body", "pin", "force")))
 
 
 def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMatrices:

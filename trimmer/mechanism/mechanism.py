@@ -15,13 +15,17 @@ from trimmer.mechanism.problems import as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
+from trimmer.showing.shown import Shown, counted
 
 if TYPE_CHECKING:
     from trimmer.mechanism.problems import Problem
 
 
-@dataclass(frozen=True, eq=False)
-class Mechanism:
+SINGULAR = {"bodies": "body"}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Mechanism(Shown):
     """Bodies on one line, with links, plays, stops, frictions and forces between them, by name.
 
     Mappings are copied into read-only ones. Two mechanisms are equal if they have the same parts in the same
@@ -64,6 +68,11 @@ class Mechanism:
         object.__setattr__(self, "start", ReadOnly(start))
         if self.frequency is not None:
             object.__setattr__(self, "frequency", FREQUENCY.taken(self.frequency))
+
+    def _told(self) -> str:
+        sections = ((name, len(getattr(self, name))) for name in PARTS)
+        parts = ", ".join(counted(count, SINGULAR.get(name, name[:-1])) for name, count in sections if count)
+        return f"{self.title}, {parts}" if self.title else parts
 
     def __eq__(self, other: object) -> bool:
         return self._contents == other._contents if isinstance(other, Mechanism) else NotImplemented

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import tomllib
+from collections.abc import Mapping
 
 from trimmer.errors import MechanismError
 
@@ -67,3 +68,9 @@ def _name(found: re.Match[str]) -> str:
     except tomllib.TOMLDecodeError:
         return ""
     return str(name)
+
+
+def unit_of(units: Mapping[str, str], place: str) -> str:
+    """Return the unit of a place, empty for a number without one, from the units of all places."""
+    unit = units.get(place_text(parse_place(place)), "")
+    return "" if unit == "1" else unit

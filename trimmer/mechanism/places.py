@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -23,7 +23,7 @@ from trimmer.mechanism.quantities import (
 )
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
-from trimmer.messages import listed, near_match, shown_value
+from trimmer.messages import did_you_mean, listed, near_words, shown_value
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 Place = tuple[str, ...]
 STATE: Mapping[str, Quantity] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
 """What a start gives of a body, in the order of the file."""
+MOST_MEANT = 3
+"""Places that a message asks for at once."""
 
 
 def quantities(mechanism: Mechanism) -> dict[Place, Quantity]:
@@ -167,9 +169,8 @@ def _quantity(mechanism: Mechanism, names: Place) -> Quantity | None:
 
 def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:
     """Say what follows if more is needed, else what place looks like this one, else what may be there."""
-    near = near_match(place_text(names), map(place_text, known))
-    if near and not any(_goes_on(each, names) for each in known):
-        return near
+    if (near := _near(names, known)) and not any(_goes_on(each, names) for each in known):
+        return did_you_mean(map(place_text, near))
     right = next(
         names[:length]
         for length in range(len(names), -1, -1)
@@ -179,6 +180,28 @@ def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:
     return (
         f"{f'after {place_text(right)} comes' if right else 'a place begins with'} {listed(following, 'or')}"
     )
+
+
+def _near(names: Place, known: Collection[Place]) -> list[Place]:
+    """Return the place that was meant: name by name the nearest, else as a text; else those that end so."""
+    meant: Place = ()
+    for name in names:
+        following = [each[len(meant)] for each in known if _goes_on(each, meant)]
+        nearest = (name,) if name in following else near_words(name, following)[:1]
+        if not nearest:
+            break
+        meant += nearest
+    if meant in known:
+        return [meant]
+    by_text = {place_text(each): each for each in known if len(each) != len(names)}
+    nearest = near_words(place_text(names), by_text)
+    return [by_text[each] for each in nearest] or _ending(names, known)
+
+
+def _ending(names: Place, known: Collection[Place]) -> list[Place]:
+    """Return the places that end with some names, if they are few."""
+    found = [each for each in known if each[-len(names) :] == names]
+    return found if len(found) <= MOST_MEANT else []
 
 
 def _goes_on(place: Place, names: Place) -> bool:

@@ -45,6 +45,8 @@ class Quantity:
         number = self.taken(value)
         if isinstance(number, float) and not math.isfinite(number):
             return "is too large for a floating-point number" if isinstance(value, int) else "must be finite"
+        if self.unit == "Hz" and not math.isfinite(math.tau * number):
+            return "is too large: its angular frequency must be finite"
         fits = {
             Range.ANY: True,
             Range.NOT_NEGATIVE: number >= 0,

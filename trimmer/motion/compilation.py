@@ -7,11 +7,16 @@ from collections.abc import Callable
 from functools import cache, wraps
 from pathlib import Path
 from pickle import UnpicklingError
-from typing import Any
+from typing import Any, TypeVar
 
 import numba
 
-compiled = numba.njit(fastmath={"contract"})
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_LEAN: dict[str, Any] = {"_nrt": False, "error_model": "numpy", "no_cfunc_wrapper": True}
+# Compiled code makes no arrays: it is given them. So it need not count references to those that it passes on,
+# which would take most of the time where there are many.
+_INSIDE: dict[str, Any] = {**_LEAN, "no_cpython_wrapper": True}
+compiled: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, **_INSIDE)
 """Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
 inlined = numba.njit(inline="always")
 """Compile as a part of the function that calls it: passing many arrays to another function costs time."""
@@ -40,7 +45,7 @@ def sources() -> bytes:
     return digest.digest()
 
 
-def kept(entry: Callable[..., Any], allocates: bool = True) -> Callable[..., Any]:
+def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
     """Compile a function when it is first called, and keep the result where a folder can be written.
 
     That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
@@ -48,14 +53,11 @@ def kept(entry: Callable[..., Any], allocates: bool = True) -> Callable[..., Any
     be written, or a kept file is damaged, each process compiles for itself.
 
     Args:
-        entry: An entry point, whose arguments have the same types in each call.
-        allocates: Whether it makes arrays. One that does not need not count references to those that it is
-            given, which takes most of the time where many of them are passed on.
+        entry: An entry point, whose arguments have the same types in each call. It makes no arrays.
     """
-    options: dict[str, Any] = {} if allocates else {"_nrt": False}
-    for_itself: Callable[..., Any] = numba.njit(**options)(entry)
+    for_itself: Callable[..., Any] = numba.njit(**_LEAN)(entry)
     try:
-        machine: Callable[..., Any] = numba.njit(cache=True, **options)(entry)
+        machine: Callable[..., Any] = numba.njit(cache=True, **_LEAN)(entry)
     except RuntimeError:  # There is no such folder.
         return for_itself
 

@@ -8,18 +8,24 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements.unbounded import UnboundedElement
 from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent
+from trimmer.motion.corner_component import CornerComponent
 from trimmer.motion.relay_component import RelayComponent
 from trimmer.motion.switched_component import Component, Explicit, OutputLaw, RateProportional
+from trimmer.motion.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.elements.element import Element
@@ -80,6 +86,8 @@ def components_of(element: Element) -> list[tuple[Component, float]]:
             return [part for term in element.terms for part in components_of(term)]
         case ScaledElement():
             return [(part, element.factor * factor) for part, factor in components_of(element.element)]
+        case Preload():
+            return [(RigidComponent(), element.slope), (RelayComponent(element.level, of_rate=False), 1.0)]
         case ElementAtFrequency():
             raise UnsupportedMotionError(
                 f"{element!r} is frozen at a frequency; its motion is that of {element.element!r}"
@@ -98,10 +106,22 @@ def _component(element: Element) -> Component:
         case CoulombFriction():
             return RelayComponent(element.force, of_rate=True)
         case Relay():
-            return RelayComponent(element.level, of_rate=False)
+            return _relay(element)
+        case Saturation():
+            return CornerComponent(element.threshold, element.slope, 0.0)
+        case DeadZone():
+            return CornerComponent(element.threshold, 0.0, element.slope)
         case ViscousFriction():
             return ViscousComponent(element.damping)
-    raise UnsupportedMotionError(f"{element!r} has no description in time")
+    reason = ": it is known by its output over a period only" if isinstance(element, UnboundedElement) else ""
+    raise UnsupportedMotionError(f"{element!r} has no description in time{reason}")
+
+
+def _relay(relay: Relay) -> Component:
+    thresholds = relay.thresholds
+    if thresholds is None:
+        return RelayComponent(relay.level, of_rate=False)
+    return ThresholdComponent(relay.level, thresholds.on, thresholds.off)
 
 
 def _with_inverse(time_constant: float) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, final
 
 import numpy as np
@@ -17,6 +17,8 @@ from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.motion import Motion
 from trimmer.motion.taylor import DEGREE
 from trimmer.motion.trimmer_loop import TrimmerLoop
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import TERMS, Table
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -31,8 +33,8 @@ BODIES = len(Body)
 
 
 @final
-@dataclass(frozen=True)
-class EnergyBalance:
+@dataclass(frozen=True, repr=False)
+class EnergyBalance(Tabular):
     """Energies of the four bodies and their springs, and works, from the start of a motion to its end, in J.
 
     Attributes:
@@ -72,6 +74,13 @@ class EnergyBalance:
         )
         largest = max(self.bridge_energy, *(abs(term) for term in terms))
         return abs(sum(terms)) / largest if largest > 0 else 0.0
+
+    def _told(self) -> str:
+        return f"work of the pin {self.pin_work:.6g} J; it closes to {self.residual:.1e} of its largest term"
+
+    def _table(self) -> Table:
+        terms = [(each.name, getattr(self, each.name)) for each in fields(self)]
+        return Table("Energies and works", terms, TERMS)
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.motion.frictions.complementarity import complementary_mode
 from trimmer.motion.frictions.coupled_relays import attracting
@@ -20,6 +19,7 @@ from trimmer.motion.kernel import (
 )
 from trimmer.motion.relay_component import HELD
 from trimmer.motion.tables import TOGETHER, Limits, Log, new_pause
+from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 AT_ONCE = 1_000_000
 """Steps after which the compiled code comes back, so that an interrupt is heard; they take about a second."""
-SILENCE = 2.0
-"""Seconds before a progress bar shows."""
 MOST_TOGETHER = 16
 """Segments of one instant, at most, whose modes are decided together; other events may come in between."""
 
@@ -83,7 +81,8 @@ def integrate_on(
             reason, segment, reached = integrate(modes.tables, log, segment, end, limits, pause)
             if reason == STEP_LIMIT and left > AT_ONCE:
                 left -= AT_ONCE
-                bar = _progress(end) if bar is None else bar
+                if bar is None:
+                    bar = progress_bar(description="simulate", total=end, unit="s", unit_scale=True)
                 bar.update(reached - bar.n)
                 continue
             left = most_steps
@@ -113,12 +112,6 @@ class IntegrationInterrupted(KeyboardInterrupt):
     def __init__(self, log: Log, reached: float) -> None:
         super().__init__("the integration was interrupted")
         self.log, self.reached = log, reached
-
-
-def _progress(end: float) -> tqdm:
-    return tqdm(
-        desc="simulate", total=end, unit="s", unit_scale=True, delay=SILENCE, leave=False, disable=None
-    )
 
 
 def _shortened(log: Log, last: int) -> Log:

@@ -14,6 +14,7 @@ import scipy.signal
 
 from trimmer.arguments import shown
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
+from trimmer.motion.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -87,6 +88,7 @@ class Interconnection:
 
     Raises:
         IllPosedLoopError: if an output acts without delay on an input that must not jump.
+        UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
     """
 
     A: Reals
@@ -106,6 +108,11 @@ class Interconnection:
                 raise IllPosedLoopError(
                     f"{label}: an output acts on its input at once; the system must be strictly proper"
                 )
+            if isinstance(component, ThresholdComponent) and component.slides and _slides(self, k):
+                raise UnsupportedMotionError(
+                    f"{label}: without hysteresis it would slide along the edge of the dead zone, which is "
+                    "not followed; give it hysteresis, or a system with two more poles than zeros"
+                )
             if component.continuous_rates and any(acts(self.C[k], self.B[:, j]) for j in jumping):
                 raise IllPosedLoopError(
                     f"{label}: a force acts on its own rate at once; give a system with two more poles than "
@@ -116,6 +123,11 @@ class Interconnection:
     def order(self) -> int:
         """Number of states of the linear system."""
         return int(self.A.shape[0])
+
+
+def _slides(system: Interconnection, k: int) -> bool:
+    """Return whether an output works against the rate of its own input."""
+    return effect(system.C[k], system.B[:, k]) < 0.0
 
 
 def acts(row: Reals, column: Reals) -> bool:

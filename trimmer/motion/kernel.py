@@ -43,7 +43,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, int, float]]:
         sources  # noqa: B018
         return _integrate(tables, work, log, first, end, limits, pause)
 
-    return kept(entry, allocates=False)
+    return kept(entry)
 
 
 @inlined

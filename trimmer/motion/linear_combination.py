@@ -78,6 +78,15 @@ def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
 
 
 @compiled
+def combined_moduli(weights: Reals, row: Reals) -> float:
+    """Return the sum of the moduli of weights (m,) times a row of moduli (m,)."""
+    total = 0.0
+    for j in range(weights.size):
+        total += abs(weights[j]) * row[j]
+    return total
+
+
+@compiled
 def within(values: Reals, bound: float) -> bool:
     """Return whether all moduli are at most a bound; NaN is not."""
     outside = False

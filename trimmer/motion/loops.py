@@ -12,6 +12,7 @@ import control
 import numpy as np
 
 from trimmer.arguments import finite_number, require_instance
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.stored_system import restored, stored
 from trimmer.motion.components_of_elements import RigidComponent, components_of
@@ -85,6 +86,13 @@ COMPUTED = ("model", "modes")
 class Loop(ABC):
     """A linear system with switched elements, whose motion ``simulate`` follows."""
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(_shown(each) for each in self._parts())})"
+
+    def _parts(self) -> tuple[object, ...]:
+        """Return what the loop is made of, as far as it is to be shown."""
+        return tuple(value for name, value in vars(self).items() if name not in COMPUTED)
+
     @abstractmethod
     def interconnection(self) -> Interconnection:
         """Return the equations of the loop; the first components are those of the nonlinear element."""
@@ -113,6 +121,13 @@ class Loop(ABC):
         vars(self).update((name, restored(value)) for name, value in state.items())
 
 
+def _shown(part: object) -> str:
+    """Show a part in one line; a system would take many."""
+    if isinstance(part, control.LTI):
+        return f"<{type(part).__name__} of order {len(part.poles())}>"
+    return part if isinstance(part, str) else repr(part)
+
+
 def require_loop(loop: object) -> None:
     """Check that a loop was given.
 
@@ -123,7 +138,7 @@ def require_loop(loop: object) -> None:
 
 
 @final
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ClosedLoop(Loop):
     """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
 
@@ -142,7 +157,7 @@ class ClosedLoop(Loop):
 
     def __post_init__(self) -> None:
         require_system(self.system)
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the input -y of the element.
@@ -165,7 +180,7 @@ class ClosedLoop(Loop):
 
 
 @final
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class OpenLoop(Loop):
     """The element's input is the drive; its output drives the linear system.
 
@@ -186,7 +201,7 @@ class OpenLoop(Loop):
 
     def __post_init__(self) -> None:
         require_system(self.system)
-        require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+        object.__setattr__(self, "element", adopted("element", self.element))
         require_instance("drive", self.drive, Drive, "a trimmer.Drive")
 
     def interconnection(self) -> Interconnection:

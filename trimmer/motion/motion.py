@@ -17,8 +17,11 @@ from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
 from trimmer.motion.tables import TOGETHER, Log
 from trimmer.motion.taylor import DEGREE
+from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -42,8 +45,15 @@ class Outcome(Enum):
     STEP_LIMIT = "reached the greatest number of steps: the fastest mode is too fast for the duration"
 
 
+EVENT_COLUMNS = (
+    *attributes(time="s"),
+    Column("kind", "", lambda event: event.kind.value),
+    *attributes(component="", mode=""),
+)
+
+
 @dataclass(frozen=True)
-class Event:
+class Event(Record):
     """A change of mode.
 
     Attributes:
@@ -59,8 +69,8 @@ class Event:
     mode: str
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion(Tabular):
     """A simulated motion, exact between and at its events.
 
     Attributes:
@@ -227,6 +237,25 @@ class Motion:
             values[:, order] = values.copy()
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the output, and input and output of the element, over time, with contact and stick marked.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.loop_motion import draw_loop_motion
+
+        return draw_loop_motion(self, ax)
+
+    def _told(self) -> str:
+        return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
+
+    def _table(self) -> Table:
+        return Table("Events", self.events, EVENT_COLUMNS)
 
     def _element_output(self, mode: SwitchedMode) -> Reals:
         factors = np.array(self.loop.modes.system.element_factors)

@@ -69,7 +69,8 @@ def simulate_loop(
         impulse: Strength of an impulse at the input of the linear system at t = 0, in the unit of that input
             times s; it adds B * impulse to the states.
         element_output: Position of a load behind a backlash at t = 0, m, at rest; where the pin would lie
-            outside the gap, the load starts in contact instead.
+            outside the gap, the load starts in contact instead. For a relay with hysteresis, the output that
+            it starts with, by its sign, where the input leaves a choice.
         event_limit: Greatest number of events.
         step_limit: Greatest number of steps between events, each as long as the fastest mode allows.
 

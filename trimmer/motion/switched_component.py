@@ -28,6 +28,8 @@ class EventKind(Enum):
     """A load in the gap has slowed down to rounding, which only matters to the computation; never listed."""
     SWITCH = "switch"
     """The output of a relay, or the direction of sliding, reverses."""
+    CORNER = "corner"
+    """The input passes a corner of a saturation or dead zone."""
     STICK = "stick"
     """Sliding ends: the output takes the value that holds the input at zero."""
     SLIP = "slip"

@@ -11,6 +11,7 @@ import scipy.linalg
 
 from trimmer.arguments import require_instance, require_instances
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.components_of_elements import components_of
@@ -45,7 +46,7 @@ class BodyFriction:
 
 
 @final
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TrimmerLoop(Loop):
     """The linear trimmer with an element between pin and bridge, and with friction between bodies.
 
@@ -78,11 +79,16 @@ class TrimmerLoop(Loop):
         object.__setattr__(self, "channels", InputChannels.chosen(self.channels, "channels"))
         require_parameters(self.parameters)
         if self.element is not None:
-            require_instance("element", self.element, Element, "an element, such as FrictionBacklash(4e-5)")
+            object.__setattr__(self, "element", adopted("element", self.element))
         if self.drive is not None:
             require_instance("drive", self.drive, Drive, "a trimmer.Drive")
         frictions = require_instances("frictions", self.frictions, BodyFriction, "a trimmer.BodyFriction")
         object.__setattr__(self, "frictions", frictions)
+
+    def _parts(self) -> tuple[object, ...]:
+        """Return all but the many parameters."""
+        moved = [each for each in (self.element, self.drive) if each is not None]
+        return (*moved, f"output {self.output.label}", *self.frictions)
 
     @cached_property
     def model(self) -> control.StateSpace:

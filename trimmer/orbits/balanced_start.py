@@ -9,9 +9,12 @@ import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
 from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.motion.corner_component import CornerComponent
 from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.motion.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
+from trimmer.orbits.pieces import mode_on, switching_phases
 from trimmer.orbits.steady_response import Flight, flight_of, steady_response
 from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 
@@ -86,7 +89,7 @@ def _highest(loop: ClosedLoop, amplitude: float, omega: float) -> BalancedHarmon
 
 
 def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[float]:
-    """Return the middles of flight and contact of the first backlash, or of the negative half of a relay."""
+    """Return the middles of flight and contact of the first backlash, or of an output of a relay."""
     components = loop.modes.system.components
     for backlash in (each for each in components if isinstance(each, BacklashComponent)):
         flight = flight_of(backlash, given, omega)
@@ -98,6 +101,9 @@ def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[
     for relay in (each for each in components if isinstance(each, RelayComponent)):
         switch = _after_switch(given, 1 if relay.of_rate else 0)
         return [] if switch is None else [switch]
+    for switched in (each for each in components if isinstance(each, ThresholdComponent)):
+        switches = switching_phases(switched, given)
+        return [] if switches is None else [0.5 * sum(switches)]
     return []
 
 
@@ -122,6 +128,8 @@ def _on(component: Component, given: OddPolynomial, omega: float, phase: float) 
         case RelayComponent():
             positive = float(given(phase, 1 if component.of_rate else 0)) > 0
             return (PLUS if positive else MINUS), np.zeros(component.state_count)
+        case CornerComponent() | ThresholdComponent():
+            return mode_on(component, given, phase), np.zeros(component.state_count)
     return 0, np.zeros(component.state_count)
 
 

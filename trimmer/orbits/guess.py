@@ -7,10 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.elements.dead_zone import DeadZone
+from trimmer.elements.preload import Preload
+from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.motion.corner_component import CornerComponent
 from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.orbits.pieces import mode_on
+from trimmer.orbits.trigonometric import OddPolynomial
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -43,7 +51,8 @@ class Start:
 def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
     """Return the mode and extended state in which the loop would be on its first harmonic.
 
-    The phase is in the middle of a contact, or of a half period of a relay, so that no event is near.
+    The phase is in the middle of a contact, of a half period of a relay, or of the longest time between two
+    corners or thresholds, so that no event is near.
 
     Args:
         loop: The closed loop.
@@ -76,11 +85,13 @@ def _leaves(element: Element) -> list[Element]:
             return [leaf for term in element.terms for leaf in _leaves(term)]
         case ScaledElement():
             return _leaves(element.element)
+        case Preload():
+            return [element, element]
     return [element]
 
 
 def _quiet_phase(leaves: list[Element], amplitude: float, omega: float) -> float:
-    """Return the middle of the upper contact of the first backlash, or an eighth of a period."""
+    """Return the middle of the upper contact of the first backlash, or a phase far from other events."""
     phases = np.linspace(-np.pi, np.pi, PHASES)
     for leaf in leaves:
         gap = getattr(leaf, "gap", None)
@@ -90,7 +101,31 @@ def _quiet_phase(leaves: list[Element], amplitude: float, omega: float) -> float
         contact = phases[abs(distance) <= TOUCHING * gap]
         if contact.size:
             return float(contact[contact.size // 2])
-    return 0.25 * np.pi
+    return _farthest_from_events([place for leaf in leaves for place in _events(leaf, amplitude)])
+
+
+def _events(leaf: Element, amplitude: float) -> list[float]:
+    """Return the phases at which a saturation, dead zone or relay with thresholds has its events, rad."""
+    limits: tuple[float, ...] = ()
+    match leaf:
+        case Saturation() | DeadZone():
+            limits = (leaf.threshold, leaf.threshold)
+        case Relay() if leaf.thresholds is not None:
+            limits = (leaf.thresholds.on, leaf.thresholds.off)
+    if not limits or amplitude <= max(limits):
+        return []
+    rise, fall = np.arcsin(limits[0] / amplitude), np.pi - np.arcsin(limits[1] / amplitude)
+    return [float(place) for place in (rise, fall, rise + np.pi, fall + np.pi)]
+
+
+def _farthest_from_events(places: list[float]) -> float:
+    """Return the middle of the longest time between phases, rad; an eighth of a period if there are none."""
+    if not places:
+        return 0.25 * np.pi
+    rising = np.unique(np.mod(places, 2.0 * np.pi))
+    lengths = np.diff(np.append(rising, rising[0] + 2.0 * np.pi))
+    longest = int(np.argmax(lengths))
+    return float(rising[longest] + 0.5 * lengths[longest])
 
 
 def _mode(component: Component, leaf: Element, phase: float, amplitude: float, omega: float) -> int:
@@ -103,4 +138,6 @@ def _mode(component: Component, leaf: Element, phase: float, amplitude: float, o
             return UPPER if play > 0 else LOWER
         case RelayComponent():
             return PLUS if (np.cos(phase) if component.of_rate else np.sin(phase)) > 0 else MINUS
+        case CornerComponent() | ThresholdComponent():
+            return mode_on(component, OddPolynomial(np.array([complex(amplitude)])), phase)
     return 0

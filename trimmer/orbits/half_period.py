@@ -2,7 +2,7 @@
 
 While the output of the relay is constant, x' = A x + b. If x returns with its signs changed after T, it began
 at x(0) = -A^-1 tanh(A T/2) b. The relay switches there, so c x(0) = 0, with the row c of its switching
-function.
+function; with hysteresis, c x(0) is that.
 
 On a piece of the interval the left side is interpolated in Chebyshev points until the last coefficients are
 rounding, which they are as soon as no pole of tanh is near; all roots of the interpolant are eigenvalues of a
@@ -53,15 +53,17 @@ TO_COEFFICIENTS[0] *= 0.5
 
 @dataclass(frozen=True, eq=False)
 class HalfPeriodEquation:
-    """c x(0) = 0 as an equation for the half period T.
+    """c x(0) = level as an equation for the half period T.
 
     Attributes:
         matrix: [[A, b], [0, 0]], (n + 1) x (n + 1), 1/s.
         row: c, of shape (n,).
+        level: What the switching function is where the output becomes positive; 0 without hysteresis.
     """
 
     matrix: Reals
     row: Reals
+    level: float = 0.0
 
     def states(self, halves: Reals) -> Reals:
         """Return x(0) for half periods, s: (number of half periods, n)."""
@@ -158,10 +160,10 @@ def _on_piece(equation: HalfPeriodEquation, begin: float, end: float) -> list[fl
         states = equation.states(middle + half * POINTS)
     except np.linalg.LinAlgError:
         return Piece.UNRESOLVED
-    coefficients = TO_COEFFICIENTS @ (states @ equation.row)
+    coefficients = TO_COEFFICIENTS @ (states @ equation.row - equation.level)
     if not np.isfinite(coefficients).all():
         return Piece.UNRESOLVED
-    rounding = ROUNDING * float((abs(states) @ abs(equation.row)).max())
+    rounding = ROUNDING * (float((abs(states) @ abs(equation.row)).max()) + abs(equation.level))
     largest = float(abs(coefficients).max())
     if largest <= rounding:
         return Piece.UNDECIDED

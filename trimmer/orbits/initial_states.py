@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.motion.backlash_component import BacklashComponent
+from trimmer.motion.corner_component import CornerComponent
 from trimmer.motion.initial import segment_from
 from trimmer.motion.relay_component import RelayComponent
+from trimmer.motion.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 FARTHER = 3.0
 """Factor by which the frequencies reach beyond the slowest and the fastest root."""
 DECADES = (-1.0, 2.0)
-"""Of the amplitude of the element's input over its gap, and of its output over gap or level."""
+"""Of the amplitude of the element's input over its gap or threshold, and of its output over that or level."""
 
 
 def initial_states(loop: ClosedLoop, count: int, seed: int) -> Iterator[tuple[int, Reals]]:
@@ -68,7 +70,7 @@ def _rates(loop: ClosedLoop) -> tuple[float, float]:
 
 
 def _scales(loop: ClosedLoop) -> list[float]:
-    """Return the gap or the level of each component, times the factor of its output."""
+    """Return the gap, the thresholds or the level times its factor, of each component."""
     system = loop.modes.system
     scales = []
     for component, factor in zip(system.components, system.element_factors, strict=True):
@@ -76,4 +78,8 @@ def _scales(loop: ClosedLoop) -> list[float]:
             scales.append(component.gap)
         elif isinstance(component, RelayComponent):
             scales.append(abs(factor) * component.level)
+        elif isinstance(component, CornerComponent):
+            scales.append(component.threshold)
+        elif isinstance(component, ThresholdComponent):
+            scales += [abs(factor) * component.level, component.on]
     return scales or [1.0]

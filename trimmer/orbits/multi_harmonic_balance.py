@@ -11,11 +11,13 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arguments import require_instance, require_instances, whole_number
-from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.errors import OrbitNotFoundError
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table, arrays
 
 if TYPE_CHECKING:
     import control
@@ -29,8 +31,8 @@ BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""
 
 
-@dataclass(frozen=True, eq=False)
-class BalancedHarmonics:
+@dataclass(frozen=True, eq=False, repr=False)
+class BalancedHarmonics(Tabular):
     """A solution of harmonic balance for the odd harmonics up to an order.
 
     Attributes:
@@ -52,6 +54,19 @@ class BalancedHarmonics:
     def frequency(self) -> float:
         """Frequency of the first harmonic, Hz."""
         return self.omega / (2.0 * math.pi)
+
+    def _told(self) -> str:
+        return f"order {self.order}, amplitude {self.amplitude:.6g}, {self.frequency:.6g} Hz"
+
+    def _table(self) -> Table:
+        orders = np.arange(1, self.order + 1, 2)
+        columns = arrays(
+            order=("", orders),
+            frequency=("Hz", self.frequency * orders),
+            amplitude=(IN_UNIT_OF_INPUT, np.abs(self.harmonics)),
+            phase=("rad", np.angle(self.harmonics)),
+        )
+        return Table("Harmonics of the element's input", range(len(orders)), columns)
 
 
 @takes_a_loop

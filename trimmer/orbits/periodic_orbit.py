@@ -13,8 +13,12 @@ from trimmer.orbits.measures import harmonics
 from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
 from trimmer.orbits.shooting import CLOSED
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table, arrays, attributes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.displacement import Displacement
@@ -26,8 +30,20 @@ NEUTRAL = 1e-6
 """Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""
 
 
-@dataclass(frozen=True, eq=False)
-class PeriodicOrbit:
+ORBIT_COLUMNS = attributes(
+    amplitude="m",
+    period="s",
+    frequency="Hz",
+    stable="",
+    largest_multiplier="",
+    residual="",
+    amplitude_error="",
+    frequency_error="",
+)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PeriodicOrbit(Tabular):
     """A periodic solution of a closed or driven loop, exact to rounding.
 
     Attributes:
@@ -85,6 +101,11 @@ class PeriodicOrbit:
         A multiplier that is 1 to rounding neither grows nor decays; with one the answer is False.
         """
         return bool((abs(self.nontrivial_multipliers) < 1.0 - NEUTRAL).all())
+
+    @property
+    def largest_multiplier(self) -> float:
+        """Largest modulus of the multipliers but the trivial one: what one period leaves of a disturbance."""
+        return float(abs(self.nontrivial_multipliers).max(initial=0.0))
 
     @property
     def success(self) -> bool:
@@ -164,3 +185,30 @@ class PeriodicOrbit:
     def impact_speeds(self) -> Reals:
         """Speeds of the impacts of a period, m/s, in order of time."""
         return np.array([impact.speed for impact in self.impacts])
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the orbit in the phase plane of the element's input: its rate, m/s, over itself, m.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.orbit import draw_orbit
+
+        return draw_orbit(self, ax)
+
+    def _told(self) -> str:
+        kind = "stable" if self.stable else "not stable"
+        return f"amplitude {self.amplitude:.6g} m, {self.frequency:.6g} Hz, {kind}"
+
+    def _table(self) -> Table:
+        orders = np.arange(1, len(self.harmonics) + 1)
+        columns = arrays(
+            order=("", orders),
+            frequency=("Hz", self.frequency * orders),
+            amplitude=("m", np.abs(self.harmonics)),
+            phase=("rad", np.angle(self.harmonics)),
+        )
+        return Table("Harmonics of the element's input", range(len(orders)), columns)

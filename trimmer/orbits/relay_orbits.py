@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.components_of_elements import ViscousComponent
+from trimmer.motion.components_of_elements import RigidComponent, ViscousComponent
 from trimmer.motion.relay_component import PLUS, RelayComponent
+from trimmer.motion.threshold_component import POSITIVE, ThresholdComponent
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import shortest
 from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
@@ -19,6 +20,7 @@ from trimmer.orbits.unequal_switches import POINTS, unequal_switches
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.loops import ClosedLoop
+    from trimmer.motion.switched_component import Component
     from trimmer.orbits.half_period import Interval
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
@@ -32,9 +34,10 @@ INSTANTS = 9
 def relay_orbits(
     loop: ClosedLoop, half_periods: Interval | None
 ) -> tuple[list[PeriodicOrbit], RelaySearch] | None:
-    """Find the orbits; None if the element is not a single relay or Coulomb friction.
+    """Find the orbits; None if the element is not a single relay without dead zone, or Coulomb friction.
 
-    Viscous friction beside it is linear and may be there.
+    Viscous friction and a gain beside it are linear and may be there. With hysteresis only the orbits are
+    found that return with their signs changed.
 
     Args:
         loop: The closed loop.
@@ -47,20 +50,33 @@ def relay_orbits(
     solved = zeros(equation, interval)
     starts = equation.states(np.array(solved.halves)) if solved.halves else ()
     orbits = [_orbit(loop, half, None, start) for half, start in zip(solved.halves, starts, strict=True)]
-    orbits += [_orbit(loop, *pair) for pair in unequal_switches(equation, interval)]
+    grid = 0 if equation.level else POINTS
+    if grid:
+        orbits += [_orbit(loop, *pair) for pair in unequal_switches(equation, interval)]
     found = [orbit for orbit in orbits if orbit is not None]
-    return found, RelaySearch(interval, len(solved.halves), solved.undecided, POINTS)
+    return found, RelaySearch(interval, len(solved.halves), solved.undecided, grid)
 
 
 def _plus(loop: ClosedLoop) -> int | None:
     """Return the mode in which the relay is positive; None if there is not one relay."""
     components = loop.modes.system.components
-    relays = [isinstance(each, RelayComponent) for each in components]
-    if sum(relays) != 1 or not all(
-        isinstance(each, RelayComponent | ViscousComponent) for each in components
+    if sum(map(_is_relay, components)) != 1 or not all(
+        isinstance(each, RelayComponent | ThresholdComponent | ViscousComponent | RigidComponent)
+        for each in components
     ):
         return None
-    return loop.modes.number(tuple(PLUS if relay else 0 for relay in relays))
+    return loop.modes.number(tuple(_positive(each) for each in components))
+
+
+def _is_relay(component: Component) -> bool:
+    """Return whether a component has two outputs: a relay, with or without hysteresis, or dry friction."""
+    return isinstance(component, RelayComponent) or (
+        isinstance(component, ThresholdComponent) and not component.has_dead_zone
+    )
+
+
+def _positive(component: Component) -> int:
+    return POSITIVE if isinstance(component, ThresholdComponent) else PLUS if _is_relay(component) else 0
 
 
 def _equation(loop: ClosedLoop) -> HalfPeriodEquation | None:
@@ -70,7 +86,9 @@ def _equation(loop: ClosedLoop) -> HalfPeriodEquation | None:
     mode, order = loop.modes.mode(number), loop.modes.layout.order
     kept = [*range(order), loop.modes.layout.size - 1]
     (switching,) = mode.event_functions
-    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.row[:order])
+    # The output falls where the row is zero, at minus the hysteresis; it rises where that has the other sign.
+    rises = float(switching.row[-1])
+    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.row[:order], rises)
 
 
 def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Reals) -> PeriodicOrbit | None:

@@ -9,9 +9,13 @@ from typing import TYPE_CHECKING, overload
 
 from trimmer.arguments import real_values, whole_number
 from trimmer.choices import Choice
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.periodic_orbit import ORBIT_COLUMNS, PeriodicOrbit
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from trimmer.orbits.half_period import Interval
 
 
@@ -73,7 +77,7 @@ class RelaySearch:
         zeros: Zeros on this interval; not all are orbits, as the relay may switch in between.
         undecided: Parts of the interval that may hold others.
         grid: Number of durations on this interval, in a fixed ratio, from whose pairs orbits with two
-            switches at unequal distances were looked for.
+            switches at unequal distances were looked for; 0 if they were not.
     """
 
     half_periods: Interval
@@ -92,6 +96,8 @@ class RelaySearch:
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)
             sentence += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
+        if not self.grid:
+            return sentence
         return (
             f"{sentence}; orbits with two switches at unequal distances from a grid of {self.grid} durations"
         )
@@ -199,8 +205,8 @@ class OrbitSearched:
         return others
 
 
-@dataclass(frozen=True, eq=False)
-class PeriodicOrbits(Sequence[PeriodicOrbit]):
+@dataclass(frozen=True, eq=False, repr=False)
+class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
     """Orbits by falling amplitude, and what was searched for them.
 
     It is a sequence, and equal to any other with the same orbits.
@@ -236,6 +242,26 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
         """What came out, in words."""
         found = f"{_counted(len(self), 'periodic orbit')} found"
         return "; ".join([found, *self.search.doubts, self.search.sentence])
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the orbits in the phase plane of the element's input: stable ones solid, others dashed.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.orbit import draw_orbits
+
+        return draw_orbits(self, ax)
+
+    def _told(self) -> str:
+        found = _counted(len(self), "periodic orbit")
+        return "; ".join([found, *(self.search.doubts or ["the search went to its end"])])
+
+    def _table(self) -> Table:
+        return Table("Periodic orbits", self.orbits, ORBIT_COLUMNS)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sequence) and list(self) == list(other)

@@ -10,7 +10,6 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
-from tqdm import tqdm
 
 from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import CYCLING, DIVERGED, REACHED_END, STEP_LIMIT
@@ -20,6 +19,7 @@ from trimmer.orbits.initial_states import initial_states, quiet_time
 from trimmer.orbits.return_map import flow
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
 from trimmer.orbits.shooting import Return, Shot, solve
+from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -50,8 +50,6 @@ COLLAPSED = 1e-6
 """Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
 NEAR = 0.1
 """Change of state and span by Newton's method that leaves them near where they were."""
-SILENCE = 2.0
-"""Seconds before a progress bar shows."""
 
 
 class Ending(Enum):
@@ -103,7 +101,7 @@ def settled_orbits(
     """
     orbits, endings = list(known), Counter[Ending]()
     starts = initial_states(loop, search.starts, search.seed)
-    bar = tqdm(starts, desc="simulate", total=search.starts, delay=SILENCE, leave=False, disable=None)
+    bar = progress_bar(starts, "simulate", total=search.starts)
     with suppress(KeyboardInterrupt), bar:
         for mode, state in bar:
             endings[_follow(loop, mode, state, search.steps, orbits)] += 1

@@ -10,8 +10,11 @@ import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.components_of_elements import ViscousComponent, components_of
+from trimmer.motion.components_of_elements import RigidComponent, ViscousComponent, components_of
+from trimmer.motion.corner_component import CornerComponent
 from trimmer.motion.relay_component import RelayComponent
+from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.orbits.pieces import corner_pieces, relay_pieces
 from trimmer.orbits.trigonometric import falls_through_zero
 
 if TYPE_CHECKING:
@@ -108,6 +111,13 @@ def _of_component(component: Component, given: OddPolynomial, omega: float) -> C
             return _relay(component, given)
         case BacklashComponent():
             return _backlash(component, given, omega)
+        case RigidComponent():
+            return given.coefficients
+        case CornerComponent():
+            return _harmonics(given, corner_pieces(component, given))
+        case ThresholdComponent():
+            pieces = relay_pieces(component, given)
+            return None if pieces is None else _harmonics(given, pieces)
     raise UnsupportedMotionError(f"{component!r} has no steady response to a periodic input")
 
 

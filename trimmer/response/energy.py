@@ -17,6 +17,8 @@ from trimmer.contact.layout import Rows
 from trimmer.contact.statuses import FORWARD, RELAXING, STICK
 from trimmer.mechanism.parts import GROUND
 from trimmer.response.motion_signals import along, contact_force, row_of_each
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import TERMS, Table
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -29,8 +31,8 @@ if TYPE_CHECKING:
     from trimmer.response.motion_signals import Signal
 
 
-@dataclass(frozen=True)
-class MechanismEnergy:
+@dataclass(frozen=True, repr=False)
+class MechanismEnergy(Tabular):
     """Energies and works of a motion from its start to its end, J.
 
     Attributes:
@@ -72,6 +74,22 @@ class MechanismEnergy:
         """All losses together."""
         losses = (self.dampers, self.contacts, self.frictions)
         return sum(sum(each.values()) for each in losses)
+
+    def _told(self) -> str:
+        closing = f"it closes to {self.residual:.1e} of its largest term"
+        return f"work {self.work:.6g} J, loss {self.loss:.6g} J; {closing}"
+
+    def _table(self) -> Table:
+        names = ("pins", "forces", "dampers", "contacts", "frictions")
+        parts = [
+            (f"{section}.{name}", each) for section in names for name, each in getattr(self, section).items()
+        ]
+        ends = [
+            (f"{section}, {when}", each)
+            for section in ("kinetic", "stored")
+            for when, each in zip(("start", "end"), getattr(self, section), strict=True)
+        ]
+        return Table("Energies and works", [*ends, *parts], TERMS)
 
 
 def energy_of(mechanism: Mechanism, course: Course) -> MechanismEnergy:

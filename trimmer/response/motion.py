@@ -15,13 +15,16 @@ from trimmer.contact.advance import Ending
 from trimmer.contact.layout import Rows
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import GROUND
-from trimmer.messages import listed
+from trimmer.messages import listed, near_match
 from trimmer.response.energy import MechanismEnergy, dry_force, energy_of
 from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -63,8 +66,8 @@ class MechanismEvent:
     kind: MechanismEventKind
 
 
-@dataclass(frozen=True, eq=False)
-class MechanismMotion:
+@dataclass(frozen=True, eq=False, repr=False)
+class MechanismMotion(Tabular):
     """A simulated motion of a mechanism, exact between and at its events.
 
     Attributes:
@@ -185,6 +188,26 @@ class MechanismMotion:
         _require("friction", name, frictions)
         return self._signal(dry_force(self.course.modes, frictions.index(name)), times)
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.motions import draw_motion
+
+        return draw_motion(self.flow, self.course, ax)
+
+    def _told(self) -> str:
+        title, events = self.mechanism.title, counted(len(self.events), "event")
+        return f"{title}, {self.duration:.6g} s, {events}, {self.message}"
+
+    def _table(self) -> Table:
+        return Table("Events", self.events, attributes(time="s", kind="", part=""))
+
     @property
     def _size(self) -> int:
         return self.course.modes.layout.size
@@ -210,4 +233,4 @@ class MechanismMotion:
 def _require(kind: str, name: str, known: Collection[str]) -> None:
     if name not in known:
         there = f"there are {listed(known)}" if known else "there is none"
-        raise MechanismError(f"no {kind} is called {name!r}; {there}")
+        raise MechanismError(f"no {kind} is called {name!r}; {near_match(name, known) or there}")

@@ -9,8 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.response.shooting import CLOSED, Shot
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from trimmer.arrays import Complexes, Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
@@ -25,8 +29,8 @@ RETURNS = 64
 """Returns over which the growth of small distances is followed."""
 
 
-@dataclass(frozen=True, eq=False)
-class MechanismOrbit:
+@dataclass(frozen=True, eq=False, repr=False)
+class MechanismOrbit(Tabular):
     """A motion that repeats.
 
     Attributes:
@@ -124,6 +128,34 @@ class MechanismOrbit:
         from trimmer.response.measures import Measures
 
         return Measures(self.course, self.flow, max(self.period_count, 1), self.periods or 1)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the first output in the phase plane: its rate, m/s, over itself, m.
+
+        A dot marks the start of each drive period. Without outputs it is the first body that is drawn.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.motions import draw_phase_plane
+
+        return draw_phase_plane(self.flow, self.course, ax)
+
+    def _told(self) -> str:
+        return f"{self.mechanism.title}, {self.message}"
+
+    def _table(self) -> Table:
+        outputs = self.measures.outputs
+        orders = np.arange(1, 1 + max((len(each.harmonics) for each in outputs.values()), default=0))
+        own = self.course.duration / max(self.periods, 1)
+        columns = arrays(order=("", orders), frequency=("Hz", orders / own))
+        columns += tuple(
+            Column(f"outputs.{name}", "m", each.harmonics.__getitem__) for name, each in outputs.items()
+        )
+        return Table("Harmonics of the outputs", range(len(orders)), columns)
 
 
 def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> MechanismOrbit:

@@ -10,9 +10,13 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.response.estimate import Estimate
+from trimmer.showing.shown import Shown, Tabular
+from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
+
+    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
@@ -29,8 +33,8 @@ class MotionKind(Choice):
     UNDECIDED = "it is undecided"
 
 
-@dataclass(frozen=True, eq=False)
-class SettledMotion:
+@dataclass(frozen=True, eq=False, repr=False)
+class SettledMotion(Shown):
     """A motion that one or several starts settle to.
 
     Attributes:
@@ -106,9 +110,12 @@ class SettledMotion:
             return {name: Estimate(value, 0.0) for name, value in found.items()}
         return {} if self.window is None else self.window.rms_acceleration
 
+    def _told(self) -> str:
+        return self.message
 
-@dataclass(frozen=True, eq=False)
-class Response:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Response(Tabular):
     """What a mechanism settles to.
 
     Attributes:
@@ -150,6 +157,32 @@ class Response:
         """What the first start settles to, and how many motions were found."""
         return " ".join([self.motion.message, *self._others()])
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the motion of the first start over time, with contact and stick marked.
+
+        Of a motion that does not repeat some periods are drawn.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+            ValueError: if nothing was found that could be drawn.
+        """
+        from trimmer.drawing.response import draw_settled
+
+        return draw_settled(self.motion, ax)
+
+    def _told(self) -> str:
+        return f"{self.mechanism.title}: {self.message}"
+
+    def _table(self) -> Table:
+        outputs = (
+            Column(f"outputs.{name}.peak_to_peak", "m", _stroke(name)) for name in self.mechanism.outputs
+        )
+        columns = (*attributes(kind="", period_count="", share="", mirrored="", drive_periods=""), *outputs)
+        return Table("Motions that were found", self.motions, columns)
+
     def _others(self) -> list[str]:
         if self.starts == 1:
             return []
@@ -159,3 +192,8 @@ class Response:
             f"{self.starts} starts settle to {len(self.motions)} motions; "
             f"{self.motion.share:.0%} of them to this one."
         ]
+
+
+def _stroke(name: str) -> Callable[[SettledMotion], float | None]:
+    """Return what gives peak to peak of an output, m, of a motion."""
+    return lambda motion: motion.peak_to_peak.get(name)

@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.arguments import finite_number, real_array, shown
 from trimmer.contact.advance import Instant
 from trimmer.errors import MechanismError, WrongTypeError
-from trimmer.messages import listed
+from trimmer.messages import listed, near_match
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -50,7 +50,8 @@ def instant_of(flow: ExactFlow, start: Start) -> Instant:
 def _moving(flow: ExactFlow, name: str, pair: Any) -> tuple[float, float]:
     bodies = flow.modes.layout.bodies
     if name not in bodies:
-        raise MechanismError(f"the start names {name!r}, which is no body; there are {listed(bodies)}")
+        there = near_match(name, bodies) or f"there are {listed(bodies)}"
+        raise MechanismError(f"the start names {name!r}, which is no body; {there}")
     try:
         displacement, velocity = tuple(pair)
     except (TypeError, ValueError):

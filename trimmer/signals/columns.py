@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass
 
 from trimmer.arguments import whole_number
+from trimmer.messages import did_you_mean, near_words
 from trimmer.signals.csv_table import CsvTable
 from trimmer.signals.signal import split_heading
 from trimmer.signals.text_file import SignalFileError
@@ -118,8 +118,7 @@ def _decimal_hint(table: CsvTable) -> str:
 
 def _similar(table: CsvTable, name: str) -> str:
     names = [split_heading(heading)[0] for heading in table.headings]
-    nearest = difflib.get_close_matches(name, names, n=1)
-    return f"; did you mean {nearest[0]!r}?" if nearest else f"; {_listed(table)}"
+    return f"; {did_you_mean(map(repr, near_words(name, names))) or _listed(table)}"
 
 
 def _listed(table: CsvTable) -> str:

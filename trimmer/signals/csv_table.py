@@ -19,6 +19,8 @@ from trimmer.signals.csv_layout import (
 from trimmer.signals.text_file import SignalFileError, read_lines
 from trimmer.signals.units import in_brackets, is_unit
 
+_LONGEST_PREAMBLE = 100
+
 
 @dataclass(frozen=True)
 class NumberedLines:
@@ -128,7 +130,8 @@ def read_table(path: Path, layout: CsvLayout) -> CsvTable:
 
     Lines that begin with ``#`` are skipped, and so are empty lines before the data and after them.
     Elsewhere an empty line is a row of missing values. The heading is the last line before the first
-    that holds a number; or the last two, if the last holds units alone. Other lines may come before it.
+    that holds a number; or the last two, if the last holds units alone. Other lines may come before it, with
+    a number beside a text, as of a device's serial number.
 
     Args:
         path: The file.
@@ -139,13 +142,40 @@ def read_table(path: Path, layout: CsvLayout) -> CsvTable:
             number of cells than it.
     """
     lines = _numbered(path, layout)
-    begin = next((place for place in range(len(lines)) if any(map(is_numeric, lines.cells(place)))), None)
+    begin = _first_number(lines, 0)
+    while begin is not None and (later := _after_heading(lines, begin)) is not None:
+        begin = later
     if begin is None:
         raise SignalFileError(f"{path}: holds no number; a column of samples is needed")
     width = len(lines.cells(begin))
     while begin > 0 and _is_all_missing(lines.cells(begin - 1)):
         begin -= 1
     return CsvTable(path, _headings(lines[:begin], width), width, lines[begin:])
+
+
+def _first_number(lines: NumberedLines, begin: int) -> int | None:
+    places = range(begin, len(lines))
+    return next((place for place in places if any(map(is_numeric, lines.cells(place)))), None)
+
+
+def _after_heading(lines: NumberedLines, begin: int) -> int | None:
+    """Find the data below a heading, if a line with a number is one before it, such as ``serial;1234``.
+
+    It is if it holds a text too, and fewer numbers than the first line with numbers below a line of texts.
+    """
+    if not any(map(is_text, lines.cells(begin))):
+        return None
+    for place in range(begin + 1, min(begin + _LONGEST_PREAMBLE, len(lines) - 1)):
+        cells = lines.cells(place)
+        if not any(map(is_numeric, cells)) and any(map(is_text, cells)):
+            data = _first_number(lines, place + 1)
+            if data is not None and _numbers(lines, data) > _numbers(lines, begin):
+                return data
+    return None
+
+
+def _numbers(lines: NumberedLines, place: int) -> int:
+    return sum(map(is_numeric, lines.cells(place)))
 
 
 def _numbered(path: Path, layout: CsvLayout) -> NumberedLines:

@@ -1,4 +1,4 @@
-"""Treatment of missing values: refused, or interpolated."""
+"""Treatment of missing values: refused, interpolated, or taken as gaps."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Places, Reals
 from trimmer.choices import Choice
 from trimmer.signals.text_file import SignalFileError
 
@@ -19,11 +19,12 @@ class MissingValues(Choice):
     """What is done about missing values.
 
     ``REFUSE``: they are an error. ``INTERPOLATE``: those at the beginning and the end are cut off, those
-    between others are interpolated along a straight line.
+    between others are interpolated along a straight line. ``GAP``: the record has gaps there.
     """
 
     REFUSE = "refuse"
     INTERPOLATE = "interpolate"
+    GAP = "gap"
 
 
 @dataclass(frozen=True)
@@ -32,13 +33,18 @@ class Filled:
 
     Attributes:
         values: Samples, shape (m,), finite, in the unit of the column.
-        begin: Place of the first of them in the column, from 0.
+        places: Place of each of them in the column, from 0, shape (m,).
         interpolated: Number of samples that are not measured but interpolated.
     """
 
     values: Reals
-    begin: int
-    interpolated: int
+    places: Places
+    interpolated: int = 0
+
+    @property
+    def has_gaps(self) -> bool:
+        """Whether places are left out between others."""
+        return int(self.places[-1] - self.places[0]) >= self.places.size
 
 
 def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
@@ -58,12 +64,14 @@ def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str
     if present.size == 0:
         raise SignalFileError(f"{place}: every value of the column is missing")
     if absent.size == 0:
-        return Filled(values, 0, 0)
+        return Filled(values, present)
+    if missing is MissingValues.GAP:
+        return Filled(values[present], present)
     problem = f"{place}, line {lines[int(absent[0])]}: {_count(absent.size)}"
     if missing is MissingValues.REFUSE:
         raise SignalFileError(
             f"{problem}; remove lines at the beginning or end, or have values between others interpolated "
-            "(--missing interpolate)"
+            "(--missing interpolate) or taken as gaps (--missing gap)"
         )
     begin, end = int(present[0]), int(present[-1]) + 1
     inside = np.arange(begin, end)
@@ -72,7 +80,7 @@ def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str
         raise SignalFileError(
             f"{problem}, more than {100 * LARGEST_SHARE:g} % of the samples, too many to interpolate"
         )
-    return Filled(np.interp(inside, present, values[present]), begin, interpolated)
+    return Filled(np.interp(inside, present, values[present]), inside, interpolated)
 
 
 def _count(missing: int) -> str:

@@ -11,15 +11,17 @@ from trimmer.signals.columns import ColumnChoice, Columns, chosen_columns
 from trimmer.signals.csv_layout import CsvLayout
 from trimmer.signals.csv_table import CsvTable, read_table
 from trimmer.signals.missing import MissingValues, fill
+from trimmer.signals.recording import Recording
+from trimmer.signals.sampling import Sampling, Stamped, TimeStamps, stretches_of
 from trimmer.signals.signal import Signal, checked_rate, split_heading
 from trimmer.signals.text_file import SignalFileError
-from trimmer.signals.time_stamps import agreed_rate, rate_of
 from trimmer.signals.units import SECONDS
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 _FOUND_OUT = CsvLayout()
+_STRICT = Sampling()
 
 
 def read_signal(
@@ -30,55 +32,94 @@ def read_signal(
     sample_rate: float | None = None,
     layout: CsvLayout = _FOUND_OUT,
     missing: MissingValues | str = MissingValues.REFUSE,
+    sampling: Sampling = _STRICT,
 ) -> Signal:
     """Read a signal from a CSV file: columns of numbers, with a heading or without.
 
     Lines that begin with ``#`` are skipped. Columns are separated by comma, semicolon or tab, decimals have a
     point or a comma, and the encoding is UTF-8 or Latin-1. A column of time stamps gives the sample rate; it
     is in seconds unless its heading says ``[ms]``, ``[us]`` or ``[ns]``. Values are read to the last digit,
-    and never evaluated as anything but numbers.
+    and never evaluated as anything but numbers. Of a recording with gaps it is the longest stretch.
 
     Args:
         path: The file; ``-`` is standard input.
         column: Column of the signal, by name or number. Not needed if there is one beside the time stamps.
         time_column: Column of the time stamps. Not needed if it is named ``t``, ``time`` or ``timestamp``.
-        sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used.
+        sample_rate: Samples per second, Hz. If there are time stamps too, both must agree, and this is used;
+            where samples are resampled, it is the new rate.
         layout: Delimiter and decimal sign, where they are not to be found out.
         missing: What to do about empty cells and those that say ``nan``, ``n/a`` or the like: a member,
-            or its word (``refuse``, ``interpolate``).
+            or its word (``refuse``, ``interpolate``, ``gap``).
+        sampling: What to do about time stamps that are not at equal distances, and about gaps.
 
     Raises:
-        ChoiceError: if ``missing`` is neither.
+        ChoiceError: if ``missing`` is none of these.
         SignalFileError: if the file cannot be read as such, with the line and what to do; for missing and
             infinite values; for time stamps that are not at equal distances; if the sample rate is not known.
         SignalError: if the sample rate is not a positive number.
     """
+    options = {"column": column, "time_column": time_column, "sample_rate": sample_rate}
+    return read_recording(path, **options, layout=layout, missing=missing, sampling=sampling).longest  # type: ignore[arg-type]
+
+
+def read_recording(
+    path: Path | str,
+    *,
+    column: ColumnChoice = None,
+    time_column: ColumnChoice = None,
+    sample_rate: float | None = None,
+    layout: CsvLayout = _FOUND_OUT,
+    missing: MissingValues | str = MissingValues.REFUSE,
+    sampling: Sampling = _STRICT,
+) -> Recording:
+    """Read all stretches of a signal from a CSV file; arguments and errors are those of ``read_signal``."""
     path = file_path("path", path)
     require_instance("layout", layout, CsvLayout, "a trimmer.CsvLayout")
+    require_instance("sampling", sampling, Sampling, "a trimmer.Sampling")
     missing = MissingValues.chosen(missing, "missing")
     given = None if sample_rate is None else checked_rate(sample_rate)
     table = read_table(path, layout)
     columns = chosen_columns(table, column, time_column)
-    lines = table.lines
-    filled = fill(
-        numbers_in(table.column(columns.signal), lines, layout.decimal, str(path)), lines, missing, str(path)
-    )
-    kept = slice(filled.begin, filled.begin + filled.values.size)
-    times = _times(table, columns, layout)
+    values = numbers_in(table.column(columns.signal), table.lines, layout.decimal, str(path))
+    ignored = sampling.stamps is TimeStamps.IGNORE
+    times = None if ignored else _times(table, columns, layout)
     if times is None and given is None:
-        raise SignalFileError(
-            f"{path}: no sample rate; give it (--rate), or name the column of time stamps (--time)"
-        )
-    rate, start = given, 0.0
+        raise SignalFileError(f"{path}: no sample rate; give it (--rate){_NAME_TIME * (not ignored)}")
+    notes = (_IGNORED,) if ignored and columns.time is not None else ()
+    filled = fill(values, table.lines, missing, str(path))
     if times is not None:
-        stamped = rate_of(times[kept], lines[kept], str(path))
-        rate, start = (
-            stamped if given is None else agreed_rate(given, stamped, str(path)),
-            float(times[kept][0]),
-        )
-    assert rate is not None
-    name, unit = _name_and_unit(table, columns.signal)
-    return Signal(filled.values, rate, name, unit, start, filled.interpolated)
+        times = times[filled.places]
+    elif filled.has_gaps and given is not None:
+        times = filled.places / given
+    heading = _name_and_unit(table, columns.signal)
+    if times is None:
+        assert given is not None
+        signal = Signal(filled.values, given, *heading, 0.0, filled.interpolated, notes=notes)
+        return Recording((signal,))
+    lines = [table.lines[place] for place in filled.places.tolist()]
+    rate, stretches, gaps = stretches_of(Stamped(times, filled.values, lines, str(path)), given, sampling)
+    return Recording(
+        tuple(
+            Signal(
+                each.values,
+                rate,
+                *heading,
+                each.start,
+                filled.interpolated,
+                each.trusted,
+                (*notes, *each.notes),
+            )
+            for each in stretches
+        ),
+        gaps,
+    )
+
+
+_NAME_TIME = ", or name the column of time stamps (--time)"
+_IGNORED = (
+    "time stamps are left aside: samples are taken to lie at equal distances, at the rate that was given, "
+    "with none missing"
+)
 
 
 def _times(table: CsvTable, columns: Columns, layout: CsvLayout) -> Reals | None:

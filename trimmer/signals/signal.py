@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.arguments import real_number, require_instance, require_instances, whole_number
 from trimmer.errors import TrimmerError
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table, arrays
+from trimmer.signals.band import EVERYWHERE, Band
+from trimmer.signals.quantity import Quantity, in_si, quantity_of
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -27,8 +32,8 @@ class SignalError(TrimmerError, ValueError):
     """A signal, or an argument of its analysis, cannot be used; the message says why and what to do."""
 
 
-@dataclass(frozen=True, eq=False)
-class Signal:
+@dataclass(frozen=True, eq=False, repr=False)
+class Signal(Tabular):
     """A signal sampled at equal distances in time.
 
     Attributes:
@@ -38,6 +43,11 @@ class Signal:
         unit: Unit of the values, empty if it is not known.
         start: Time of the first sample, s.
         interpolated: How many of the samples are not measured but interpolated.
+        trusted: Frequencies at which the samples can be trusted, as far as that is known.
+        notes: What was done to the samples or assumed, in sentences without a full stop.
+        full_scale: Largest value that the device can give, in ``unit``, > 0; infinite if it is not known.
+        converted: How often it was differentiated after it was measured, negative if integrated: what was
+            white noise then grows with this power of the frequency.
 
     Raises:
         SignalError: if any of these does not hold.
@@ -49,6 +59,10 @@ class Signal:
     unit: str = ""
     start: float = 0.0
     interpolated: int = 0
+    trusted: Band = EVERYWHERE
+    notes: tuple[str, ...] = ()
+    full_scale: float = math.inf
+    converted: int = 0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", checked_samples(self.values))
@@ -56,6 +70,11 @@ class Signal:
         for name in ("name", "unit"):
             require_instance(name, getattr(self, name), str, "a text")
         whole_number("interpolated", self.interpolated, 0)
+        whole_number("converted", self.converted)
+        require_instance("trusted", self.trusted, Band, "a trimmer.Band")
+        if not real_number("full_scale", self.full_scale, self.unit) > 0:
+            raise SignalError(f"full_scale is {self.full_scale!r}: it must be positive, or infinite")
+        object.__setattr__(self, "notes", require_instances("notes", self.notes, str, "a text"))
         if not math.isfinite(real_number("start", self.start, "s")):
             raise SignalError(f"start is {self.start!r}: the time of the first sample must be finite")
         if split_heading(self.heading) != (self.name, self.unit) or not self.name:
@@ -83,6 +102,75 @@ class Signal:
     def duration(self) -> float:
         """Number of samples over sample rate, s: each sample stands for one sampling interval."""
         return self.values.size / self.sample_rate
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the samples over time, s.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.samples import draw_signal
+
+        return draw_signal(self, ax)
+
+    def _told(self) -> str:
+        samples = counted(self.values.size, "sample")
+        return f"{self.heading}, {samples} at {self.sample_rate:.9g} Hz, {self.duration:.6g} s"
+
+    def _table(self) -> Table:
+        name = self.name if self.name != "time" else "value"
+        columns = (*arrays(time=("s", self.times)), Column(name, self.unit, self.values.__getitem__))
+        return Table(f"Samples of {self.name}", range(self.values.size), columns)
+
+    @property
+    def rms(self) -> float:
+        """Root mean square about the mean, in ``unit``."""
+        scale = float(np.abs(self.values).max()) or 1.0
+        return scale * float((self.values / scale).std())
+
+    @property
+    def quantity(self) -> Quantity:
+        """What it is, by its unit."""
+        return quantity_of(self.unit)
+
+    def in_si(self) -> Signal:
+        """Return the signal in the unit of its quantity in SI; one that is no motion stays as it is."""
+        unit = self.quantity.unit
+        if unit in ("", self.unit):
+            return self
+        return self.scaled(in_si(self.unit), unit)
+
+    def scaled(self, factor: float = 1.0, unit: str | None = None) -> Signal:
+        """Return the signal times a factor, in another unit if one is given.
+
+        Raises:
+            SignalError: if the factor is 0, infinite or NaN, or the unit is none.
+        """
+        if not 0 < abs(real_number("factor", factor)) < math.inf:
+            raise SignalError(f"the factor must be finite and not 0, not {factor!r}")
+        unit = self.unit if unit is None else unit
+        full_scale = self.full_scale * abs(float(factor))
+        return replace(self, values=self.values * float(factor), unit=unit, full_scale=full_scale)
+
+    def between(self, begin: float = -math.inf, end: float = math.inf) -> Signal:
+        """Return the samples from one time to another, s, both included.
+
+        Raises:
+            SignalError: if there is none.
+        """
+        begin, end = real_number("begin", begin, "s"), real_number("end", end, "s")
+        near = 1e-6 / self.sample_rate
+        kept = np.flatnonzero((self.times >= begin - near) & (self.times <= end + near))
+        if kept.size == 0:
+            raise SignalError(
+                f"no sample lies from {begin:g} s to {end:g} s: the record goes from {self.start:g} s to "
+                f"{self.times[-1]:g} s"
+            )
+        first = int(kept[0])
+        return replace(self, values=self.values[first : int(kept[-1]) + 1], start=float(self.times[first]))
 
 
 def split_heading(heading: str) -> tuple[str, str]:

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from trimmer.files import read_content
+from trimmer.messages import near_file
 from trimmer.signals.signal import SignalError
 
 _UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
@@ -13,7 +14,6 @@ _OTHER_FILES = (
     (b"PK\x03\x04", "a spreadsheet or another zip file"),
     (b"\xd0\xcf\x11\xe0", "an old spreadsheet"),
     (b"\x1f\x8b", "a gzip file"),
-    (b"RIFF", "a RIFF file, such as WAV"),
     (b"\x89HDF", "an HDF5 file, such as a MATLAB file"),
     (b"MATLAB 5.0", "a MATLAB file"),
     (b"%PDF", "a PDF file"),
@@ -35,6 +35,8 @@ def read_lines(path: Path) -> list[str]:
         SignalFileError: if the file cannot be read, is empty, or is not text in one of these encodings.
     """
     content = _content(path)
+    if content.startswith(b"RIFF"):
+        raise SignalFileError(f"{path}: is a RIFF file, such as WAV; name it as a file, or use read_wav")
     for start, kind in _OTHER_FILES:
         if content.startswith(start):
             raise SignalFileError(f"{path}: is {kind}; export the samples as CSV text")
@@ -56,12 +58,18 @@ def read_lines(path: Path) -> list[str]:
 def _content(path: Path) -> bytes:
     try:
         return read_content(path)
-    except FileNotFoundError:
-        raise SignalFileError(f"{path}: no such file") from None
-    except IsADirectoryError:
-        raise SignalFileError(f"{path}: is a folder; name the file of samples in it") from None
     except OSError as error:
-        raise SignalFileError(f"{path}: cannot be read: {error.strerror or error}") from error
+        raise unreadable(path, error) from error
+
+
+def unreadable(path: Path, error: OSError) -> SignalFileError:
+    """Return the error that says why a file cannot be read."""
+    if isinstance(error, FileNotFoundError):
+        advice = near_file(path) or "name a file of samples"
+        return SignalFileError(f"{path}: no such file; {advice}")
+    if isinstance(error, IsADirectoryError):
+        return SignalFileError(f"{path}: is a folder; name the file of samples in it")
+    return SignalFileError(f"{path}: cannot be read: {error.strerror or error}; name a file of samples")
 
 
 def _decoded(content: bytes) -> str:

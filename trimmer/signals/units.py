@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 
+from trimmer.signals.quantity import MOTION_UNITS
+
 SECONDS = {"": 1.0, "s": 1.0, "sec": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ns": 1e-9}
 """Units of time, in seconds; a heading without unit means seconds."""
 
-_LENGTHS = {"m", "mm", "um", "µm", "μm", "nm"}
-_OTHERS = _LENGTHS | {"m/s", "mm/s", "m/s2", "m/s²", "m/s^2", "g", "N", "Pa", "V", "mV"}
+_OTHERS = {*MOTION_UNITS, "N", "Pa", "V", "mV"}
 _BRACKETED = re.compile(r"\[[^][]*\]|\([^()]*\)")
 
 

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from operator import attrgetter
+from typing import TYPE_CHECKING
 
-from trimmer.arguments import real_number, require_instance, truth_value
+from trimmer.arguments import real_number, require_instance, truth_value, whole_number
 from trimmer.errors import SignalWarning
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
     OPEN_LOOP,
@@ -17,18 +21,21 @@ from trimmer.spectra.classification import (
     fundamentals,
     require_positive,
 )
-from trimmer.spectra.doubts import doubts
+from trimmer.spectra.doubts import band_doubts, doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
-from trimmer.spectra.peaks import peaks
+from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 USUAL_LIMIT = 20
 """Number of peaks that are kept if none is given."""
 
 
-@dataclass(frozen=True, eq=False)
-class SpectrumAnalysis:
+@dataclass(frozen=True, eq=False, repr=False)
+class SpectrumAnalysis(Tabular):
     """Results of the analysis of a signal.
 
     Attributes:
@@ -46,6 +53,36 @@ class SpectrumAnalysis:
     peaks: tuple[ClassifiedPeak, ...]
     doubts: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the spectrum up to a little above its highest peak, with what each peak may be.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.spectrum import draw_analysis
+
+        return draw_analysis(self, ax)
+
+    def _told(self) -> str:
+        known = sum(each.explanation is not None for each in self.peaks)
+        peaks = f"{counted(len(self.peaks), 'peak')}, {known} explained"
+        return f"{self.signal.heading}: {peaks}, bins {self.spectrum.bin_width:.6g} Hz apart"
+
+    def _table(self) -> Table:
+        unit = self.signal.unit
+        of_peak = {"frequency": "Hz", "amplitude": unit, "phase": "rad"}
+        of_peak |= {"frequency_uncertainty": "Hz", "amplitude_uncertainty": unit}
+        columns = (
+            *(Column(name, unit, attrgetter(f"peak.{name}")) for name, unit in of_peak.items()),
+            Column("explanation", "", lambda each: each.explanation and each.explanation.origin.label),
+            Column("distance_bins", "", lambda each: each.explanation and each.explanation.distance),
+            Column("ambiguous", "", attrgetter("ambiguous")),
+        )
+        return Table("Peaks by amplitude", self.peaks, columns)
 
 
 def analyse_signal(
@@ -71,8 +108,8 @@ def analyse_signal(
         closed_loop: Whether the pin follows the output although there is a drive.
 
     Warns:
-        SignalWarning: if many samples have the extreme value, as in a clipped record; or if the record is too
-            short to tell the harmonics of the drive, or what peaks may be, from one another.
+        SignalWarning: if the record has a fault, such as clipping, or peaks where it is not to be trusted; or
+            if it is too short to tell the harmonics of the drive, or what peaks may be, from one another.
 
     Raises:
         ChoiceError: if there is no such window.
@@ -87,9 +124,13 @@ def analyse_signal(
         require_positive("frequency of the drive", drive_frequency)
     closed_loop = truth_value("closed_loop", closed_loop)
     left_out = drive_frequency is not None and not closed_loop and len(predicted) > 0
-    spectrum = amplitude_spectrum(signal.values, signal.sample_rate, window)
+    spectrum = replace(amplitude_spectrum(signal.values, signal.sample_rate, window), colour=signal.converted)
     origins = fundamentals(drive_frequency, known, () if left_out else predicted)
-    doubtful = doubts(signal.values, spectrum, drive_frequency, origins)
+    found = _trusted_peaks(signal, spectrum, limit)
+    doubtful = (
+        *doubts(signal, spectrum, drive_frequency, origins),
+        *band_doubts(signal.trusted, found),
+    )
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)
     return SpectrumAnalysis(
@@ -97,7 +138,7 @@ def analyse_signal(
         spectrum=spectrum,
         harmonics=None if drive_frequency is None else _harmonics(signal, drive_frequency),
         peaks=classify(
-            peaks(spectrum, limit),
+            found,
             spectrum.bin_width,
             drive_frequency,
             natural_frequencies,
@@ -107,6 +148,15 @@ def analyse_signal(
         doubts=doubtful,
         notes=(OPEN_LOOP,) if left_out else (),
     )
+
+
+def _trusted_peaks(signal: Signal, spectrum: Spectrum, limit: int) -> tuple[Peak, ...]:
+    """Find peaks; of a converted signal none outside its band, in whose flanks parts of lines are left."""
+    if not signal.converted:
+        return peaks(spectrum, limit)
+    found = peaks(spectrum)
+    whole_number("limit", limit, 1)
+    return tuple(peak for peak in found if peak.frequency in signal.trusted)[:limit]
 
 
 def _harmonics(signal: Signal, drive_frequency: float) -> HarmonicFit:

@@ -1,51 +1,20 @@
-"""What in a record makes its spectrum doubtful: clipping, too low a sample rate, too short a record."""
+"""What in a record makes its spectrum doubtful: faults, too low a sample rate, too short a record."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from trimmer.arrays import Reals
+from trimmer.signals.band import Band
+from trimmer.signals.faults import faults
+from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import Origin
+from trimmer.spectra.peaks import Peak
 from trimmer.spectra.spectrum import Spectrum
 
-_CLIPPED_SHARE = 0.005
-"""Share of the samples that have the extreme value, from which on they count as clipped."""
-
-_CLIPPED_EXCESS = 3.0
-"""How many times more samples have the extreme value than the next one, in a clipped record.
-
-Coarse steps of a converter put many samples on the extreme value as well, but nearly as many on the next.
-"""
-
+_SHOWN = 5
 _SAME = 1e-9
 """Relative difference below which two frequencies are the same, so that no record tells them apart."""
-
-
-def clipping_doubt(values: Reals) -> str | None:
-    """Say whether many samples in a row have the extreme value, as where a measurement is clipped.
-
-    Args:
-        values: Samples, shape (n,).
-    """
-    ends = [(name, _clipped(sign * values)) for name, sign in (("largest", 1.0), ("smallest", -1.0))]
-    clipped = [f"{count} of {values.size} samples have the {name} value" for name, count in ends if count]
-    if not clipped:
-        return None
-    return (
-        f"{' and '.join(clipped)}: if the measurement is clipped there, harmonics are seen that the motion "
-        "does not have; measure again with a larger range"
-    )
-
-
-def _clipped(values: Reals) -> int:
-    """Count the samples of the largest value if they look clipped, else 0."""
-    highest = values == values.max()
-    count, others = int(highest.sum()), values[~highest]
-    in_a_row = bool((highest[1:] & highest[:-1]).any())
-    if not in_a_row or others.size == 0 or count < max(3.0, _CLIPPED_SHARE * values.size):
-        return 0
-    return count if count > _CLIPPED_EXCESS * int((others == others.max()).sum()) else 0
 
 
 def aliasing_doubt(drive: float, sample_rate: float) -> str | None:
@@ -85,9 +54,17 @@ def resolution_doubts(spectrum: Spectrum, drive: float | None, origins: Sequence
             )
 
 
+def band_doubts(band: Band, peaks: Sequence[Peak]) -> Iterator[str]:
+    """Name the peaks (Hz) that lie where the samples are not to be trusted."""
+    outside = [f"{peak.frequency:.5g}" for peak in peaks if peak.frequency not in band]
+    if outside:
+        listed = ", ".join(outside[:_SHOWN]) + (", ..." if len(outside) > _SHOWN else "")
+        yield f"not to be trusted: peaks at {listed} Hz; the samples are {band.sentence}"
+
+
 def doubts(
-    values: Reals, spectrum: Spectrum, drive: float | None, origins: Sequence[Origin]
+    signal: Signal, spectrum: Spectrum, drive: float | None, origins: Sequence[Origin]
 ) -> tuple[str, ...]:
     """Say in sentences without a full stop what makes a spectrum doubtful; none if nothing does."""
-    clipping = clipping_doubt(values)
-    return (*filter(None, [clipping]), *resolution_doubts(spectrum, drive, origins))
+    wrong = (fault.sentence for fault in faults(signal))
+    return (*wrong, *resolution_doubts(spectrum, drive, origins))

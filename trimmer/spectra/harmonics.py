@@ -10,10 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import real_number, whole_number
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
+from trimmer.spectra.spectrum import IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes, Reals
@@ -24,8 +28,8 @@ MOST_HARMONICS = 20
 _BLOCK = 16384
 
 
-@dataclass(frozen=True, eq=False)
-class HarmonicFit:
+@dataclass(frozen=True, eq=False, repr=False)
+class HarmonicFit(Tabular):
     """The periodic signal mean + sum(Re(c_n exp(2 pi j n frequency t)), n = 1 .. count) nearest to a record.
 
     Attributes:
@@ -52,6 +56,33 @@ class HarmonicFit:
     def amplitudes(self) -> Reals:
         """Amplitude of each harmonic, in the signal's unit, shape (count,)."""
         return np.asarray(np.abs(self.coefficients))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the amplitude of each harmonic, in the signal's unit, over its order.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.spectrum import draw_harmonics
+
+        return draw_harmonics(self, ax)
+
+    def _told(self) -> str:
+        count, frequency = self.coefficients.size, self.frequency
+        return f"{count} of {frequency:.9g} Hz explain {self.explained:.4%} of the variance"
+
+    def _table(self) -> Table:
+        orders = np.array(self.orders)
+        columns = arrays(
+            order=("", orders),
+            frequency=("Hz", self.frequency * orders),
+            amplitude=(IN_UNIT_OF_SIGNAL, self.amplitudes),
+            phase=("rad", np.angle(self.coefficients)),
+        )
+        return Table("Harmonics of the drive; phases of cosines", range(orders.size), columns)
 
     def at(self, times: ArrayLike) -> Reals:
         """Evaluate the fit at times after the first sample (s), in their shape and in the signal's unit."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.showing.shown import Record
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
@@ -49,7 +50,7 @@ _LOSSES = {
 
 
 @dataclass(frozen=True)
-class Peak:
+class Peak(Record):
     """A peak of a spectrum, as the sine amplitude * cos(2 pi frequency t + phase) from the first sample on.
 
     Attributes:
@@ -161,7 +162,8 @@ def _threshold(spectrum: Spectrum, smallest: float, false_alarm: float) -> Reals
     """Find what each bin must exceed."""
     amplitude = spectrum.amplitude
     floor = smallest * amplitude[1:].max(initial=0.0)
-    return np.asarray(np.maximum(noise_threshold(amplitude, false_alarm), floor))
+    shape = spectrum.noise_shape
+    return np.asarray(np.maximum(shape * noise_threshold(amplitude / shape, false_alarm), floor))
 
 
 def _maxima(spectrum: Spectrum, threshold: Reals) -> Places:
@@ -220,7 +222,8 @@ def _noise(spectrum: Spectrum, lines: _Lines, place: float) -> float:
     bins = np.unique(np.clip(bins, 1, spectrum.lines.size - 2))
     apart = np.abs(np.subtract.outer(bins, lines.bins)).min(axis=1) > spectrum.window.half_width
     bins = bins[apart] if apart.any() else bins
-    median = float(np.median(np.abs(spectrum.lines[bins] - _leakage(spectrum, lines, bins))))
+    left = np.abs(spectrum.lines[bins] - _leakage(spectrum, lines, bins)) / spectrum.noise_shape[bins]
+    median = float(np.median(left)) * float(spectrum.noise_shape[round(place)])
     return median * math.sqrt(spectrum.samples / (4.0 * math.log(2.0) * spectrum.window.noise_bandwidth))
 
 

@@ -8,20 +8,25 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes, Reals
 
+IN_UNIT_OF_SIGNAL = "unit of the signal"
+"""Stands for the unit of an amplitude where it is not known."""
 FEWEST_SAMPLES = 16
 """Fewest samples of which a spectrum is made: the main lobe of the widest window has 10 bins."""
 
 
-@dataclass(frozen=True, eq=False)
-class Spectrum:
+@dataclass(frozen=True, eq=False, repr=False)
+class Spectrum(Tabular):
     """An amplitude spectrum, single-sided: a sine of amplitude a shows a, at a bin that it falls on.
 
     Attributes:
@@ -31,6 +36,8 @@ class Spectrum:
         sample_rate: Sample rate of the signal, Hz.
         samples: Number of samples of the signal.
         mean: Mean of the signal, in its unit, which was subtracted before windowing.
+        colour: Power of the frequency with which noise is taken to grow: 0 for white noise, -2 where an
+            acceleration with white noise was integrated twice.
     """
 
     lines: Complexes
@@ -38,6 +45,7 @@ class Spectrum:
     sample_rate: float
     samples: int
     mean: float
+    colour: int = 0
 
     @property
     def bin_width(self) -> float:
@@ -50,9 +58,40 @@ class Spectrum:
         return np.asarray(np.arange(self.lines.size) * self.bin_width)
 
     @cached_property
+    def noise_shape(self) -> Reals:
+        """Amplitude of noise at each bin beside others, in the shape of ``lines``."""
+        bins = np.maximum(np.arange(self.lines.size, dtype=np.float64), 1.0)
+        return np.asarray(bins**self.colour)
+
+    @cached_property
     def amplitude(self) -> Reals:
         """Amplitude at each bin, in the signal's unit, in the shape of ``lines``."""
         return np.asarray(np.abs(self.lines))
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the amplitude, in the signal's unit, over frequency, Hz.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.spectrum import draw_spectrum
+
+        return draw_spectrum(self, ax)
+
+    def _told(self) -> str:
+        word = self.window.word
+        return f"{self.lines.size} bins {self.bin_width:.6g} Hz apart, {word} window, mean {self.mean:.6g}"
+
+    def _table(self) -> Table:
+        columns = arrays(
+            frequency=("Hz", self.frequency),
+            amplitude=(IN_UNIT_OF_SIGNAL, self.amplitude),
+            phase=("rad", np.angle(self.lines)),
+        )
+        return Table("Amplitude spectrum; phases of cosines", range(self.lines.size), columns)
 
 
 def amplitude_spectrum(signal: ArrayLike, sample_rate: float, window: Window | str = Window.HANN) -> Spectrum:

@@ -12,7 +12,6 @@ from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
-from report.claim import Certainty, Impact, Severity
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
@@ -29,6 +28,7 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash
 
 SOURCE, BLOCKS = (

@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.cells import draw_cells
 from report.drawing.style import new_figure
 from report.evidence import Evidence
 from report.numbers.twin.map_numbers import MapNumbers
 from report.record import figure
 from trimmer.arrays import Integers
+from trimmer.drawing.cells import draw_cells
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-from trimmer.maps.drawing import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
+from trimmer.drawing.kinds import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
 LONGER = len(PERIOD_COLOURS)
 NAMES = {

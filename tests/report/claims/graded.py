@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from report.claim import Claim, Severity
+from report.claim import Claim
+from report.verdict import Severity
 
 
 def graded(claim: Claim) -> Claim:

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from report.claim import ContradictionError, judge
 from report.evidence import Evidence
+from report.judge import ContradictionError, judge
 from report.numbers.limit_cycle_numbers import Pair
 from report.numbers.linear_numbers import solve_linear
 from report.record import ClaimRecord

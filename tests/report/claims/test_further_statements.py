@@ -6,8 +6,9 @@ import pytest
 
 from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
-from report.claim import ContradictionError, Verdict, judge
+from report.judge import ContradictionError, judge
 from report.thesis import EXPERIMENT_GAP
+from report.verdict import Verdict
 from tests.report.claims.graded import graded
 from trimmer import resonance_peaks
 

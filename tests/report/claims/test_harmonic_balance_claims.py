@@ -5,12 +5,13 @@ from dataclasses import replace
 import pytest
 
 from report.chapters.chapter_5.claims import section_5_2_2, section_5_2_assumptions
-from report.claim import ContradictionError, Verdict, judge
+from report.judge import ContradictionError, judge
 from report.numbers.equivalent_nonlinearity import FORCE, listing_element
 from report.numbers.friction_in_place import Balances
 from report.numbers.independent.limit_cycles import equivalent_as_listed
 from report.numbers.listed_functions import equivalent_listing
 from report.thesis import DRIVE_OMEGA, SMALL_GAP
+from report.verdict import Verdict
 from tests.report.claims.graded import graded
 
 

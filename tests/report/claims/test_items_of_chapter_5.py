@@ -2,8 +2,9 @@
 
 import pytest
 
-from report.claim import Severity, Verdict, judge
 from report.items import items
+from report.judge import judge
+from report.verdict import Severity, Verdict
 
 SHARED = {
     "733.33 Hz, limit cycle predicted for friction-controlled backlash": {

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from report.chapters.second_ways import by_division_back, by_grid, by_matching_real_parts
-from report.claim import Claim, ContradictionError, Part, judge
+from report.claim import Claim, Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import power, power_of
+from report.judge import ContradictionError, judge
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps

@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from report.claim import judge
-from report.document import Figure
+from report.document.figure import Figure
 from report.items import items
+from report.judge import judge
 from report.overview.opening import opening
 
 MOST_CHARACTERS = 1300

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 
-from report.document import Document
+from report.document.document import Document
 from report.rendering.render import render
 from report.rendering.request import Format
 from tests.report.rendering.page_checks import Visit, chromium_browser, lead, opened

@@ -6,22 +6,11 @@ import dataclasses
 
 import sympy
 
-from report.document import (
-    Answer,
-    Chapter,
-    CorrectedResult,
-    DerivationStep,
-    Document,
-    Equation,
-    Figure,
-    Highlight,
-    NomenclatureRow,
-    Opening,
-    ParameterRow,
-    Program,
-    Provenance,
-    Section,
-)
+from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
+from report.document.document import Document
+from report.document.figure import Equation, Figure
+from report.document.overview import Answer, CorrectedResult, Highlight, Opening
+from report.document.thesis import Chapter, Provenance, Section
 from report.text_copy import BuildTime, TextCopy
 from tests.report.rendering.sample_derivation import CODE, SPREAD, explorable, picture
 from tests.report.rendering.sample_figures import figures

@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.document import CodeLines, Explorable, Figure, Follows, Panel, Slider
+from report.document.explorable import Explorable, Panel, Slider
+from report.document.figure import CodeLines, Figure
+from report.document.overview import Follows
 
 CODE = CodeLines(
     "trimmer/linear/low_pass.py", "bandwidth", 29, 31, "def bandwidth(x: float) -> float:\n    return x < 2"

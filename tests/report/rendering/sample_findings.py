@@ -6,18 +6,10 @@ from collections.abc import Iterable
 
 import sympy
 
-from report.claim import (
-    Finding,
-    Impact,
-    JudgedPart,
-    Kind,
-    Mathematics,
-    Number,
-    Severity,
-    Shown,
-    Verdict,
-    Words,
-)
+from report.claim import Kind
+from report.finding import Finding, JudgedPart
+from report.shown import Mathematics, Number, Shown, Words
+from report.verdict import Impact, Severity, Verdict
 from tests.report.rendering.sample_formulas import CASES, DOTS, SPECIAL, long_coefficient, state_matrix
 
 

@@ -6,7 +6,7 @@ import dataclasses
 
 import pytest
 
-from report.document import Document
+from report.document.document import Document
 from report.rendering import certificate
 from report.rendering.markdown import to_markdown
 from report.rendering.outline import Group

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from report.document import Document
+from report.document.document import Document
 from report.grade import grade
 from report.octave.archive import files
 from report.rendering.request import Format

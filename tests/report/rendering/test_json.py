@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
-from report.document import Document
+from report.document.document import Document
 from report.rendering.json import to_json
 from report.rendering.request import Format
 from tests.json_document import documented, keys

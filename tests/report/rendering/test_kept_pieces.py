@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from report.cache.stage_store import StageStore
-from report.document import Document
+from report.document.document import Document
 from report.rendering import pandoc
 from report.rendering.markdown import to_markdown
 from report.rendering.render import render

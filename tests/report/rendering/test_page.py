@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, expect
 
-from report.document import Document
+from report.document.document import Document
 from report.rendering.figure_colours import in_the_dark
 from report.rendering.request import Format
 from tests.report.rendering import page_checks

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from report.document import Document
+from report.document.document import Document
 from tests.report.rendering.page_checks import Visit
 
 pytestmark = pytest.mark.browser

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from report.document import Document
+from report.document.document import Document
 from report.grade import Grade, grade
 from report.rendering.summary import GRADES
 from tests.report.rendering.page_checks import Visit

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from report.document import DerivationStep, Document, Equation
+from report.document.derivation import DerivationStep
+from report.document.document import Document
+from report.document.figure import Equation
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import TypesettingError, to_pdf
 from report.rendering.pieces import Converter

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from trimmer.branches.doubled_map import DoubledMap
-from trimmer.branches.period_map import Phase
+from trimmer.branches.period_maps.doubled_map import DoubledMap
+from trimmer.branches.period_maps.period_map import Phase
 from trimmer.errors import UnsupportedMotionError
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import scipy.optimize
 
 from tests.trimmer.branches.maps import Given, Single
-from trimmer.branches.period_map import Phase
+from trimmer.branches.period_maps.period_map import Phase
 
 SAMPLES = 240
 SIDES = {1: Phase.UPPER, -1: Phase.LOWER}

@@ -15,8 +15,8 @@ from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
-from trimmer.branches.follow_special import follow_special
 from trimmer.branches.followed import FollowedBranch
+from trimmer.branches.loci.follow_special import follow_special
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError

@@ -11,9 +11,9 @@ import pytest
 
 from tests.trimmer.branches.test_follow import dead_zone
 from trimmer.branches.follow import follow
-from trimmer.branches.follow_special import follow_special
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.locus import Locus, LocusEnd, LocusRanges, LocusSettings
+from trimmer.branches.loci.follow_special import follow_special
+from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MechanismError

@@ -19,7 +19,7 @@ from tests.trimmer.branches.maps import (
 )
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.branches.period_map import Phase
+from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 

@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 from trimmer.branches.narrowing import narrowed
-from trimmer.branches.period_map import Phase
+from trimmer.branches.period_maps.period_map import Phase
 
 KEY = ("stop", Phase.UPPER)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer.branches.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism.mechanism import Mechanism
 

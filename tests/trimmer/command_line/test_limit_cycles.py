@@ -61,6 +61,13 @@ def test_the_picture_is_the_same_bytes_each_time(tmp_path: Path, name: str, star
         (["--element", "friction"], "--element friction needs --gap"),
         (["--element", "viscous", "--gap", "1"], "--element viscous needs --time-constant"),
         (["--element", "relay", "--force", "1", "--gap", "1"], "--element relay does not use --gap"),
+        (["--element", "relay", "--force", "1", "--slope", "1"], "--element relay does not use --slope"),
+        (["--element", "relay", "--force", "1", "--hysteresis", "-1"], "must be zero or positive (m)"),
+        (["--element", "relay", "--force", "1", "--dead-zone", "inf"], "--dead-zone inf: must be finite"),
+        (["--element", "saturation"], "--element saturation needs --threshold"),
+        (["--element", "saturation", "--threshold", "1", "--slope", "0"], "slope must be positive"),
+        (["--element", "dead-zone", "--threshold", "0"], "threshold must be positive"),
+        (["--element", "preload", "--force", "1", "--threshold", "1"], "does not use --threshold"),
         (["--element", "friction", "--gap", "-1"], "gap must be positive"),
         (["--element", "friction", "--gap", "nan"], "gap must be positive"),
         (["--element", "friction", "--gap", "1", "--omega-range", "2", "1"], "0 < lowest < highest"),
@@ -93,6 +100,6 @@ def test_identify_gives_the_time_constant_or_says_that_there_is_none(capsys) -> 
     assert main([*words, "740", "--uncertainty", "1"]) == 0
     assert "M/D within 740 +- 1 Hz: " in capsys.readouterr().out
     assert main([*words, "740", "--uncertainty", "800"]) == 2
-    assert "frequency_uncertainty must be" in capsys.readouterr().err
+    assert "--uncertainty 800: must be zero or positive, less than --frequency" in capsys.readouterr().err
     assert main([*words, "-1"]) == 2
     assert "frequency must be positive" in capsys.readouterr().err

@@ -75,6 +75,49 @@ def test_a_broken_command_does_not_take_the_others_with_it(entry, capsys, target
     assert "m1 = 0.035" in printed.out
 
 
+MISSPELLED = [
+    (["lineal"], "there is no command 'lineal'; did you mean linear? See trimmer --help"),
+    (["--vesion"], "there is no option --vesion; did you mean --version? See trimmer --help"),
+    (
+        ["linear", "--outptu", "q2"],
+        "there is no option --outptu; did you mean --output? See trimmer linear --help",
+    ),
+    (
+        ["linear", "-output=q2"],
+        "there is no option -output; did you mean --output? See trimmer linear --help",
+    ),
+    (["identify", "--gpa", "1"], "there is no option --gpa; did you mean --gap? See trimmer identify --help"),
+    (["linear", "--channels", "Both"], "--channels: there is no 'Both'; did you mean both? See"),
+    (["linear", "--channels", "x"], "--channels: there is no 'x'; choose displacement or both; see"),
+    (["limit-cycles", "--element", "frction"], "there is no 'frction'; did you mean friction? See"),
+    (["linear", "--output", "q24"], "'q24' is not a displacement: did you mean q2-q4?"),
+    (["linear", "x", "y"], "'x' and 'y' have no use here; leave them out; see trimmer linear --help"),
+    (["linear", "--xyz"], "there is no option --xyz; see trimmer linear --help"),
+    (["spectrum", "a.csv", "--bits", "17"], "--bits: there is no 17; choose 16 or 24; see"),
+    (["identify", "--gap", "q"], "--gap: 'q' is no number; see"),
+    (["map", "a.toml", "--starts", "1.5"], "--starts: '1.5' is no whole number; see"),
+    (["report", "--only", "ch55"], "--only ch55: there is no such chapter; did you mean ch5?"),
+]
+
+
+@pytest.mark.parametrize(("words", "told"), MISSPELLED, ids=lambda each: str(each)[:40])
+def test_what_was_meant_is_asked_for(capsys, words: list[str], told: str) -> None:
+    try:
+        code = main(words)
+    except SystemExit as stopped:
+        code = stopped.code
+    shown = capsys.readouterr()
+    assert (code, shown.out) == (2, "")
+    assert told in shown.err
+    assert shown.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("value", ["-1e-3", "-inf", "-5", "-.5"])
+def test_a_negative_number_is_no_option(capsys, value: str) -> None:
+    assert main(["identify", "--gap", value, "--frequency", "740"]) == 2
+    assert "gap must be positive and finite" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     "arguments", [[], ["nonsense"], ["linear", "--nonsense"], ["linear", "--channels", "x"]]
 )
@@ -122,6 +165,31 @@ def test_an_error_of_the_program_is_not_hidden(entry, monkeypatch) -> None:
 def test_an_interrupt_is_exit_code_130(entry, monkeypatch) -> None:
     monkeypatch.setattr(sys.modules[__name__], "OTHER", fail(KeyboardInterrupt()))
     assert main(["other"]) == 130
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["spectrum", "a.csv", "--rate", "{}"], "rate"),
+        (["spectrum", "a.csv", "--sample-rate", "{}"], "rate"),
+        (["simulate", "--sample-rate", "{}"], "sample_rate"),
+        (["simulate", "--rate", "{}"], "sample_rate"),
+        (["respond", "a.toml", "--wait", "{}"], "periods"),
+        (["map", "a.toml", "--wait", "{}"], "periods"),
+        (["follow", "a.toml", "--vary", "frequency", "--from", "1", "--to", "2", "--wait", "{}"], "wait"),
+        (["simulate", "--drive-frequency", "{}"], "drive"),
+        (["spectrum", "a.csv", "--drive-frequency", "{}"], "drive"),
+    ],
+)
+def test_one_thing_has_one_name_in_all_commands(monkeypatch, words: list[str], name: str) -> None:
+    seen: list[object] = []
+    commands = [
+        replace(command, run=lambda arguments: seen.append(getattr(arguments, name)) or 0)
+        for command in command_line.installed_commands()
+    ]
+    monkeypatch.setattr(command_line, "installed_commands", lambda: commands)
+    assert main([word.format(7) for word in words]) == 0
+    assert seen == [7]
 
 
 def test_version(capsys) -> None:

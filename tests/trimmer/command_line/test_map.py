@@ -127,7 +127,7 @@ def test_a_file_is_gone_on_with(tmp_path: Path, capsys) -> None:
 
 
 def test_an_interrupt_says_how_to_go_on(tmp_path: Path, capsys, monkeypatch) -> None:
-    from trimmer.maps.runner import SerialRunner
+    from trimmer.runners.runner import SerialRunner
 
     def interrupted(self, work, cells):
         yield work(next(iter(cells)))

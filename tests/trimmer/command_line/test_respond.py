@@ -10,7 +10,7 @@ import pytest
 
 from tests.json_document import documented, keys
 from trimmer.command_line.main import main
-from trimmer.command_line.mechanisms.patience import patience
+from trimmer.command_line.patience import patience
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
@@ -91,7 +91,8 @@ def test_what_does_not_repeat_is_drawn_too(tmp_path: Path, capsys: pytest.Captur
     ("words", "named"),
     [
         (["respond", TWIN, "--state", "motor"], "write BODY=DISPLACEMENT,VELOCITY"),
-        (["respond", TWIN, "--state", "motr=1,2"], "'motr' is no body; there are motor, cutter"),
+        (["respond", TWIN, "--state", "motr=1,2"], "'motr' is no body; did you mean motor?"),
+        (["respond", TWIN, "--state", "saw=1,2"], "'saw' is no body; there are motor, cutter"),
         (["respond", TWIN, "--state", "motor=1kg,0"], "motor=1kg,0"),
         (["respond", TWIN, "--seed", "3"], "--seed has no effect without --starts"),
         (["respond", TWIN, "--set", "plays.bridge.gp=1"], "plays.bridge.gap"),
@@ -142,7 +143,11 @@ def test_a_simulated_motion_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main(["simulate", TWIN, "--duration", "0.05", "--plot", str(picture)]) == 0
     assert capsys.readouterr().out.endswith(f"wrote {picture}\n")
     assert picture.read_text().startswith("<?xml")
-    assert (
-        main(["simulate", "--element", "friction", "--gap", "1e-4", "--impulse", "1", "--plot", "a.svg"]) == 2
-    )
-    assert "--plot has no effect without the file of a mechanism" in capsys.readouterr().err
+
+
+def test_the_motion_of_a_loop_is_drawn_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = tmp_path / "loop.pdf"
+    loop = ["--element", "friction", "--gap", "1e-4", "--impulse", "1", "--duration", "0.01"]
+    assert main(["simulate", *loop, "--plot", str(picture)]) == 0
+    assert capsys.readouterr().out.endswith(f"wrote {picture}\n")
+    assert picture.read_bytes().startswith(b"%PDF-")

@@ -52,7 +52,8 @@ def test_json_holds_the_spectrum_in_full_precision(capsys, file: Path, thesis_cy
     printed = as_json(capsys, file, "--drive", DRIVE, "--gap", GAP, "--closed-loop")
     assert printed["signal"] == {
         **{"name": "q2-q4", "unit": "m", "samples": 20_000},
-        **{"sample_rate": RATE, "start": 0.0, "interpolated": 0},
+        **{"sample_rate": RATE, "start": 0.0, "interpolated": 0, "quantity": "displacement"},
+        "trusted": {"lowest": 0.0, "highest": None, "lowest_reason": "", "highest_reason": ""},
     }
     assert printed["spectrum"]["window"] == "hann"
     assert printed["spectrum"]["bin_width"] == 1.0

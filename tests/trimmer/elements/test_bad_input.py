@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 
 from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element import Element
 from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_backlash import ViscousBacklash
@@ -27,12 +30,19 @@ ELEMENTS: tuple[Element, ...] = (
     FrictionBacklash(1.0) + Relay(1.0),
     2.0 * FrictionBacklash(1.0),
     FrictionBacklash(1.0).at(1.0),
+    Saturation(0.8),
+    DeadZone(0.8),
+    Preload(1.0, 1.0),
+    Relay(1.0, hysteresis=0.8),
+    Relay(1.0, hysteresis=0.2, dead_zone=0.6),
 )
 BUILDERS: dict[str, Callable[[float], Element]] = {
     "gap": FrictionBacklash,
     "force": CoulombFriction,
     "level": Relay,
     "damping": ViscousFriction,
+    "threshold": Saturation,
+    "slope": lambda slope: DeadZone(1.0, slope),
     "omega": lambda omega: ElementAtFrequency(Relay(1.0), omega),
 }
 
@@ -56,6 +66,13 @@ def test_a_time_constant_must_not_be_negative(value: float) -> None:
         ValueError, match=rf"time_constant must be zero, positive or infinite \(s\), not {value}$"
     ):
         ViscousBacklash(1.0, value)
+
+
+@pytest.mark.parametrize("field", ["hysteresis", "dead_zone"])
+@pytest.mark.parametrize("value", [-1e-9, math.nan, math.inf])
+def test_a_threshold_of_a_relay_is_not_negative(field: str, value: float) -> None:
+    with pytest.raises(ValueError, match=rf"^{field} must (not be negative|be finite)"):
+        Relay(1.0, **{field: value})
 
 
 @pytest.mark.parametrize("value", [0.0, math.nan, math.inf])

@@ -6,10 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element import Element
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
 from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 
@@ -22,13 +25,21 @@ ELEMENTS: tuple[Element, ...] = (
     ViscousFriction(0.2),
     ViscousBacklash(2.0, 0.3) + 2.0 * CoulombFriction(0.5) - ViscousFriction(0.2),
     ViscousBacklash(2.0, 0.3).at(4.0),
+    Saturation(2.0, 0.7),
+    DeadZone(2.0, 0.7),
+    Preload(3.0, 0.4),
+    Relay(3.0, hysteresis=2.0),
+    Relay(3.0, dead_zone=2.0),
+    Relay(3.0, hysteresis=0.5, dead_zone=1.5),
+    Relay(3.0, hysteresis=1.5, dead_zone=0.5),
+    Saturation(2.0) - 0.3 * Relay(1.0, hysteresis=0.5, dead_zone=0.5),
 )
 widths = st.floats(-3, 0.5).map(lambda exponent: 10**exponent)
 
 
 @pytest.mark.parametrize("element", ELEMENTS, ids=repr)
 @pytest.mark.parametrize("omega", [0.01, 1.0, 3.4, 200.0])
-@pytest.mark.parametrize("u", [0.05, 1.0, 1.9])
+@pytest.mark.parametrize("u", [0.05, 0.93, 1.9])
 def test_derivatives_are_those_of_difference_quotients(element: Element, omega: float, u: float) -> None:
     def value(u: float, omega: float) -> complex:
         return complex(element.describing_function(element.amplitude_scale / u, omega))
@@ -36,7 +47,10 @@ def test_derivatives_are_those_of_difference_quotients(element: Element, omega: 
     step = 1e-4 * u
     slopes = element.derivatives(element.amplitude_scale / u, omega)
     by_u = (value(u + step, omega) - value(u - step, omega)) / (2 * step)
-    assert slopes.by_u == pytest.approx(by_u, rel=2e-6, abs=1e-8)
+    assert slopes.by_u == pytest.approx(by_u, rel=2e-6, abs=1e-8, nan_ok=True)
+    if np.isnan(by_u):
+        assert u > 1.0  # outside the domain
+        return
     by_log = (value(u, omega * np.exp(1e-4)) - value(u, omega * np.exp(-1e-4))) / 2e-4
     assert slopes.by_log_omega == pytest.approx(by_log, rel=2e-6, abs=1e-9)
 
@@ -49,6 +63,32 @@ def test_an_expansion_is_value_and_derivatives(element: Element) -> None:
     for own, derivative in zip(expansion[1:], element.derivatives(amplitude, omega), strict=True):
         assert np.array_equal(own, derivative, equal_nan=True)
         assert own.shape == (2, 4)
+
+
+@pytest.mark.parametrize(
+    "element", [each for each in ELEMENTS if each.reach((0.1, 0.2)) is not None], ids=repr
+)
+@given(start=st.floats(0.0, 1.0), share=st.floats(0.0, 1.0), seed=st.integers(0, 2**32 - 1))
+def test_no_value_is_farther_from_the_middle_than_the_reach(
+    element: Element, start: float, share: float, seed: int
+) -> None:
+    end = start + share * (1.0 - start)
+    u = np.r_[0.5 * (start + end), start, np.random.default_rng(seed).uniform(start, end, 100), end]
+    # Amplitudes are rounded: u = 1 may become more, and 0 has none.
+    middle, *values = element.describing_function(element.amplitude_scale / np.clip(u, 1e-300, 1.0 - 1e-15))
+    reach = element.reach((start, end))
+    known = np.array(values)[~np.isnan(values)]
+    if not np.isnan(middle) and known.size:
+        assert np.abs(known - middle).max() <= reach + 1e-13
+
+
+@pytest.mark.parametrize(
+    "element", [each for each in ELEMENTS if each.reach((0.1, 0.2)) is not None], ids=repr
+)
+def test_a_reach_shrinks_with_the_box_even_next_to_the_threshold(element: Element) -> None:
+    wide, narrow = element.reach((1.0 - 1e-2, 1.0)), element.reach((1.0 - 1e-6, 1.0))
+    assert wide < np.inf
+    assert narrow < 0.02 * wide
 
 
 def test_derivatives_are_missing_outside_the_domain() -> None:

@@ -8,7 +8,7 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import MapError, MechanismError, WrongTypeError
 from trimmer.maps.basin import basin
-from trimmer.maps.runner import SerialRunner
+from trimmer.runners.runner import SerialRunner
 
 SERIAL = SerialRunner()
 SLICE = {"mass.displacement": np.linspace(-25, 12, 5), "mass.velocity": np.linspace(-100, 100, 5)}

@@ -16,8 +16,9 @@ from trimmer.errors import MapFileError
 from trimmer.files import FileWriteError
 from trimmer.maps.checkpoint import read_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
-from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.mechanism import Mechanism
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
 
 PLACES = {"frequency": [1.0, 1.05, 1.1], "stops.wall.gap": [8.0, 10.0]}
 SERIAL = SerialRunner()
@@ -171,7 +172,7 @@ PROGRAM = """
 import sys
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer.maps.motion_map import motion_map
-from trimmer.maps.runner import ProcessRunner
+from trimmer.runners.processes import ProcessRunner
 values = [1.0 + number / 1000 for number in range(1000)]
 motion_map(linear_oscillator(), {"frequency": values}, runner=ProcessRunner(2), file=sys.argv[1])
 """

@@ -7,7 +7,8 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.errors import WrongTypeError
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
-from trimmer.maps.runner import ProcessRunner, SerialRunner
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
 
 SERIAL = SerialRunner()
 OMEGA = np.linspace(6.5, 9.0, 26)

@@ -11,10 +11,11 @@ from trimmer.errors import MapError, MechanismError, TrimmerError
 from trimmer.maps.cells import CellWork
 from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
-from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.mechanism import Mechanism
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 PLACES = {

@@ -11,14 +11,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer.branches.locus import Locus, LocusEnd
+from trimmer.branches.loci.locus import Locus, LocusEnd
 from trimmer.branches.special import SpecialKind
 from trimmer.maps.meetings import meetings
 from trimmer.maps.motion_map import motion_map
-from trimmer.maps.runner import ProcessRunner, SerialRunner
 from trimmer.maps.special_curve import SpecialCurve
 from trimmer.maps.special_curves import special_curves
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

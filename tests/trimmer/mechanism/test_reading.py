@@ -71,7 +71,8 @@ CASES = {
         'gap = "-1 mm"': "line 10: plays.slot.gap = '-1 mm': must be zero or greater",
         "gap = nan": "line 10: plays.slot.gap = nan: must be finite",
         "gap = inf": "line 10: plays.slot.gap = inf: must be finite",
-        'law = "relax"': "line 10: plays.slot.law = 'relax': choose relaxing, truncated or pulling",
+        'law = "relax"': "line 10: plays.slot.law = 'relax': did you mean relaxing?",
+        'law = "soft"': "line 10: plays.slot.law = 'soft': choose relaxing, truncated or pulling",
     },
     "damping = 0.5": {
         "damping = -1": "line 10: plays.slot.damping = -1: must be zero or greater, in N s/m",

@@ -120,5 +120,9 @@ def test_a_fault_of_the_content_is_reported_with_its_line(file, content, options
 
 
 def test_a_file_that_cannot_be_read_is_reported(tmp_path: Path) -> None:
-    assert message_for(tmp_path / "none.csv", sample_rate=1) == ": no such file"
+    advice = ": no such file; name a file of samples"
+    assert message_for(tmp_path / "none.csv", sample_rate=1) == advice
+    near = tmp_path / "noned.csv"
+    near.write_text("1\n2\n")
+    assert message_for(tmp_path / "none.csv", sample_rate=1) == f": no such file; did you mean {near}?"
     assert "is a folder" in message_for(tmp_path, sample_rate=1)

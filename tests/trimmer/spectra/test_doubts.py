@@ -14,46 +14,12 @@ from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
 from trimmer.signals.write import write_signal
 from trimmer.spectra.analysis import analyse_signal
-from trimmer.spectra.doubts import aliasing_doubt, clipping_doubt
+from trimmer.spectra.doubts import aliasing_doubt
 from trimmer.spectra.window import Window
 
 RATE = 5000.0
 TIMES = np.arange(5000) / RATE
 SINE = np.sin(2 * np.pi * 109.8 * TIMES)
-
-
-@pytest.mark.parametrize("level", [0.3, 0.9, 0.99, 0.995])
-def test_a_clipped_record_is_told(level: float) -> None:
-    told = clipping_doubt(np.clip(SINE, -level, level))
-    assert told is not None
-    assert "largest value and" in told and "smallest value" in told
-    assert f"{int((level <= SINE).sum())} of 5000 samples" in told
-    one_sided = clipping_doubt(np.minimum(SINE, level))
-    assert one_sided is not None and "smallest" not in one_sided
-
-
-def test_a_clipped_record_of_few_bits_is_told() -> None:
-    assert clipping_doubt(np.clip(np.round(200 * SINE), -128, 127)) is not None
-
-
-@pytest.mark.parametrize("bits", [3, 5, 8, 12])
-def test_a_converter_with_coarse_steps_is_not_taken_for_clipping(bits: int) -> None:
-    assert clipping_doubt(np.round(2 ** (bits - 1) * 0.93 * SINE)) is None
-
-
-@pytest.mark.parametrize(
-    "values",
-    [
-        SINE,
-        np.sin(2 * np.pi * 250 * TIMES),  # the same 20 samples over and over
-        np.sign(np.sin(2 * np.pi * 250 * TIMES + 0.1)),  # a square wave is at its limits all the time
-        np.zeros(100),
-        np.random.default_rng(1).normal(size=5000),
-        np.arange(100.0),
-    ],
-)
-def test_what_is_not_clipped_is_not_told(values) -> None:
-    assert clipping_doubt(values) is None
 
 
 def test_a_drive_above_half_of_the_sample_rate_is_told_with_where_it_shows() -> None:

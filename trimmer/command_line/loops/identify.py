@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
-from trimmer.command_line.output_options import add_json_option
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, require_positive
 
 
@@ -24,6 +25,8 @@ def _configure(parser: ArgumentParser) -> None:
     )
     add_loop_options(parser)
     add_json_option(parser)
+    add_plot_option(parser, "M/D over the frequency, with what was measured,")
+    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
@@ -32,6 +35,11 @@ def _run(arguments: Namespace) -> int:
 
     require_positive(arguments, "gap", "m")
     require_positive(arguments, "frequency", "Hz")
+    if not 0 <= arguments.uncertainty < arguments.frequency:
+        raise OptionError(
+            f"--uncertainty {arguments.uncertainty:g}: must be zero or positive, less than --frequency (Hz)"
+        )
+    check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     G = linear_part(arguments)
     try:
         found = identify_time_constant(
@@ -39,10 +47,27 @@ def _run(arguments: Namespace) -> int:
         )
     except ValueError as error:
         raise OptionError(str(error)) from error
-    print((identified_as_json if arguments.json else identified_as_text)(found))
+    if arguments.plot is not None:
+        from trimmer.drawing.content import figure_of
+
+        write_picture(arguments, figure_of(found.plot))
+    show((identified_as_json if arguments.json else identified_as_text)(found), arguments.plot)
     return 0
 
 
 COMMAND = Command(
-    "identify", "time constant M/D of the load behind a backlash, from a measured frequency", _configure, _run
+    "identify",
+    "time constant M/D of the load behind a backlash, from a measured frequency",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer identify --gap 4e-5 --frequency 740 --channels displacement",
+            "which M/D of the load goes with a vibration that was measured at 740 Hz",
+        ),
+        Example(
+            "trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement",
+            "the same as an interval, if the measurement may be off by 2 Hz",
+        ),
+    ),
 )

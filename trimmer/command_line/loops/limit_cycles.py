@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from functools import partial
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -46,9 +45,9 @@ def _run(arguments: Namespace) -> int:
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     balance = harmonic_balance(loop, omegas)
     if arguments.plot is not None:
-        from trimmer.drawing.locus import draw_loci
+        from trimmer.drawing.locus import balance_figure
 
-        write_picture(arguments, partial(draw_loci, loop, balance))
+        write_picture(arguments, balance_figure(balance))
     show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
 
@@ -63,5 +62,22 @@ def _omega_range(arguments: Namespace) -> tuple[float, float] | None:
 
 
 COMMAND = Command(
-    "limit-cycles", "limit cycles by harmonic balance: amplitude, frequency, stability", _configure, _run
+    "limit-cycles",
+    "limit cycles by harmonic balance: amplitude, frequency, stability",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer limit-cycles --element friction --gap 4e-5",
+            "which vibrations a play of 40 um can keep up, and which of them are stable",
+        ),
+        Example(
+            "trimmer limit-cycles --element viscous --gap 4e-5 --time-constant 1e-3 --plot loci.svg",
+            "the same with a heavy load behind the play, and a picture of the curves that meet",
+        ),
+        Example(
+            "trimmer limit-cycles --element coulomb --force 0.5 --channels displacement",
+            "whether dry friction in place of the play can keep up a vibration",
+        ),
+    ),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -28,11 +29,14 @@ class ElementChoice:
         name: The word that selects the element.
         options: The options it needs, in the order in which ``make`` takes their values.
         make: Returns the element for the values of these options, in SI units.
+        optional: The options that it takes besides, each with the value it has if it is not given; ``make``
+            takes them after the others.
     """
 
     name: str
     options: tuple[str, ...]
     make: Callable[..., Element]
+    optional: tuple[tuple[str, float], ...] = ()
 
 
 def _friction(gap: float) -> Element:
@@ -59,10 +63,28 @@ def _coulomb(force: float) -> Element:
     return CoulombFriction(force)
 
 
-def _relay(force: float) -> Element:
+def _relay(force: float, hysteresis: float, dead_zone: float) -> Element:
     from trimmer.elements.relay import Relay
 
-    return Relay(force)
+    return Relay(force, hysteresis, dead_zone)
+
+
+def _saturation(threshold: float, slope: float) -> Element:
+    from trimmer.elements.saturation import Saturation
+
+    return Saturation(threshold, slope)
+
+
+def _dead_zone(threshold: float, slope: float) -> Element:
+    from trimmer.elements.dead_zone import DeadZone
+
+    return DeadZone(threshold, slope)
+
+
+def _preload(force: float, slope: float) -> Element:
+    from trimmer.elements.preload import Preload
+
+    return Preload(force, slope)
 
 
 ELEMENTS = (
@@ -70,12 +92,24 @@ ELEMENTS = (
     ElementChoice("inertia", ("gap",), _inertia),
     ElementChoice("viscous", ("gap", "time_constant"), _viscous),
     ElementChoice("coulomb", ("force",), _coulomb),
-    ElementChoice("relay", ("force",), _relay),
+    ElementChoice("relay", ("force",), _relay, (("hysteresis", 0.0), ("dead_zone", 0.0))),
+    ElementChoice("saturation", ("threshold",), _saturation, (("slope", 1.0),)),
+    ElementChoice("dead-zone", ("threshold",), _dead_zone, (("slope", 1.0),)),
+    ElementChoice("preload", ("force",), _preload, (("slope", 1.0),)),
 )
 
 
-ELEMENT_OPTIONS = {"gap": "m", "time_constant": "s", "force": "N"}
+ELEMENT_OPTIONS = {
+    "gap": "m",
+    "time_constant": "s",
+    "force": "N",
+    "threshold": "m",
+    "slope": "output over input",
+    "hysteresis": "m",
+    "dead_zone": "m",
+}
 """Options that have a meaning with an element only, each with its unit."""
+MAY_BE_ZERO = ("time_constant", "hysteresis", "dead_zone")
 
 
 def add_loop_options(parser: ArgumentParser) -> None:
@@ -107,12 +141,31 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
         "--element",
         choices=[choice.name for choice in ELEMENTS],
         required=required,
-        help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; ideal relay",
+        help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; relay; "
+        "saturation; dead zone; preload, which is a gain and a relay",
     )
     parser.add_argument("--gap", type=float, metavar="M", help="total clearance of the backlash, m")
     parser.add_argument("--time-constant", type=float, metavar="S", help="M/D of the load, s (viscous)")
     parser.add_argument(
-        "--force", type=float, metavar="N", help="Coulomb friction, or level of the relay, N (coulomb, relay)"
+        "--force",
+        type=float,
+        metavar="N",
+        help="Coulomb friction, or level of the relay or preload, N (coulomb, relay, preload)",
+    )
+    parser.add_argument(
+        "--threshold", type=float, metavar="M", help="input at the corner, m (saturation, dead-zone)"
+    )
+    parser.add_argument(
+        "--slope",
+        type=float,
+        metavar="RATIO",
+        help="output over input on the inclined part (saturation, dead-zone, preload; default: 1)",
+    )
+    parser.add_argument(
+        "--hysteresis", type=float, metavar="M", help="half the width of the loop, m (relay; default: 0)"
+    )
+    parser.add_argument(
+        "--dead-zone", type=float, metavar="M", help="half the width without output, m (relay; default: 0)"
     )
 
 
@@ -176,16 +229,34 @@ def chosen_element(arguments: Namespace) -> Element:
         OptionError: if an option is missing, has no use for the element, or has an unusable value.
     """
     choice = next(choice for choice in ELEMENTS if choice.name == arguments.element)
+    optional = dict(choice.optional)
     for option in ELEMENT_OPTIONS:
         given = is_given(arguments, option)
-        if given != (option in choice.options):
+        if option not in optional and given != (option in choice.options):
             verb = "does not use" if given else "needs"
             raise OptionError(f"--element {choice.name} {verb} {as_option(option)}")
+    for option in (*choice.options, *optional):
+        if is_given(arguments, option):
+            _require_usable(arguments, option)
     values = [getattr(arguments, option) for option in choice.options]
-    for option, value in zip(choice.options, values, strict=True):
-        unit = ELEMENT_OPTIONS[option]
-        if option != "time_constant":
-            require_positive(arguments, option, unit)
-        elif not value >= 0:  # 0 is friction alone, infinity inertia alone
-            raise OptionError(f"--time-constant {value:g}: must be zero, positive or inf ({unit})")
+    values += [
+        getattr(arguments, option) if is_given(arguments, option) else default
+        for option, default in choice.optional
+    ]
     return choice.make(*values)
+
+
+def _require_usable(arguments: Namespace, option: str) -> None:
+    """Check that the value of an option is positive, or not negative where zero has a meaning.
+
+    Raises:
+        OptionError: if it is not.
+    """
+    value, unit = getattr(arguments, option), ELEMENT_OPTIONS[option]
+    if option not in MAY_BE_ZERO:
+        require_positive(arguments, option, unit)
+    elif not value >= 0:  # As for a time constant, where 0 is friction alone, infinity inertia alone.
+        kinds = "zero, positive or inf" if option == "time_constant" else "zero or positive"
+        raise OptionError(f"{as_option(option)} {value:g}: must be {kinds} ({unit})")
+    elif option != "time_constant" and math.isinf(value):
+        raise OptionError(f"{as_option(option)} {value:g}: must be finite ({unit})")

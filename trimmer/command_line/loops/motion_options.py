@@ -96,7 +96,10 @@ def _drive(arguments: Namespace) -> Drive | None:
     require_positive(arguments, "drive", "Hz")
     if not 0 <= arguments.amplitude < math.inf:
         raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
-    return Drive(arguments.amplitude, frequency=arguments.drive)
+    try:
+        return Drive(arguments.amplitude, frequency=arguments.drive)
+    except ValueError as error:
+        raise OptionError(f"--drive {arguments.drive:g}: {error}") from error
 
 
 def _friction(text: str) -> BodyFriction:

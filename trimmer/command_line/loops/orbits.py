@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import warnings
 from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
     closed_loop,
     unusable,
 )
-from trimmer.command_line.output_options import add_json_option
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, tell
+from trimmer.command_line.patience import patience
+
+if TYPE_CHECKING:
+    from trimmer.orbits.search import PeriodicOrbits
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -25,6 +31,8 @@ def _configure(parser: ArgumentParser) -> None:
         help="look for more stable orbits by simulation from 32 initial states",
     )
     add_json_option(parser)
+    add_plot_option(parser, "the orbits in the phase plane of the play")
+    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
@@ -35,6 +43,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.orbits.search import OrbitSearch, OrbitSearchInterrupted, Simulations
 
     loop = closed_loop(arguments)
+    check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
     predictions = harmonic_balance(loop)
     interrupted = False
     with warnings.catch_warnings():
@@ -42,16 +51,47 @@ def _run(arguments: Namespace) -> int:
         warnings.simplefilter("ignore", OrbitNotFoundWarning)
         try:
             search = OrbitSearch(simulations=Simulations.ALWAYS) if arguments.simulate else None
-            orbits = periodic_orbits(loop, predictions, search=search)
+            with patience():
+                orbits = periodic_orbits(loop, predictions, search=search)
         except OrbitSearchInterrupted as interrupt:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
             raise unusable(arguments, error) from error
-    print((as_json if arguments.json else as_text)(loop.element, predictions, orbits))
+    drawn = _draw(arguments, orbits)
+    text = (as_json if arguments.json else as_text)(loop.element, predictions, orbits)
+    show(text, arguments.plot if drawn else None)
     if interrupted:
         tell("interrupted; what was found until then is printed")
     return INTERRUPTED if interrupted else 0
 
 
-COMMAND = Command("orbits", "exact limit cycles, with the error of harmonic balance", _configure, _run)
+def _draw(arguments: Namespace, orbits: PeriodicOrbits) -> bool:
+    """Draw the picture that is wanted; says whether there was anything to draw."""
+    if arguments.plot is None:
+        return False
+    if not orbits:
+        tell(f"{arguments.plot} was not written, because no orbit was found")
+        return False
+    from trimmer.drawing.content import figure_of
+
+    write_picture(arguments, figure_of(orbits.plot))
+    return True
+
+
+COMMAND = Command(
+    "orbits",
+    "exact limit cycles, with the error of harmonic balance",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer orbits --element friction --gap 4e-5",
+            "what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are",
+        ),
+        Example(
+            "trimmer orbits --element inertia --gap 4e-5 --simulate",
+            "the same with a load of inertia alone, and whether motions from 32 starts settle on more",
+        ),
+    ),
+)
 """The subcommand ``trimmer orbits``."""

@@ -52,15 +52,11 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def _largest(orbit: PeriodicOrbit) -> float:
-    return float(max(abs(orbit.nontrivial_multipliers)))
-
-
 def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     prediction = orbit.prediction
     measured = (
         *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", "yes" if orbit.stable else "no"),
-        f"{_largest(orbit):.4g}",
+        f"{orbit.largest_multiplier:.4g}",
     )
     if prediction is None:
         return (*measured, "none", "", "", "")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -17,6 +16,7 @@ from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_opti
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
+from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch
@@ -86,7 +86,8 @@ def _run(arguments: Namespace) -> int:
     mechanism = chosen_mechanism(arguments)
     if mechanism.frequency is None:
         refuse_unused(arguments, ["periods", "harmonics", "wait"], "a frequency in the file")
-    branch = _branch(arguments, mechanism)
+    with patience():
+        branch = _branch(arguments, mechanism)
     _draw(arguments, branch)
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
     show(text, arguments.plot)
@@ -117,10 +118,25 @@ def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
 
 def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
     if arguments.plot is not None and branch.points:
-        from trimmer.drawing.branch import draw_branch
+        from trimmer.drawing.branch import branch_figure
 
-        write_picture(arguments, partial(draw_branch, branch))
+        write_picture(arguments, branch_figure(branch))
 
 
-COMMAND = Command("follow", "exact periodic motions of a mechanism over any of its numbers", _configure, _run)
+COMMAND = Command(
+    "follow",
+    "exact periodic motions of a mechanism over any of its numbers",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer follow examples/thesis-play.toml --vary frictions.blade.force --from 1 --to 0.9",
+            "how the stroke changes as the friction of the blade falls from 1 N to 0.9 N",
+        ),
+        Example(
+            "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
+            "between which frequencies an oscillator with a stop has two stable motions: between the folds",
+        ),
+    ),
+)
 """The subcommand ``trimmer follow``."""

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.parser import OptionError
-from trimmer.mechanism.place_text import parse_place, place_text, split_assignment
-from trimmer.mechanism.units import UnitError, quantity
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -43,6 +41,8 @@ def varied_values(mechanism: Mechanism, texts: Sequence[str]) -> dict[str, list[
 
 
 def _varied(mechanism: Mechanism, text: str) -> tuple[str, list[float]]:
+    from trimmer.mechanism.place_text import parse_place, place_text, split_assignment
+
     written, values = split_assignment(text)
     place = place_text(parse_place(written))
     mechanism.value(place)
@@ -73,6 +73,8 @@ def _spaced(first: float, last: float, count: int) -> list[float]:
 
 def _number(mechanism: Mechanism, place: str, text: str) -> float:
     """Read a number in SI units, or one with its unit."""
+    from trimmer.mechanism.units import UnitError, quantity
+
     try:
         return quantity(text, "1")
     except UnitError:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
@@ -41,10 +43,20 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
     Raises:
         MechanismError: if the file or a number cannot be used.
     """
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.places import assignment
+    return mechanism_with(arguments.file, arguments.set)
 
-    mechanism = Mechanism.from_toml(arguments.file)
-    for text in arguments.set:
-        mechanism = mechanism.with_value(*assignment(text))
+
+def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:
+    """Return the mechanism of a file with numbers set, each by a text such as ``plays.bridge.gap=40um``.
+
+    Raises:
+        MechanismError: if the file or a number cannot be used.
+    """
+    from trimmer.mechanism.places import assignment
+    from trimmer.mechanism.reading import read_mechanism
+
+    values = [assignment(text) for text in assignments]
+    mechanism = read_mechanism(file, dict(values))
+    for place, value in values:
+        mechanism = mechanism.with_value(place, value)
     return mechanism

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -23,6 +23,7 @@ from trimmer.command_line.mechanisms.mechanism_options import (
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
+from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
@@ -51,13 +52,17 @@ def _configure(parser: ArgumentParser) -> None:
     )
     parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
     add_overwrite_option(parser)
-    parser.add_argument("--jobs", type=int, metavar="N", help="processes (default: as many as cores)")
-    parser.add_argument("--quiet", action="store_true", help="show no progress bar")
+    add_runner_options(parser)
 
 
 def _add_search_options(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--periods", type=int, default=300, metavar="N", help="drive periods to wait at most (default: 300)"
+        "--periods",
+        "--wait",
+        type=int,
+        default=300,
+        metavar="N",
+        help="drive periods to wait at most (default: 300)",
     )
     parser.add_argument(
         "--starts",
@@ -112,6 +117,7 @@ def _check(arguments: Namespace) -> None:
         value = getattr(arguments, name)
         if value is not None and value < least:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
+    check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": MAP}}
     check_targets(arguments, targets, {"file": "the file of the mechanism"})
 
@@ -120,11 +126,8 @@ def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[floa
     """Return the map, and what was searched, in a sentence."""
     from trimmer.maps.coexistence import coexisting_motions
     from trimmer.maps.motion_map import motion_map
-    from trimmer.maps.runner import ProcessRunner, SerialRunner
 
-    runner = None
-    if arguments.jobs is not None:
-        runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs)
+    runner = chosen_runner(arguments)
     result = motion_map(
         mechanism,
         values,
@@ -152,10 +155,10 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
     if arguments.special is None:
         return None
     from trimmer.maps.motion_map import MapInterruptedError
-    from trimmer.maps.runner import ProcessRunner, SerialRunner
     from trimmer.maps.special_curves import special_curves
+    from trimmer.runners.processes import ProcessRunner
 
-    runner = SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs, chunk=1)
+    runner = chosen_runner(arguments, chunk=1) or ProcessRunner(chunk=1)
     try:
         return special_curves(result, lines=arguments.special, runner=runner, quiet=arguments.quiet)
     except KeyboardInterrupt:
@@ -169,9 +172,11 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
 
 def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None) -> None:
     if arguments.plot is not None:
-        from trimmer.drawing.motion_map import draw_motion_map
+        from trimmer.drawing.content import figure_of
 
-        write_picture(arguments, partial(draw_motion_map, result, special))
+        curves = () if special is None else special.drawn
+        drawn = figure_of(partial(result.plot, curves=curves), result.inputs.mechanism.title)
+        write_picture(arguments, drawn)
 
 
 def _told(arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None) -> str:
@@ -183,7 +188,29 @@ def _told(arguments: Namespace, result: MotionMap, searched: str, special: Speci
     return "\n".join([as_text(result, searched, special), *(f"wrote {path}" for path in written)])
 
 
+_OVER_TWO = (
+    "examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --vary frictions.blade.force=1:2:2 "
+    "--output cells.map"
+)
+
 COMMAND = Command(
-    "map", "which motion a mechanism settles to, over one or two of its numbers", _configure, _run
+    "map",
+    "which motion a mechanism settles to, over one or two of its numbers",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer map examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --plot map.svg",
+            "which motion there is at three gaps, and a picture",
+        ),
+        Example(
+            f"trimmer map {_OVER_TWO}",
+            "the same over gap and friction; keeps each cell as soon as it is done",
+        ),
+        Example(
+            f"trimmer map {_OVER_TWO} --resume --json",
+            "the same call after an interrupt: it goes on with the cells that are missing",
+        ),
+    ),
 )
 """The subcommand ``trimmer map``."""

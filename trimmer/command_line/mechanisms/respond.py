@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -18,11 +17,11 @@ from trimmer.command_line.mechanisms.mechanism_options import (
     add_seed_option,
     chosen_mechanism,
 )
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
+from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
     from trimmer.response.response import Response
@@ -41,6 +40,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_seed_option(parser)
     parser.add_argument(
         "--periods",
+        "--wait",
         type=positive_whole,
         default=1000,
         metavar="N",
@@ -82,13 +82,26 @@ def _draw(arguments: Namespace, response: Response) -> bool:
     if response.motion.orbit is None and response.motion.window is None:
         tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
         return False
-    from trimmer.drawing.response import draw_response
+    from trimmer.drawing.response import response_figure
 
-    write_picture(arguments, partial(draw_response, response))
+    write_picture(arguments, response_figure(response))
     return True
 
 
 COMMAND = Command(
-    "respond", "what a mechanism settles to: repeating, on a torus or chaotic", _configure, _run
+    "respond",
+    "what a mechanism settles to: repeating, on a torus or chaotic",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer respond examples/thesis-play.toml --set frictions.blade.force=1",
+            "what the trimmer with play settles to from rest if the friction of the blade is 1 N",
+        ),
+        Example(
+            "trimmer respond examples/gear-pair.toml --starts 5 --plot motion.svg",
+            "whether a pair of gears settles to other motions from other starts; and a picture of one",
+        ),
+    ),
 )
 """The subcommand ``trimmer respond``."""

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.mechanisms.mechanism_options import add_set_option, chosen_mechanism
-from trimmer.command_line.mechanisms.patience import patience
 from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
 from trimmer.command_line.output_options import add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
+    from trimmer.motion.motion import Motion
     from trimmer.response.motion import MechanismMotion
 
 OF_LOOPS: tuple[str, ...] = ("element", "gap", "time_constant", "force", "parameters", "output", "channels")
@@ -32,7 +32,7 @@ def add_mechanism(parser: ArgumentParser) -> None:
     )
     add_set_option(parser)
     add_state_option(parser)
-    add_plot_option(parser, "a mechanism's motion with contact and stick, and its phase plane,")
+    add_plot_option(parser, "the motion with contact and stick, and of a mechanism its phase plane,")
 
 
 def refuse_options_of_the_other(arguments: Namespace) -> None:
@@ -42,7 +42,7 @@ def refuse_options_of_the_other(arguments: Namespace) -> None:
         OptionError: if there is one.
     """
     if arguments.file is None:
-        for name in ("set", "state", "plot"):
+        for name in ("set", "state"):
             if getattr(arguments, name):
                 raise OptionError(
                     f"{as_option(name)} has no effect without the file of a mechanism: add that"
@@ -67,8 +67,11 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
         return simulate(mechanism, arguments.duration, state=state)
 
 
-def draw(arguments: Namespace, motion: MechanismMotion) -> None:
+def draw(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Draw the picture that is wanted."""
-    from trimmer.drawing.simulated import draw_simulated
+    from trimmer.drawing.content import figure_of
+    from trimmer.drawing.response import motion_figure
+    from trimmer.motion.motion import Motion
 
-    write_picture(arguments, partial(draw_simulated, motion))
+    figure = figure_of(motion.plot) if isinstance(motion, Motion) else motion_figure(motion)
+    write_picture(arguments, figure)

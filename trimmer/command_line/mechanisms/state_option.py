@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.parser import OptionError
+from trimmer.messages import near_match
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -40,7 +41,8 @@ def chosen_state(texts: Sequence[str], mechanism: Mechanism) -> dict[str, tuple[
         if not equals or not comma:
             raise OptionError(f"--state {text}: {EXAMPLE}")
         if name not in mechanism.bodies:
-            raise OptionError(f"--state {text}: {name!r} is no body; there are {', '.join(mechanism.bodies)}")
+            there = near_match(name, mechanism.bodies) or f"there are {', '.join(mechanism.bodies)}"
+            raise OptionError(f"--state {text}: {name!r} is no body; {there}")
         if name in found:
             raise OptionError(f"--state {text}: {name} was given before; give each body once")
         found[name] = _number(text, displacement, "m"), _number(text, velocity, "m/s")

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+import math
 import os
 from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
-from trimmer.command_line.number_options import positive
+from trimmer.command_line.number_options import finite, positive, positive_whole
+from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
+    from trimmer.signals.faults import Fault
+    from trimmer.signals.recording import Recording
     from trimmer.signals.signal import Signal
 
 DELIMITERS = ("comma", "semicolon", "tab")
 DECIMAL_SIGNS = ("point", "comma")
-MISSING_VALUES = ("refuse", "interpolate")
+MISSING_VALUES = ("refuse", "interpolate", "gap")
+GAPS = ("refuse", "split")
+QUANTITIES = ("displacement", "velocity", "acceleration")
+CLIPPED = ("mark", "refuse")
+_OF_TEXT = ("column", "time", "delimiter", "decimal", "missing", "gaps", "rate")
 
 
 def column(text: str) -> str:
@@ -26,15 +36,24 @@ def column(text: str) -> str:
 
 
 def add_signal_options(parser: ArgumentParser) -> None:
-    """Add the file of the signal, and the options that say how to read it."""
+    """Add the file of the signal, and the options that say how to read it and what to make of it."""
     parser.add_argument(
         "file",
         type=file_to_read,
         metavar="FILE",
-        help="CSV file with the samples, one row each, with a heading or not; - for standard input",
+        help="WAV file, or CSV file with the samples, one row each, with a heading or not; - for CSV from "
+        "standard input",
     )
+    _add_reading_options(parser)
+    _add_stamp_options(parser)
+    _add_unit_options(parser)
+    _add_conversion_options(parser)
+
+
+def _add_reading_options(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--rate",
+        "--sample-rate",
         type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
@@ -62,24 +81,226 @@ def add_signal_options(parser: ArgumentParser) -> None:
         "--missing",
         choices=MISSING_VALUES,
         default="refuse",
-        help="what to do about missing values: refuse, or interpolate linearly (default: refuse)",
+        help="what to do about missing values: refuse, interpolate linearly, take as gaps (default: refuse)",
+    )
+    parser.add_argument(
+        "--channel",
+        type=positive_whole,
+        metavar="NUMBER",
+        help="channel of a WAV file; the first has number 1",
     )
 
 
-def chosen_signal(arguments: Namespace) -> Signal:
-    """Read the signal that the options choose.
+def _add_stamp_options(parser: ArgumentParser) -> None:
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument(
+        "--ignore-time",
+        action="store_true",
+        help="leave time stamps aside; samples lie at equal distances, at the --rate that is given",
+    )
+    chosen.add_argument(
+        "--resample",
+        action="store_true",
+        help="bring samples to equal distances by a cubic spline, at their mean rate or --rate",
+    )
+    parser.add_argument(
+        "--gaps",
+        choices=GAPS,
+        default="refuse",
+        help="what to do about gaps in the time stamps: refuse, or split into stretches, of which the "
+        "longest is used, and all by --average; none is bridged (default: refuse)",
+    )
+    parser.add_argument(
+        "--from", dest="begin", type=finite("s"), metavar="S", help="use samples from this time on"
+    )
+    parser.add_argument("--until", type=finite("s"), metavar="S", help="use samples up to this time")
+
+
+def _add_unit_options(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--scale",
+        type=finite(""),
+        metavar="FACTOR",
+        help="multiply samples, as by the unit over volts of a sensor; for a WAV file what full scale is",
+    )
+    parser.add_argument(
+        "--unit",
+        metavar="UNIT",
+        help="unit of the samples, after --scale: m, mm, um, m/s, m/s2, g or another",
+    )
+    parser.add_argument(
+        "--clipped",
+        choices=CLIPPED,
+        default="mark",
+        help="what to do about a record that is clipped, or likely to be: mark it in the result, or refuse "
+        "it (default: mark)",
+    )
+
+
+def _add_conversion_options(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--as",
+        dest="quantity",
+        choices=QUANTITIES,
+        help="integrate or differentiate to this quantity, in the band that can be trusted, which is told",
+    )
+    for name, meaning in (("lowest", "lower"), ("highest", "upper")):
+        parser.add_argument(
+            f"--{name}",
+            type=positive("Hz"),
+            metavar="HZ",
+            help=f"{meaning} end of that band (default: from length, noise and sample rate of the record)",
+        )
+    parser.add_argument(
+        "--sensor-corner",
+        type=positive("Hz"),
+        metavar="HZ",
+        help="3 dB corner of the sensor's high-pass; the band begins at three times it or above",
+    )
+
+
+@dataclass(frozen=True)
+class ChosenRecording:
+    """What the options choose.
+
+    Attributes:
+        recording: The stretches as they are analysed.
+        faults: What is wrong with the longest stretch as it was measured.
+        full_scale_is_one: Whether the samples are shares of full scale, because no scale was given.
+    """
+
+    recording: Recording
+    faults: tuple[Fault, ...]
+    full_scale_is_one: bool
+
+    @property
+    def signal(self) -> Signal:
+        """The longest stretch."""
+        return self.recording.longest
+
+
+def chosen_recording(arguments: Namespace) -> ChosenRecording:
+    """Read the recording that the options choose, and convert it.
 
     Raises:
-        TrimmerError: if the file cannot be used.
+        TrimmerError: if the file cannot be used, or options do not fit it.
     """
-    from trimmer.signals.csv_layout import CsvLayout
-    from trimmer.signals.read import read_signal
+    from trimmer.signals.faults import faults
+    from trimmer.signals.read_wav import is_wav
+    from trimmer.signals.recording import Recording
+    from trimmer.signals.signal import SignalError
 
-    return read_signal(
+    wav = is_wav(arguments.file)
+    _check(arguments, wav)
+    try:
+        measured = _from_wav(arguments) if wav else _from_text(arguments)
+        if arguments.scale is not None or arguments.unit is not None:
+            stretches = (_with_unit(arguments, stretch) for stretch in measured.stretches)
+            measured = replace(measured, stretches=tuple(stretches))
+        found = faults(measured.longest)
+        _refuse_clipped(arguments, found)
+        recording = measured
+        if arguments.quantity is not None:
+            recording = Recording(_converted(arguments, measured), measured.gaps)
+    except SignalError as error:
+        raise (
+            error if str(error).startswith(str(arguments.file)) else OptionError(f"{arguments.file}: {error}")
+        ) from error
+    return ChosenRecording(recording, found, wav and arguments.scale is None)
+
+
+def _check(arguments: Namespace, wav: bool) -> None:
+    if wav:
+        refuse_unused(arguments, _OF_TEXT, "a CSV file; this one is a WAV file")
+        for name, given in (("--ignore-time", arguments.ignore_time), ("--resample", arguments.resample)):
+            if given:
+                raise OptionError(f"{name} has no effect on a WAV file, which has no stamps: leave it out")
+    elif arguments.file == STANDARD_INPUT or arguments.file.exists():
+        refuse_unused(arguments, ["channel"], "a WAV file")
+    if arguments.quantity is None:
+        refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--as, which converts")
+    if arguments.ignore_time and arguments.rate is None:
+        raise OptionError("--ignore-time needs the sample rate: give it (--rate HZ)")
+
+
+def _from_wav(arguments: Namespace) -> Recording:
+    from trimmer.signals.read_wav import read_wav
+    from trimmer.signals.recording import Recording
+
+    begin = 0.0 if arguments.begin is None else arguments.begin
+    end = math.inf if arguments.until is None else arguments.until
+    return Recording((read_wav(arguments.file, channel=arguments.channel, begin=begin, end=end),))
+
+
+def _from_text(arguments: Namespace) -> Recording:
+    from trimmer.signals.csv_layout import CsvLayout
+    from trimmer.signals.read import read_recording
+    from trimmer.signals.sampling import Gaps, Sampling, TimeStamps
+
+    stamps = TimeStamps.EQUAL
+    if arguments.ignore_time or arguments.resample:
+        stamps = TimeStamps.IGNORE if arguments.ignore_time else TimeStamps.RESAMPLE
+    recording = read_recording(
         arguments.file,
         column=arguments.column,
         time_column=arguments.time,
         sample_rate=arguments.rate,
         layout=CsvLayout(arguments.delimiter, arguments.decimal),
         missing=arguments.missing,
+        sampling=Sampling(stamps, Gaps.chosen(arguments.gaps, "gaps")),
     )
+    if arguments.begin is None and arguments.until is None:
+        return recording
+    begin = -math.inf if arguments.begin is None else arguments.begin
+    return recording.between(begin, math.inf if arguments.until is None else arguments.until)
+
+
+def _with_unit(arguments: Namespace, signal: Signal) -> Signal:
+    """Return the signal with scale and unit of the options; a unit that it has already must be the same."""
+    unit = signal.unit if arguments.unit is None else arguments.unit
+    if arguments.scale is None and signal.unit not in ("", unit):
+        raise OptionError(
+            f"{arguments.file}: the heading says that {signal.name} is in {signal.unit}, not in {unit}; to "
+            "convert give the factor too (--scale)"
+        )
+    return signal.scaled(1.0 if arguments.scale is None else arguments.scale, unit)
+
+
+def _refuse_clipped(arguments: Namespace, found: tuple[Fault, ...]) -> None:
+    from trimmer.signals.faults import Certainty, Clipping
+
+    for fault in found:
+        clipped = isinstance(fault, Clipping) and fault.certainty is not Certainty.POSSIBLE
+        if clipped and arguments.clipped == "refuse":
+            raise OptionError(f"{arguments.file}: {fault.sentence}")
+
+
+def _converted(arguments: Namespace, recording: Recording) -> tuple[Signal, ...]:
+    """Convert the longest stretch, and in its band those of the others that are long enough."""
+    from trimmer.signals.convert import convert
+    from trimmer.signals.signal import SignalError
+
+    longest = max(recording.stretches, key=lambda stretch: stretch.values.size)
+    first = convert(
+        longest,
+        arguments.quantity,
+        lowest=arguments.lowest,
+        highest=arguments.highest,
+        sensor_corner=arguments.sensor_corner,
+    ).signal
+    band = first.trusted
+    highest = band.highest if math.isfinite(band.highest) else None
+    converted, short = [], 0
+    for stretch in recording.stretches:
+        try:
+            converted.append(
+                first
+                if stretch is longest
+                else convert(stretch, arguments.quantity, lowest=band.lowest or None, highest=highest).signal
+            )
+        except SignalError:
+            short += 1
+    if not short:
+        return tuple(converted)
+    told = f"stretches that are too short to be converted and are left out: {short}"
+    return tuple(replace(signal, notes=(*signal.notes, told)) for signal in converted)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import warnings
 from argparse import ArgumentParser, Namespace
-from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command
+from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
@@ -19,8 +18,8 @@ from trimmer.command_line.loops.loop_options import add_loop_options, chosen_par
 from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused
-from trimmer.command_line.signals.signal_options import add_signal_options, chosen_signal
-from trimmer.files import STANDARD_INPUT, WAV
+from trimmer.command_line.signals.signal_options import ChosenRecording, add_signal_options, chosen_recording
+from trimmer.files import CSV, STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
@@ -28,6 +27,7 @@ if TYPE_CHECKING:
     from trimmer.signals.signal import Signal
     from trimmer.signals.wav import WavFile
     from trimmer.spectra.analysis import SpectrumAnalysis
+    from trimmer.spectra.averaged import AveragedSpectrum
 
 WINDOWS = ("rectangular", "hann", "blackman-harris", "flat-top")
 BIT_DEPTHS = (16, 24)
@@ -59,11 +59,23 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
     )
+    parser.add_argument(
+        "--average",
+        type=positive_whole,
+        metavar="N",
+        help="average N spectra of segments that overlap by half too (Welch), of all stretches between gaps",
+    )
     add_loop_options(parser)
     add_json_option(parser)
     add_plot_option(parser, "the spectrum")
     parser.add_argument(
         "--wav", type=file_to_write, metavar="FILE", help="write the signal as sound into a .wav file"
+    )
+    parser.add_argument(
+        "--csv",
+        type=file_to_write,
+        metavar="FILE",
+        help="write the samples that were analysed, after --scale, --resample and --as, into a CSV file",
     )
     parser.add_argument(
         "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
@@ -72,20 +84,23 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.signals.spectrum_text import as_json, as_text
+    from trimmer.command_line.signals.spectrum_text import Shown, as_json, as_text
     from trimmer.signals.signal import SignalError
 
     _check(arguments)
-    signal = chosen_signal(arguments)
+    chosen = chosen_recording(arguments)
+    signal = chosen.signal
     predictions = _predictions(arguments)
     try:
         analysis = _analysis(arguments, signal, predictions)
+        averaged = _averaged(arguments, chosen)
         _draw(arguments, analysis)
         wav = _written_wav(arguments, signal)
+        _write_csv(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    text = (as_json if arguments.json else as_text)(arguments.file, analysis, predictions, wav)
-    show(text, arguments.plot, arguments.wav)
+    shown = Shown(arguments.file, analysis, predictions, chosen, averaged, wav)
+    show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.wav, arguments.csv)
     return 0
 
 
@@ -98,7 +113,7 @@ def _check(arguments: Namespace) -> None:
     if arguments.file == arguments.parameters == STANDARD_INPUT:
         raise OptionError("signal and --parameters cannot both be read from standard input: name a file")
     sources = {"file": "the file of the signal", "parameters": "the file of the parameters"}
-    check_targets(arguments, {"plot": PICTURES, "wav": {".wav": WAV}}, sources)
+    check_targets(arguments, {"plot": PICTURES, "wav": {".wav": WAV}, "csv": {"": CSV}}, sources)
 
 
 def _predictions(arguments: Namespace) -> Predictions:
@@ -137,11 +152,26 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) ->
         )
 
 
+def _averaged(arguments: Namespace, chosen: ChosenRecording) -> AveragedSpectrum | None:
+    if arguments.average is None:
+        return None
+    from trimmer.spectra.averaged import averaged_spectrum
+
+    return averaged_spectrum(chosen.recording.stretches, arguments.average, arguments.window)
+
+
+def _write_csv(arguments: Namespace, signal: Signal) -> None:
+    if arguments.csv is not None:
+        from trimmer.signals.write import write_signal
+
+        write_signal(arguments.csv, signal, overwrite=arguments.overwrite)
+
+
 def _draw(arguments: Namespace, analysis: SpectrumAnalysis) -> None:
     if arguments.plot is not None:
-        from trimmer.drawing.spectrum import draw_spectrum
+        from trimmer.drawing.content import figure_of
 
-        write_picture(arguments, partial(draw_spectrum, analysis))
+        write_picture(arguments, figure_of(analysis.plot))
 
 
 def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
@@ -154,4 +184,23 @@ def _written_wav(arguments: Namespace, signal: Signal) -> WavFile | None:
     )
 
 
-COMMAND = Command("spectrum", "spectrum of a measured signal, and what its peaks may be", _configure, _run)
+COMMAND = Command(
+    "spectrum",
+    "spectrum of a measured signal, and what its peaks may be",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --drive 110 --gap 4e-5 --wav vibration.wav",
+            "which peaks are harmonics of the drive, natural modes or limit cycles; and what it sounds like",
+        ),
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg",
+            "how high the five largest peaks are; see `trimmer simulate --help` for what wrote vibration.csv",
+        ),
+        Example(
+            "trimmer spectrum vibration.csv --column q2-q4 --as acceleration --average 8",
+            "the same as acceleration, with the band that can be trusted, and averaged by Welch's method",
+        ),
+    ),
+)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import textwrap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
+from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
 from trimmer.spectra.classification import (
     MODEL_TOLERANCE,
@@ -24,11 +25,12 @@ from trimmer.spectra.classification import (
 )
 
 if TYPE_CHECKING:
+    from trimmer.command_line.signals.signal_options import ChosenRecording
     from trimmer.signals.wav import WavFile
     from trimmer.spectra.analysis import SpectrumAnalysis
+    from trimmer.spectra.averaged import AveragedSpectrum
     from trimmer.spectra.harmonics import HarmonicFit
 
-_WIDTH = 110
 _SMALLEST_HARMONIC = 1e-4
 """Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""
 
@@ -50,44 +52,70 @@ class Predictions:
     limit_cycles: tuple[float, ...]
 
 
-def as_text(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
+@dataclass(frozen=True)
+class Shown:
+    """What is shown of a signal.
+
+    Attributes:
+        file: Name of its file.
+        analysis: Its spectrum.
+        predictions: Frequencies that the model predicts.
+        chosen: Its recording, and what is wrong with it.
+        averaged: Averaged spectrum of all stretches; None if it was not asked for.
+        wav: What was written as sound; None if nothing was.
+    """
+
+    file: Path
+    analysis: SpectrumAnalysis
+    predictions: Predictions
+    chosen: ChosenRecording
+    averaged: AveragedSpectrum | None
+    wav: WavFile | None
+
+
+def as_text(shown: Shown) -> str:
     """Return spectrum, harmonics and peaks as short tables: Hz, degrees, the unit of the signal."""
-    sections = [list(_head(file, analysis))]
+    analysis, predictions = shown.analysis, shown.predictions
+    sections = [list(_head(shown))]
     if analysis.harmonics is not None:
         sections.append(list(_harmonics(analysis.harmonics, analysis.signal.unit)))
     sections.append(list(_peaks(analysis)))
+    if shown.averaged is not None:
+        sections.append(list(averaged_text(shown.averaged, analysis.signal.unit)))
     sections.append(list(_candidates(analysis, predictions)))
-    if wav is not None:
-        sections.append([_wav_line(wav, analysis)])
+    if shown.wav is not None:
+        sections.append([_wav_line(shown.wav, analysis)])
     return "\n\n".join("\n".join(lines) for lines in sections)
 
 
-def as_json(file: Path, analysis: SpectrumAnalysis, predictions: Predictions, wav: WavFile | None) -> str:
+def as_json(shown: Shown) -> str:
     """Return spectrum, harmonics and peaks as JSON: full precision, Hz, rad, the unit of the signal.
 
     Phases are those of cosines.
     """
-    signal, spectrum, fit = analysis.signal, analysis.spectrum, analysis.harmonics
+    analysis, predictions, wav = shown.analysis, shown.predictions, shown.wav
+    spectrum, fit = analysis.spectrum, analysis.harmonics
     content = {
-        "file": str(file),
-        "signal": {"name": signal.name, "unit": signal.unit, "samples": signal.values.size}
-        | {"sample_rate": signal.sample_rate, "start": signal.start, "interpolated": signal.interpolated},
+        "file": str(shown.file),
+        "signal": signal_json(analysis.signal),
+        **recording_json(shown.chosen),
         "spectrum": {"window": spectrum.window.word, "bin_width": spectrum.bin_width, "mean": spectrum.mean},
         "harmonics": None if fit is None else _fit(fit),
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
         "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
         "peaks": [_peak(classified) for classified in analysis.peaks],
-        "notes": [*analysis.doubts, *analysis.notes],
+        "averaged": None if shown.averaged is None else averaged_json(shown.averaged),
+        "notes": [*notes_of(shown.chosen, analysis.signal, analysis.doubts), *analysis.notes],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
     }
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def _head(file: Path, analysis: SpectrumAnalysis) -> Iterator[str]:
-    signal, spectrum = analysis.signal, analysis.spectrum
+def _head(shown: Shown) -> Iterator[str]:
+    signal, spectrum = shown.analysis.signal, shown.analysis.spectrum
     yield (
-        f"{signal.heading} of {file}: {signal.values.size} samples at {signal.sample_rate:.9g} Hz, "
+        f"{signal.heading} of {shown.file}: {signal.values.size} samples at {signal.sample_rate:.9g} Hz, "
         f"{signal.duration:.6g} s"
     )
     yield (
@@ -96,7 +124,8 @@ def _head(file: Path, analysis: SpectrumAnalysis) -> Iterator[str]:
     )
     if signal.interpolated:
         yield f"{signal.interpolated} samples were missing and are interpolated"
-    yield from (f"note: {doubt}" for doubt in analysis.doubts)
+    for note in notes_of(shown.chosen, signal, shown.analysis.doubts):
+        yield from wrapped(f"note: {note}", "", "  ")
 
 
 def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
@@ -143,7 +172,7 @@ def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterato
         "modes and limit cycles"
     )
     for note in analysis.notes:
-        yield from textwrap.wrap(note, _WIDTH, initial_indent="  ", subsequent_indent="  ")
+        yield from wrapped(note, "  ", "  ")
 
 
 def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:

@@ -12,7 +12,6 @@ from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.chapters.second_ways import REPEATED
-from report.claim import Impact, Severity
 from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
 from report.numbers.listed_blocks import (
@@ -24,6 +23,7 @@ from report.numbers.listed_blocks import (
 from report.parts import assertion, close, lost_in_the_copy, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
+from report.verdict import Impact, Severity
 from trimmer import InertiaBacklash
 
 SOURCE = "report/chapters/appendix_a/claims/captions_and_names.py"

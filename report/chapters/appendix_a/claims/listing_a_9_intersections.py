@@ -5,7 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform
-from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
@@ -19,6 +18,7 @@ from report.thesis import (
     PLOT_OFFSET,
     SMALL_GAP,
 )
+from report.verdict import Certainty, Impact, Severity
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"

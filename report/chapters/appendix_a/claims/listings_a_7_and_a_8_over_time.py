@@ -12,7 +12,7 @@ from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.claim import Impact, Part, Severity
+from report.claim import Part
 from report.comparisons.assertion import Assertion
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -39,6 +39,7 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
+from report.verdict import Impact, Severity
 from trimmer import InertiaBacklash
 
 SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"

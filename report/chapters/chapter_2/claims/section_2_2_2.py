@@ -11,7 +11,7 @@ from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
-from report.claim import Certainty, Impact, Part, Severity
+from report.claim import Part
 from report.comparisons.digits import CloseNumbers
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
@@ -20,6 +20,7 @@ from report.numbers.independent.symbolic import laplace_integral
 from report.parts import assertion, close, expression, matrix, part
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
+from report.verdict import Certainty, Impact, Severity
 from trimmer import response_at
 
 SOURCE = "derivations/algebra/laplace.py"

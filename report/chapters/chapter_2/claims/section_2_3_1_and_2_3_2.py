@@ -7,7 +7,6 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import EXACTLY
-from report.claim import Certainty, Impact, Severity
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
@@ -16,6 +15,7 @@ from report.numbers.textbook_loops import relay_loop
 from report.parts import assertion, close, expression, same
 from report.record import Record, claim, text
 from report.thesis import LIMIT_CYCLE_OMEGA
+from report.verdict import Certainty, Impact, Severity
 from trimmer import filtering_ratio
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_and_2_3_2.py"

@@ -28,12 +28,13 @@ from report.chapters.chapter_2.claims.section_2_3_4_friction import (
     b,
 )
 from report.chapters.second_ways import by_quadrature
-from report.claim import Confirmation, Impact, Part, Severity
+from report.claim import Confirmation, Part
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
 from report.numbers.independent.waveforms import coefficient, integral
 from report.parts import close, expression, repeated
 from report.record import Record, claim, text
+from report.verdict import Impact, Severity
 from trimmer import FrictionBacklash
 
 COSINE_ITEM = "4b/π (b/A − 1), a₁ of friction-controlled backlash"

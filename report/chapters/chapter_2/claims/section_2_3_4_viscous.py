@@ -21,7 +21,7 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.claim import Impact, Part, Severity, Words
+from report.claim import Part
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.expression import SameExpression
 from report.comparisons.printed import product, total
@@ -30,7 +30,9 @@ from report.numbers.independent.load_in_play import contact_after_flight, contac
 from report.numbers.independent.waveforms import Values, quadrature_gain
 from report.parts import close, expression, lost_in_the_copy, made_here, part, same, so
 from report.record import Record, claim, text
+from report.shown import Words
 from report.text import filled
+from report.verdict import Impact, Severity
 from trimmer import ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Certainty, Impact, Part, Severity, Words
+from report.claim import Part
 from report.comparisons.digits import CloseNumbers
 from report.comparisons.printed import product, total
 from report.evidence import Evidence
@@ -25,7 +25,9 @@ from report.numbers.textbook_loops import (
 )
 from report.parts import assertion, close, digits, equal, expression, made_here, part
 from report.record import Record, claim, text
+from report.shown import Words
 from report.text import filled
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, response_at
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"

@@ -9,7 +9,7 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.claim import Certainty, Impact, Part, Severity, Uncheckable
+from report.claim import Part, Uncheckable
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_peaks
@@ -27,6 +27,7 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"

@@ -12,7 +12,7 @@ from derivations.symbols import velocities
 from report.chapters.chapter_1.claims import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
-from report.claim import Certainty, Confirmation, Impact, Severity
+from report.claim import Confirmation
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power_of
 from report.evidence import Evidence
@@ -20,6 +20,7 @@ from report.numbers.independent.spectrum_bins import a_drive_fits, bins
 from report.parts import assertion, close, digits, equal, lost_in_the_copy, so, uncheckable
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
+from report.verdict import Certainty, Impact, Severity
 
 PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"

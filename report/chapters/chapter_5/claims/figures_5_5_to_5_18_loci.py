@@ -10,7 +10,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
-from report.claim import Impact, Part, Severity, Slip
+from report.claim import Part, Slip
 from report.comparisons.printed import power, power_of
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
@@ -25,6 +25,7 @@ from report.numbers.listed_functions import friction_listing, intersections, lis
 from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
+from report.verdict import Impact, Severity
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
-from report.claim import Certainty, Impact, Part, Severity
+from report.claim import Part
 from report.evidence import Evidence
 from report.numbers.independent.linear_trimmer import deviation_from_pin
 from report.numbers.linear_numbers import LinearNumbers
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
+from report.verdict import Certainty, Impact, Severity
 from trimmer import steady_state
 
 SOURCE = "trimmer/linear/time_response.py"

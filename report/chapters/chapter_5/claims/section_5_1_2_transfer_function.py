@@ -8,13 +8,14 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Certainty, CopyFault, Impact, Severity
+from report.claim import CopyFault
 from report.comparisons.digits import PrintedDigits
 from report.comparisons.printed import power
 from report.evidence import Evidence
 from report.numbers.independent import linear_trimmer
 from report.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
 from report.record import Record, claim, text
+from report.verdict import Certainty, Impact, Severity
 from trimmer import (
     Body,
     linear_model,

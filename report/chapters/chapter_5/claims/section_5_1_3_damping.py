@@ -17,7 +17,6 @@ from report.chapters.chapter_5.claims.section_5_1_3 import (
     nearest,
     peak_part,
 )
-from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.independent.exact_response import peak
 from report.numbers.independent.linear_trimmer import (
@@ -33,6 +32,7 @@ from report.numbers.linear_numbers import (
 )
 from report.parts import assertion, close, made_here, matrix, small
 from report.record import Record, claim, text
+from report.verdict import Certainty, Impact, Severity
 from trimmer import Body, Displacement, linear_model, resonance_peaks, response_at
 
 DAMPING = "report/numbers/linear_numbers.py"

@@ -10,12 +10,13 @@ from report.chapters.chapter_5.claims.section_5_2_1_predictions import (
     TINY_GAP,
     at_the_tiny_gap,
 )
-from report.claim import Certainty, Impact, Part, Severity
+from report.claim import Part
 from report.evidence import Evidence
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers
 from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import PLOT_OFFSET
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, limit_cycles
 
 SMALLEST_GAP = "2e-8 m, smallest gap with a limit cycle"

@@ -12,7 +12,7 @@ from derivations.elements.steps.limits import step as limits_step
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
 from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.claim import Certainty, Confirmation, Impact, Part, Severity
+from report.claim import Confirmation, Part
 from report.comparisons.assertion import Assertion
 from report.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
@@ -21,6 +21,7 @@ from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.parts import assertion, close, digits, expression, repeated
 from report.record import Record, claim, text
 from report.thesis import ROUNDED, TURN
+from report.verdict import Certainty, Impact, Severity
 from trimmer import ViscousBacklash
 
 SOLVER = "trimmer/balance/solve.py"

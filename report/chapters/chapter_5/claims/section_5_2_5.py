@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.second_ways import NEWTON
-from report.claim import Confirmation, Impact, Part, Severity
+from report.claim import Confirmation, Part
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point
 from report.numbers.independent import limit_cycles
@@ -16,6 +16,7 @@ from report.numbers.released_bodies import RECORD
 from report.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP
+from report.verdict import Impact, Severity
 from trimmer import LimitCycle, response_at
 
 BODIES = "report/numbers/released_bodies.py"

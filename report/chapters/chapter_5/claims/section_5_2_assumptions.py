@@ -12,7 +12,6 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
@@ -22,6 +21,7 @@ from report.numbers.listed_blocks import inertia_block
 from report.parts import assertion, close, small, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage, response_at
 
 LITTLE = 0.05

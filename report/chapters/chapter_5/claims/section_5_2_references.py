@@ -7,7 +7,7 @@ import math
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
-from report.claim import Impact, Part, Severity
+from report.claim import Part
 from report.comparisons.digits import PrintedDigits
 from report.evidence import Evidence
 from report.inventory import read_inventory
@@ -16,6 +16,7 @@ from report.parts import assertion, close, digits, repeated
 from report.record import Record, claim, text
 from report.sections import read_sections
 from report.thesis import SMALL_GAP, TURN
+from report.verdict import Impact, Severity
 
 SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
 PREDICTED = "3.3138e-5"

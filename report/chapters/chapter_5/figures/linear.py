@@ -14,6 +14,7 @@ from report.evidence import Evidence
 from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
 from report.record import figure
 from trimmer import bandwidth_crossings, gain_crossings, resonance_peaks, response_at
+from trimmer.drawing.frequency_response import decibels
 
 if TYPE_CHECKING:
     import control
@@ -138,7 +139,7 @@ def bode_plot_light_damping(known: Evidence) -> Figure:
 
 
 def _decibels(system: control.TransferFunction, omega: Reals) -> Reals:
-    return np.asarray(20 * np.log10(np.abs(response_at(system, omega))))
+    return decibels(response_at(system, omega))
 
 
 def _with_peaks(system: control.TransferFunction) -> Reals:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from report.claim import Certainty, Impact, Severity
 from report.comparisons.printed import power
 from report.evidence import Evidence
 from report.numbers.independent.load_in_play import LetGoLoad
 from report.parts import assertion, close
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
+from report.verdict import Certainty, Impact, Severity
 
 LARGEST_FORCE = 1.0
 """Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""

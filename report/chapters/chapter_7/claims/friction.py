@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.equivalent_nonlinearity import FORCES
 from report.parts import assertion, so
 from report.record import Record, claim, text
 from report.thesis import EXPERIMENT_GAP
+from report.verdict import Certainty, Impact, Severity
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
 

@@ -12,7 +12,6 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.claim import Certainty, Impact, Severity
 from report.evidence import Evidence
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.record import change, line_amplitudes
@@ -23,6 +22,7 @@ from report.thesis import (
     DRIVE_FREQUENCY,
     LARGE_GAP,
 )
+from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)

@@ -14,7 +14,7 @@ from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LIS
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop, open_loop_harmonic
 from report.chapters.chapter_7.claims.input import BY_RESPONSE, FIFTH, SIMULATED
 from report.chapters.second_ways import ALL_LOADS
-from report.claim import Certainty, Impact, Part, Severity
+from report.claim import Part
 from report.evidence import Evidence
 from report.numbers.listed_functions import (
     IN_GAPS,
@@ -33,6 +33,7 @@ from report.thesis import (
     MEASURED_DRIVE_OMEGA,
     TURN,
 )
+from report.verdict import Certainty, Impact, Severity
 from trimmer import LimitCycle, ViscousBacklash
 
 RELAY_FORCE, GAP = 0.15, 2e-3

@@ -1,0 +1,1 @@
+"""What a report shows, as frozen data: a file per part of it."""

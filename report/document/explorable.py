@@ -1,0 +1,51 @@
+"""What a reader of the page can move."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.document.figure import Figure
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number that a reader can move.
+
+    Attributes:
+        name: What the script calls it.
+        label: What the reader is told it is, as plain text.
+        minimum: Least value; of the decimal logarithm if ``logarithmic``.
+        maximum: Largest value, likewise.
+        value: Value to begin with, likewise.
+        logarithmic: Whether the slider moves the decimal logarithm.
+        factor: From the SI unit to the unit that is shown.
+        unit: The unit that is shown, as plain text.
+    """
+
+    name: str
+    label: str
+    minimum: float
+    maximum: float
+    value: float
+    logarithmic: bool
+    factor: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing of the explorable: title, least and largest x and y, and what it shows, as plain text."""
+
+    title: str
+    limits: tuple[float, float, float, float]
+    description: str
+
+
+@dataclass(frozen=True)
+class Explorable:
+    """What a reader can move: the formulas as a script, sliders, panels, and a picture for print."""
+
+    formulas: str
+    sliders: tuple[Slider, ...]
+    panels: tuple[Panel, ...]
+    still: Figure

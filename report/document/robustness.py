@@ -1,0 +1,59 @@
+"""How far the corrected results hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.document.figure import Figure
+
+
+@dataclass(frozen=True)
+class Digits:
+    """Parameters (LaTeX) that are printed with a number of digits, and what these leave open at most, %."""
+
+    number: str
+    symbols: tuple[str, ...]
+    left_open: str
+
+
+@dataclass(frozen=True)
+class EffectRow:
+    """A corrected prediction and what the parameters do to it.
+
+    ``quantity`` and ``unit`` are plain text; ``nominal`` is the value at the thesis's parameters;
+    ``largest`` (LaTeX) is the parameter with the largest effect, ``reach`` what it does; ``band`` holds nine
+    tenths of the samples.
+    """
+
+    quantity: str
+    unit: str
+    nominal: str
+    largest: str
+    reach: str
+    band: str
+
+
+@dataclass(frozen=True)
+class SurvivalRow:
+    """A finding on a claim, in how many samples it holds, and on what that rests, in words."""
+
+    claim: str
+    finding: str
+    holds: str
+    because: str
+
+
+@dataclass(frozen=True)
+class Robustness:
+    """How far the corrected results hold when parameters change by ``percent``.
+
+    ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
+    """
+
+    percent: int
+    samples: int
+    left_out: int
+    digits: tuple[Digits, ...]
+    effects: tuple[EffectRow, ...]
+    survivals: tuple[SurvivalRow, ...]
+    figure: Figure

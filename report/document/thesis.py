@@ -1,0 +1,46 @@
+"""The chapters of the thesis with what was found in them, and what the report was made from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.finding import Finding
+from report.text_copy import BuildTime
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the thesis: number, title, and the ids of the figures in it."""
+
+    number: str
+    title: str
+    figures: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A chapter or appendix of the thesis with the findings in it, in thesis order."""
+
+    id: str
+    number: str
+    title: str
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is the processor time it took when that was last measured.
+    """
+
+    version: str
+    commit: str
+    date: str
+    libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
+
+    @property
+    def line(self) -> str:
+        """The line below a report's title."""
+        return f"trimmer {self.version}, commit {self.commit}, {self.date[:10]}"

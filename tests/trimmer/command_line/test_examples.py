@@ -1,0 +1,111 @@
+"""Each example in the help of a command runs, and answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.help_text import WIDTH, epilog
+from trimmer.command_line.main import installed_commands, main
+
+COMMANDS = {command.name: command for command in installed_commands()}
+FIRST = ("parameters", "simulate")
+"""What these write, the examples of others read."""
+TAKES_LONG = (
+    "trimmer derive",
+    "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
+    "trimmer design examples/den-hartog.toml --format html",
+    "trimmer design examples/thesis.toml --format html --processes 1",
+    "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
+)
+OF_THE_REPORT = "trimmer report"
+"""Lines that begin so take minutes, open a browser, or read a file that a report has written."""
+
+
+def examples() -> Iterator[tuple[str, Example]]:
+    for name in sorted(COMMANDS, key=lambda name: name not in FIRST):
+        yield from ((name, example) for example in COMMANDS[name].examples)
+
+
+def marked() -> Iterator[object]:
+    for name, example in examples():
+        if example.words.startswith(OF_THE_REPORT):
+            continue
+        marks = [pytest.mark.slow] if example.words in TAKES_LONG else []
+        yield pytest.param(name, example, id=example.words.removeprefix("trimmer "), marks=marks)
+
+
+def given(option: str) -> list[Example]:
+    return [example for _, example in examples() if option in example.words]
+
+
+def written_by_examples(example: Example) -> Iterator[Example]:
+    """Find the examples that write what another one reads."""
+    for name, option in (("mine.toml", "--output"), ("vibration.csv", "--csv"), ("cells.map", "--output")):
+        writes = [each for each in given(f"{option} {name}") if "--resume" not in each.words]
+        reads = name in example.words and example not in writes
+        yield from writes if reads else ()
+
+
+@pytest.fixture
+def folder(tmp_path: Path, project_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "examples").symlink_to(project_folder / "examples")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(("name", "example"), [*marked()])
+def test_an_example_runs(
+    folder: Path, capfd: pytest.CaptureFixture[str], name: str, example: Example
+) -> None:
+    for before in written_by_examples(example):
+        assert main(before.arguments) == 0
+    capfd.readouterr()
+    assert main(example.arguments) == 0
+    told = capfd.readouterr()
+    assert told.out.strip()
+    if "--json" in example.arguments:
+        json.loads(told.out)
+    for option, file in zip(example.arguments, example.arguments[1:], strict=False):
+        if option in ("--plot", "--csv", "--wav", "--output", "--latex") and "." in file:
+            assert (folder / file).stat().st_size > 0
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=list(COMMANDS))
+def test_the_help_shows_the_examples(capsys: pytest.CaptureFixture[str], command: Command) -> None:
+    assert 2 <= len(command.examples) <= 3
+    for example in command.examples:
+        assert example.words.split()[:2] == ["trimmer", command.name]
+    with pytest.raises(SystemExit) as stopped:
+        main([command.name, "--help"])
+    assert stopped.value.code == 0
+    shown = capsys.readouterr().out
+    assert epilog(command).split("\n\n")[0] in shown
+    typed = " ".join(shown.replace("\\\n", " ").split())
+    for example in command.examples:
+        assert f"{example.words} {example.purpose}" in typed
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=list(COMMANDS))
+def test_no_line_of_the_examples_is_wider_than_a_terminal(command: Command) -> None:
+    assert max(map(len, epilog(command).split("\n\n")[0].split("\n"))) <= WIDTH
+
+
+@pytest.mark.slow
+def test_the_examples_of_the_report_run(
+    folder: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    whole, chapter, compared = COMMANDS["report"].examples
+    assert main(whole.arguments) == 0
+    page = folder / "build" / "report" / "report.html"
+    (folder / "claims.json").write_bytes(page.with_name("claims.json").read_bytes())
+    assert main(compared.arguments) == 0
+    assert ": 0 changed" in capfd.readouterr().out
+    assert main(chapter.arguments) == 0
+    assert opened == [page.as_uri()]

@@ -1,0 +1,169 @@
+"""The nonlinearities of python-control in place of elements, and our elements in place of its own."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import numpy as np
+import pytest
+
+from trimmer import (
+    ClosedLoop,
+    ControlElement,
+    DeadZone,
+    Element,
+    FrictionBacklash,
+    OpenLoop,
+    Preload,
+    Relay,
+    Saturation,
+    ScaledElement,
+    SumOfElements,
+    UnsupportedElementError,
+    WrongTypeError,
+    harmonic_balance,
+    harmonic_leakage,
+)
+
+PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
+PAIRS = (
+    (control.saturation_nonlinearity(0.5), Saturation(0.5)),
+    (control.relay_hysteresis_nonlinearity(2.0, 0.3), Relay(2.0, 0.3)),
+    (control.friction_backlash_nonlinearity(0.4), FrictionBacklash(0.4)),
+)
+OURS = (
+    Saturation(0.5),
+    DeadZone(0.1),
+    Preload(0.5, 0.01),
+    Relay(1.0, 0.3),
+    Relay(1.0, dead_zone=0.3),
+    Relay(1.0, 0.1, 0.3),
+)
+
+
+class Cubic(control.descfcn.DescribingFunctionNonlinearity):
+    """A static one without a formula."""
+
+    def __call__(self, x):
+        return x**3
+
+    def _isstatic(self):
+        return True
+
+
+@pytest.mark.parametrize(("peer", "ours"), PAIRS, ids=lambda each: type(each).__name__)
+def test_limit_cycles_are_ours_but_not_certain(peer, ours: Element) -> None:
+    before = dict(vars(peer))
+    theirs, known = harmonic_balance(PLANT, peer), harmonic_balance(PLANT, ours)
+    assert known.certificate.complete
+    for found, sure in zip(theirs.limit_cycles, known.limit_cycles, strict=True):
+        assert found.amplitude == pytest.approx(sure.amplitude, rel=1e-8)
+        assert found.omega == pytest.approx(sure.omega, rel=1e-8)
+    certificate = theirs.certificate
+    assert not certificate.complete
+    assert "has no bounds of its describing function" in certificate.doubts[0]
+    assert len(theirs.limit_cycles) == 1
+    leakage = harmonic_leakage(PLANT, peer, theirs.limit_cycles[0])
+    assert leakage == pytest.approx(harmonic_leakage(PLANT, ours, known.limit_cycles[0]), rel=1e-3)
+    assert dict(vars(peer)) == before
+
+
+@pytest.mark.parametrize(("peer", "ours"), PAIRS, ids=lambda each: type(each).__name__)
+def test_every_harmonic_is_that_of_our_closed_form(peer, ours: Element) -> None:
+    element = ControlElement(peer)
+    for amplitude in (0.33, 0.7, 12.0):
+        for harmonic in (1, 3, 9):
+            own = element.describing_function(amplitude, harmonic=harmonic)
+            assert own == pytest.approx(ours.describing_function(amplitude, harmonic=harmonic), abs=1e-11)
+        estimate = element.describing_function_estimate(amplitude)
+        assert estimate.value == pytest.approx(ours.describing_function(amplitude), abs=1e-11)
+    phases = np.linspace(-7.0, 7.0, 91)
+    assert element.waveform(phases, 0.9) == pytest.approx(ours.waveform(phases, 0.9), abs=1e-12)
+
+
+def test_they_are_taken_wherever_an_element_is() -> None:
+    peer = control.saturation_nonlinearity(0.5)
+    assert isinstance(ClosedLoop(PLANT, peer).element, ControlElement)
+    assert isinstance(ScaledElement(peer, 2.0).element, ControlElement)
+    assert SumOfElements((peer, Relay(1.0))).describing_function(1.0) == pytest.approx(
+        (Saturation(0.5) + Relay(1.0)).describing_function(1.0)
+    )
+    for total in (Relay(1.0) + peer, Relay(1.0) - peer):
+        assert isinstance(total, SumOfElements)
+        assert not total.has_bounds
+    assert (
+        harmonic_balance(ClosedLoop(PLANT, peer)).limit_cycles == harmonic_balance(PLANT, peer).limit_cycles
+    )
+    with pytest.raises(WrongTypeError, match="drive"):
+        OpenLoop(PLANT, peer, None)  # type: ignore[arg-type]
+
+
+def test_one_without_a_formula_is_integrated() -> None:
+    assert ControlElement(Cubic()).describing_function([2.0, 4.0]) == pytest.approx([3.0, 12.0], rel=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_only_odd_ones_are_taken() -> None:
+    class OddOnAGrid(Cubic):
+        """Be odd at the phases that python-control samples, at any amplitude that is a power of two."""
+
+        def __call__(self, x):
+            size = 2.0 ** math.floor(math.log2(abs(x))) if x else 1.0
+            turns = math.asin(abs(x) / (2.0 * size)) / (2.0 * math.pi) * 100
+            return x + (0.1 * abs(x) if abs(turns - round(turns)) > 1e-6 else 0.0)
+
+    for peer in (control.saturation_nonlinearity(1.0, -0.5), OddOnAGrid()):
+        with pytest.raises(UnsupportedElementError, match=r"is not odd, at the input"):
+            harmonic_balance(PLANT, peer)
+
+    class Biased(control.relay_hysteresis_nonlinearity):
+        def __call__(self, x):
+            return super().__call__(x) + 0.01
+
+    with pytest.raises(UnsupportedElementError, match=r"is not odd, at the input"):
+        ControlElement(Biased(1.0, 0.1))
+
+
+def test_a_formula_that_is_not_that_of_the_output_is_told() -> None:
+    class Wrong(control.saturation_nonlinearity):
+        def describing_function(self, A):
+            return 1.1 * super().describing_function(A)
+
+    doubts = harmonic_balance(PLANT, Wrong(0.5)).certificate.doubts
+    assert any("is not that of its output at the amplitude" in doubt for doubt in doubts)
+
+
+def test_something_else_is_refused() -> None:
+    with pytest.raises(
+        WrongTypeError, match=r"nonlinearity must be a control\.DescribingFunctionNonlinearity"
+    ):
+        ControlElement(3.0)
+    with pytest.raises(UnsupportedElementError, match="the class saturation_nonlinearity is not an element"):
+        harmonic_balance(PLANT, control.saturation_nonlinearity)
+
+
+@pytest.mark.parametrize("element", OURS, ids=repr)
+def test_python_control_finds_limit_cycles_with_ours(element: Element) -> None:
+    known = [cycle for cycle in harmonic_balance(PLANT, element).limit_cycles if cycle.amplitude > 2.0]
+    amplitude, omega = np.geomspace(2.0, 20.0, 60), np.linspace(1.2, 2.4, 60)
+    # Its refinement wanders to amplitudes below the threshold, and takes minutes there.
+    found = list(control.describing_function_response(PLANT, element, amplitude, omega, refine=False))
+    assert len(found) >= len(known)
+    for cycle in known:
+        nearest = min(found, key=lambda pair: abs(pair[0] - cycle.amplitude))
+        assert nearest == pytest.approx((cycle.amplitude, cycle.omega), rel=5e-2)
+
+
+@pytest.mark.parametrize(
+    ("element", "peer"),
+    [
+        (Saturation(2.0), control.saturation_nonlinearity(2.0)),
+        (Relay(2.0, 0.3), control.relay_hysteresis_nonlinearity(2.0, 0.3)),
+    ],
+    ids=repr,
+)
+def test_values_are_those_of_python_control(element: Element, peer) -> None:
+    amplitude = np.geomspace(0.301, 300.0, 50)
+    theirs = control.describing_function(peer, amplitude)
+    assert element.describing_function(amplitude) == pytest.approx(theirs, rel=1e-12)

@@ -1,0 +1,144 @@
+"""One of each result, made when it is first asked for."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import control
+import numpy as np
+
+import trimmer
+from tests.trimmer.maps.machines import impact_oscillator
+from trimmer.runners.runner import SerialRunner
+
+GAP = 4e-5
+PLAY = trimmer.FrictionBacklash(GAP)
+
+
+@cache
+def system() -> control.StateSpace:
+    return trimmer.pin_model(trimmer.TrimmerParameters.thesis())
+
+
+@cache
+def loop() -> trimmer.ClosedLoop:
+    return trimmer.ClosedLoop(system(), PLAY)
+
+
+@cache
+def balance() -> trimmer.HarmonicBalance:
+    return trimmer.harmonic_balance(loop())
+
+
+@cache
+def orbits() -> trimmer.PeriodicOrbits:
+    return trimmer.periodic_orbits(loop())
+
+
+@cache
+def identification() -> trimmer.Identification:
+    return trimmer.identify_time_constant(system(), GAP, 740.0, frequency_uncertainty=2.0)
+
+
+@cache
+def driven() -> trimmer.Motion:
+    parameters, drive = trimmer.TrimmerParameters.thesis(), trimmer.Drive(1.5e-3, frequency=110.0)
+    between = trimmer.Displacement(trimmer.Body.CUTTER, trimmer.Body.GUARD)
+    friction = trimmer.BodyFriction(between, trimmer.CoulombFriction(2.0))
+    element = trimmer.FrictionBacklash(2e-4)
+    return trimmer.simulate(trimmer.TrimmerLoop(parameters, element, drive, frictions=(friction,)), 0.03)
+
+
+@cache
+def summary() -> trimmer.LinearSummary:
+    return trimmer.summarise(trimmer.TrimmerParameters.thesis())
+
+
+@cache
+def time_response() -> trimmer.TimeResponse:
+    times = np.linspace(0.0, 0.06, 601)
+    return trimmer.time_response(control.ss([[-100.0]], [[100.0]], [[1.0]], 0.0), times, np.ones(601))
+
+
+@cache
+def signal() -> trimmer.Signal:
+    times = np.arange(4000) / 4000.0
+    values = 1e-3 * np.sin(2 * np.pi * 110.0 * times) + 1e-5 * np.sin(2 * np.pi * 554.3 * times)
+    return trimmer.Signal(values, 4000.0, "q2-q4", "m")
+
+
+@cache
+def analysis() -> trimmer.SpectrumAnalysis:
+    return trimmer.analyse_signal(signal(), 110.0, [222.35], [554.3], closed_loop=True)
+
+
+@cache
+def averaged() -> trimmer.AveragedSpectrum:
+    return trimmer.averaged_spectrum(signal())
+
+
+@cache
+def comparison() -> trimmer.Comparison:
+    return trimmer.compare_motions(signal(), trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0))
+
+
+@cache
+def stopped() -> trimmer.MechanismMotion:
+    return trimmer.simulate(impact_oscillator(), 6.0, state={"mass": (12.0, 100.0)})
+
+
+@cache
+def forced() -> trimmer.MechanismOrbit:
+    """The orbit of the impact oscillator with contact."""
+    response = trimmer.respond(impact_oscillator(), state={"mass": (-25.0, 0.0)})
+    assert response.motion.orbit is not None
+    return response.motion.orbit
+
+
+@cache
+def response() -> trimmer.Response:
+    return trimmer.respond(impact_oscillator(), starts=2)
+
+
+@cache
+def branch() -> trimmer.FollowedBranch:
+    """From contact at 8 rad/s over the fold at 8.566394 rad/s, and back."""
+    start, stop = 8.0 / (2 * np.pi), 8.7 / (2 * np.pi)
+    settings = trimmer.FollowSettings(quiet=True)
+    return trimmer.follow(
+        impact_oscillator(), "frequency", start, stop, state=forced().instant.state, settings=settings
+    )
+
+
+@cache
+def motion_map() -> trimmer.MotionMap:
+    values = {"frequency": [1.1, 1.2, 1.3], "stops.wall.gap": [8.0, 10.0]}
+    return trimmer.motion_map(impact_oscillator(), values, runner=SerialRunner(), quiet=True)
+
+
+@cache
+def basin() -> trimmer.Basin:
+    values = {"mass.displacement": [-25.0, 0.0, 12.0], "mass.velocity": [-100.0, 0.0, 100.0]}
+    return trimmer.basin(impact_oscillator(), values, runner=SerialRunner(), quiet=True)
+
+
+def locus() -> trimmer.Locus:
+    """A locus put together by hand."""
+    values = np.array([[1.0, 8e-6], [1.2, 9e-6], [1.4, 12e-6]])
+    return trimmer.Locus(
+        trimmer.SpecialKind.FOLD,
+        (),
+        ("frequency", "stops.wall.gap"),
+        1,
+        values,
+        np.zeros((3, 2)),
+        np.zeros(3),
+        np.zeros(3),
+        trimmer.LocusEnd.LEFT,
+        "it leaves the ranges",
+        ("Hz", "m"),
+    )
+
+
+def curves() -> trimmer.SpecialCurves:
+    return trimmer.SpecialCurves((trimmer.SpecialCurve((locus(),)),), "by hand")

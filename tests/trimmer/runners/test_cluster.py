@@ -1,0 +1,137 @@
+"""A real cluster on this computer: a scheduler and two workers, each a process of its own."""
+
+from __future__ import annotations
+
+import math
+import operator
+import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from trimmer.command_line.main import main
+from trimmer.errors import WorkerError
+from trimmer.maps.motion_map import motion_map
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.chunks import AHEAD
+from trimmer.runners.cluster import ClusterRunner, _done, _programs
+from trimmer.runners.runner import SerialRunner
+
+distributed = pytest.importorskip("distributed")
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[distributed.LocalCluster]:
+    with distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=True,
+        dashboard_address=":0",
+        silence_logs=50,
+        local_directory=str(tmp_path_factory.mktemp("workers")),
+    ) as made:
+        yield made
+
+
+def worker_ids(cluster: distributed.LocalCluster) -> list[int]:
+    with distributed.Client(cluster, set_as_default=False) as client:
+        return list(client.run(os.getpid).values())
+
+
+def test_each_cell_is_done_once(cluster) -> None:
+    results = ClusterRunner(cluster.scheduler_address).results(operator.neg, [*range(50), 3, 3])
+    assert sorted(results) == sorted(-number for number in [*range(50), 3, 3])
+
+
+def test_no_cells_give_no_results(cluster) -> None:
+    assert list(ClusterRunner(cluster.scheduler_address).results(operator.neg, [])) == []
+
+
+def test_cells_are_taken_as_they_are_needed(cluster) -> None:
+    taken = []
+
+    def cells() -> Iterator[int]:
+        for number in range(10_000):
+            taken.append(number)
+            yield number
+
+    results = ClusterRunner(cluster.scheduler_address, chunk=2).results(operator.neg, cells())
+    next(results)
+    results.close()
+    assert len(taken) <= (AHEAD + 1) * 2 * 2
+
+
+def test_an_error_of_the_work_comes_through(cluster) -> None:
+    with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
+        list(ClusterRunner(cluster.scheduler_address).results(math.sqrt, [-1.0]))
+
+
+def test_a_worker_that_is_killed_on_the_way_changes_no_digit(cluster, project_folder: Path) -> None:
+    mechanism = Mechanism.from_toml(project_folder / "examples" / "oscillator-stop.toml")
+    values = {"frequency": [0.9 + 0.002 * number for number in range(48)]}
+    alone = motion_map(mechanism, values, runner=SerialRunner(), most_periods=60, quiet=True)
+    killed = worker_ids(cluster)[0]
+
+    class Killing(ClusterRunner):
+        def results(self, work, cells):
+            for count, result in enumerate(super().results(work, cells)):
+                if count == 3:
+                    os.kill(killed, signal.SIGKILL)
+                yield result
+
+    runner = Killing(cluster.scheduler_address, chunk=1)
+    shared = motion_map(mechanism, values, runner=runner, most_periods=60, quiet=True)
+    assert repr(shared.cells) == repr(alone.cells)
+    assert killed not in worker_ids(cluster)
+
+
+def test_a_scheduler_that_is_not_there_is_told_in_a_sentence() -> None:
+    with pytest.raises(WorkerError, match=r"no Dask scheduler answers at tcp://127.0.0.1:9: begin one"):
+        list(ClusterRunner("tcp://127.0.0.1:9", patience=1).results(operator.neg, [1]))
+
+
+def test_an_address_that_is_none_is_told_in_a_sentence() -> None:
+    with pytest.raises(WorkerError, match="no Dask scheduler answers at nowhere://x"):
+        list(ClusterRunner("nowhere://x", patience=1).results(operator.neg, [1]))
+
+
+def test_a_scheduler_without_workers_is_told_in_a_sentence() -> None:
+    with distributed.LocalCluster(n_workers=0, dashboard_address=":0", silence_logs=50) as empty:
+        runner = ClusterRunner(empty.scheduler_address, patience=1)
+        with pytest.raises(WorkerError, match="has no worker: begin one"):
+            list(runner.results(operator.neg, [1]))
+
+
+def test_a_worker_with_other_versions_is_refused() -> None:
+    others = tuple((name, "0.0") if name == "numpy" else (name, number) for name, number in _programs())
+    with pytest.raises(WorkerError, match=r"has numpy .* and this computer 0.0: install the same"):
+        _done(operator.neg, others, [1])
+
+
+@pytest.mark.parametrize("chunk", [0, -1])
+def test_a_chunk_has_at_least_one_cell(chunk: int) -> None:
+    with pytest.raises(ValueError, match="chunk must be a whole number from 1 on"):
+        ClusterRunner("tcp://127.0.0.1:1", chunk=chunk)
+
+
+def test_the_command_line_takes_a_cluster(cluster, project_folder: Path, capsys) -> None:
+    words = ["map", str(project_folder / "examples" / "oscillator-stop.toml"), "--vary", "frequency=0.9:1:3"]
+    assert main([*words, "--json", "--scheduler", cluster.scheduler_address]) == 0
+    shared = capsys.readouterr().out
+    assert main([*words, "--json"]) == 0
+    assert capsys.readouterr().out == shared
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--scheduler", "tcp://127.0.0.1:1", "--jobs", "2"], "leave one of them out"),
+        (["--scheduler", " "], "give the address of a Dask scheduler"),
+    ],
+)
+def test_options_that_contradict_are_refused(project_folder: Path, capsys, words, told: str) -> None:
+    file = str(project_folder / "examples" / "oscillator-stop.toml")
+    assert main(["map", file, "--vary", "frequency=0.9:1:3", *words]) == 2
+    assert told in capsys.readouterr().err

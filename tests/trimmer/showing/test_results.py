@@ -1,0 +1,217 @@
+"""How results show themselves: short reprs, HTML for notebooks, data frames with units."""
+
+from __future__ import annotations
+
+import builtins
+import re
+from collections.abc import Callable
+from dataclasses import is_dataclass, replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pandas
+import pytest
+
+import trimmer
+from tests.json_document import documented
+from tests.trimmer import results
+from trimmer.showing.shown import Record, Shown, Tabular, counted
+
+RESULTS: dict[str, Callable[[], object]] = {
+    "HarmonicBalance": results.balance,
+    "Certificate": lambda: results.balance().certificate,
+    "LimitCycle": lambda: results.balance().limit_cycles[0],
+    "Identification": results.identification,
+    "IdentifiedTimeConstant": lambda: results.identification().time_constants[0],
+    "FeasibleBand": lambda: results.identification().bands[0],
+    "BandEnd": lambda: results.identification().bands[0].lower,
+    "PeriodicOrbits": results.orbits,
+    "PeriodicOrbit": lambda: results.orbits()[0],
+    "ImpactEvent": lambda: results.orbits()[0].impacts[0],
+    "ClosedLoop": results.loop,
+    "TrimmerLoop": lambda: results.driven().loop,
+    "Motion": results.driven,
+    "Event": lambda: results.driven().events[0],
+    "EnergyBalance": lambda: trimmer.energy_balance(results.driven()),
+    "MechanismMotion": results.stopped,
+    "MechanismEnergy": lambda: results.stopped().energy,
+    "MechanismOrbit": results.forced,
+    "Response": results.response,
+    "SettledMotion": lambda: results.response().motion,
+    "Mechanism": lambda: results.forced().mechanism,
+    "LinearMatrices": lambda: trimmer.linear_matrices(results.forced().mechanism),
+    "FollowedBranch": results.branch,
+    "FollowedOrbit": lambda: results.branch().points[0],
+    "OutputMeasure": lambda: results.branch().points[0].outputs["x"],
+    "SpecialPoint": lambda: results.branch().special[0],
+    "MotionMap": results.motion_map,
+    "Basin": results.basin,
+    "Coexistence": lambda: trimmer.coexisting_motions(results.motion_map(), quiet=True),
+    "SpecialCurves": results.curves,
+    "SpecialCurve": lambda: results.curves().curves[0],
+    "Locus": results.locus,
+    "LinearSummary": results.summary,
+    "ZeroPoleGain": lambda: results.summary().factored,
+    "Mode": lambda: results.summary().modes[0],
+    "TimeResponse": results.time_response,
+    "SteadyState": lambda: trimmer.steady_state(results.system(), 700.0),
+    "Signal": results.signal,
+    "SpectrumAnalysis": results.analysis,
+    "Spectrum": lambda: results.analysis().spectrum,
+    "HarmonicFit": lambda: results.analysis().harmonics,
+    "Peak": lambda: results.analysis().peaks[0].peak,
+    "AveragedSpectrum": results.averaged,
+    "Comparison": results.comparison,
+    "SimulatedLines": lambda: trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
+    "Recording": lambda: trimmer.Recording((results.signal(),)),
+    "Conversion": lambda: trimmer.convert(results.signal(), "velocity"),
+    "BalancedHarmonics": lambda: trimmer.multi_harmonic_balance(
+        results.loop(), results.balance().limit_cycles[-1], [1, 3]
+    )[-1],
+    "SampledLimitCycles": lambda: trimmer.sampled_limit_cycles({"k2": [3e4, 3.1e4]}, gap=4e-5),
+}
+TABLES = [name for name in RESULTS if issubclass(getattr(trimmer, name, object), Tabular)]
+LONGEST = 240
+
+JSON = {
+    "HarmonicBalance": ("trimmer limit-cycles", "limit_cycles[]."),
+    "PeriodicOrbits": ("trimmer orbits", "orbits[]."),
+    "Motion": ("trimmer simulate", "events[]."),
+    "MechanismMotion": ("trimmer simulate, of a mechanism", "events[]."),
+    "LinearSummary": ("trimmer linear", "modes[]."),
+    "FollowedBranch": ("trimmer follow", "points[]."),
+    "MotionMap": ("trimmer map", ""),
+    "SpectrumAnalysis": ("trimmer spectrum", "peaks[]."),
+    "Comparison": ("trimmer overlay", "lines[]."),
+}
+"""Section of the document of the JSON, and what stands before the keys."""
+NOT_IN_JSON = {"largest_multiplier", "branch", "period_count", "distance_bins"}
+"""Columns whose keys stand elsewhere there, or that are of several keys."""
+
+
+@pytest.fixture(params=RESULTS.values(), ids=RESULTS)
+def result(request: pytest.FixtureRequest) -> object:
+    return request.param()
+
+
+def test_all_results_that_show_themselves_are_tried() -> None:
+    public = {name: getattr(trimmer, name) for name in trimmer.__all__}
+    shown = {name for name, each in public.items() if isinstance(each, type) and issubclass(each, Shown)}
+    assert shown <= set(RESULTS)
+
+
+def test_a_repr_is_one_short_line_without_arrays(result: object) -> None:
+    text = repr(result)
+    assert "\n" not in text
+    assert "array(" not in text
+    assert len(text) <= LONGEST
+    assert type(result).__name__ in text
+
+
+def test_html_is_well_formed_without_scripts_or_colours(result: object) -> None:
+    text = result._repr_html_() if isinstance(result, Shown | Record) else ""
+    assert text or isinstance(result, trimmer.ClosedLoop | trimmer.TrimmerLoop)
+    root = ElementTree.fromstring(f"<div>{text}</div>")
+    tags = {each.tag for each in root.iter()}
+    assert tags <= {"div", "p", "strong", "table", "caption", "thead", "tbody", "tr", "th", "td"}
+    assert not re.search("colou?r|style|script|onclick|nan", text)
+    assert len(root.findall(".//tbody/tr")) <= 20
+    heads = len(root.findall(".//thead/tr/th"))
+    assert all(len(row) == heads for row in root.findall(".//tbody/tr")) or heads == 0
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_data_frame_has_a_row_for_each_and_the_units(name: str) -> None:
+    result = RESULTS[name]()
+    assert isinstance(result, Tabular)
+    frame = result.to_dataframe()
+    assert isinstance(frame, pandas.DataFrame)
+    assert len(frame) == len(result._table().items) > 0
+    assert list(frame.attrs["units"]) == list(frame.columns)
+    assert all(isinstance(unit, str) for unit in frame.attrs["units"].values())
+    assert frame.columns.is_unique
+
+
+@pytest.mark.parametrize("name", JSON)
+def test_columns_have_the_names_of_the_json(name: str) -> None:
+    heading, before = JSON[name]
+    found = RESULTS[name]()
+    assert isinstance(found, Tabular)
+    keys = {key.removeprefix(before) for key in documented(heading) if key.startswith(before)}
+    places = set(getattr(found, "places", ()))
+    own = {column for column in found.to_dataframe().columns if "." not in column or column in places}
+    assert own - places - NOT_IN_JSON <= keys | {key.split(".")[0] for key in keys}
+
+
+def test_limit_cycles_have_frequency_and_stability() -> None:
+    frame = results.balance().to_dataframe()
+    cycles = results.balance().limit_cycles
+    np.testing.assert_array_equal(frame["frequency"], [each.frequency for each in cycles])
+    assert frame["stable"].tolist() == [each.stable for each in cycles]
+    assert frame["stable"].dtype == bool
+    assert frame.attrs["units"]["frequency"] == "Hz"
+
+
+def test_a_branch_lists_its_orbits_in_order() -> None:
+    branch = results.branch()
+    frame = branch.to_dataframe()
+    assert frame["value"].tolist() == [point.value for point in branch.points]
+    strokes = [point.outputs["x"].peak_to_peak for point in branch.points]
+    assert frame["outputs.x.peak_to_peak"].tolist() == strokes
+    assert frame.attrs["units"]["value"] == "Hz"
+
+
+def test_a_map_lists_its_cells_row_by_row() -> None:
+    result = results.motion_map()
+    frame = result.to_dataframe()
+    assert frame["frequency"].tolist() == [1.1, 1.2, 1.3] * 2
+    assert frame["stops.wall.gap"].tolist() == [8.0] * 3 + [10.0] * 3
+    np.testing.assert_array_equal(frame["outputs.x.peak_to_peak"], result.stroke.ravel())
+    assert set(frame["kind"]) <= {"periodic", "chaotic", "torus", "undecided"}
+    assert frame.attrs["units"]["stops.wall.gap"] == "m"
+
+
+def test_a_basin_numbers_its_motions_as_its_legend_does() -> None:
+    found = results.basin()
+    assert found.to_dataframe()["motion"].tolist() == (found.number.ravel() + 1).tolist()
+
+
+def test_without_pandas_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    real = builtins.__import__
+
+    def without(name: str, *others: object, **named: object) -> object:
+        if name == "pandas":
+            raise ImportError(name)
+        return real(name, *others, **named)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    with pytest.raises(trimmer.MissingPackageError, match="pip install pandas"):
+        results.balance().to_dataframe()
+
+
+def test_what_comes_from_the_user_is_escaped() -> None:
+    signal = trimmer.Signal([1.0, 2.0], 10.0, "<script>&", "m")
+    text = signal._repr_html_()
+    assert "<script>" not in text
+    assert "&lt;script&gt;&amp;" in text
+    assert signal.to_dataframe().columns.tolist() == ["time", "<script>&"]
+
+
+def test_a_signal_called_time_has_two_columns_all_the_same() -> None:
+    assert trimmer.Signal([1.0], 10.0, "time").to_dataframe().columns.tolist() == ["time", "value"]
+
+
+def test_a_long_title_does_not_make_a_long_line() -> None:
+    mechanism = replace(results.forced().mechanism, title="many words " * 100)
+    assert len(repr(mechanism)) <= LONGEST
+
+
+def test_results_stay_dataclasses() -> None:
+    assert all(is_dataclass(make()) for make in RESULTS.values())
+
+
+@pytest.mark.parametrize(
+    ("count", "noun", "text"), [(1, "body", "1 body"), (2, "body", "2 bodies"), (3, "play", "3 plays")]
+)
+def test_counted(count: int, noun: str, text: str) -> None:
+    assert counted(count, noun) == text

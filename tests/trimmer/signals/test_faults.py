@@ -1,0 +1,134 @@
+"""Faults of records: found where they were made, and nowhere else."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from trimmer.signals.faults import Certainty, Clipping, Dropout, FewSteps, Offset, faults
+from trimmer.signals.signal import Signal
+
+RATE = 5000.0
+TIMES = np.arange(5000) / RATE
+SINE = np.sin(2 * np.pi * 109.8 * TIMES)
+NOISE = np.random.default_rng(1).normal(size=5000)
+
+
+def found(values: np.ndarray, **options: float) -> tuple:
+    return faults(Signal(values, RATE, "a", "g", **options))
+
+
+def clipping(values: np.ndarray, **options: float) -> Clipping | None:
+    return next((fault for fault in found(values, **options) if isinstance(fault, Clipping)), None)
+
+
+@pytest.mark.parametrize("level", [0.3, 0.6, 0.9, 0.99, 0.995])
+@pytest.mark.parametrize("noise", [0.0, 0.02])
+def test_a_clipped_record_is_told(level: float, noise: float) -> None:
+    values = SINE + noise * NOISE
+    told = clipping(np.clip(values, -level, level))
+    assert told is not None
+    assert told.largest == int((values >= level).sum()) and told.smallest == int((values <= -level).sum())
+    assert "largest value and" in told.sentence and "smallest value" in told.sentence
+    if level <= 0.9:
+        assert told.certainty is Certainty.LIKELY
+    one_sided = clipping(np.minimum(values, level))
+    assert one_sided is not None
+    assert (one_sided.smallest, one_sided.largest) == (0, told.largest)
+
+
+def test_clipping_at_full_scale_is_certain_and_two_samples_show_it() -> None:
+    impacts = 0.1 * SINE
+    impacts[[500, 501, 2500, 2501]] = 1.0
+    assert clipping(impacts) is None
+    told = clipping(impacts, full_scale=1.0)
+    assert told is not None
+    assert (told.certainty, told.runs, told.first, told.level) == (Certainty.CERTAIN, 2, 0.1, 1.0)
+    assert "clipped at full scale" in told.sentence
+    assert clipping(SINE, full_scale=1.0) is None
+
+
+def test_a_few_clipped_impacts_of_a_long_record_are_told() -> None:
+    impacts = 0.1 * SINE
+    impacts[500:504] = impacts[2500:2504] = 1.0
+    assert clipping(impacts) is not None
+
+
+def test_a_clipped_record_of_few_bits_is_told() -> None:
+    assert clipping(np.clip(np.round(200 * SINE), -128, 127)) is not None
+
+
+@pytest.mark.parametrize("bits", [3, 5, 8, 12, 16])
+@pytest.mark.parametrize("frequency", [109.8, 10.98, 1.3])
+def test_coarse_steps_are_not_taken_for_clipping_or_dropouts(bits: int, frequency: float) -> None:
+    values = np.round(2 ** (bits - 1) * 0.93 * np.sin(2 * np.pi * frequency * TIMES))
+    kinds = {type(fault) for fault in found(values)}
+    assert kinds == ({FewSteps} if bits <= 8 else set())
+
+
+def test_steps_are_counted_with_the_noise_of_rounding() -> None:
+    (told,) = found(np.round(15 * SINE) * 0.25)
+    assert isinstance(told, FewSteps)
+    assert (told.values, told.step) == (31, 0.25)
+    assert told.bits == pytest.approx(np.log2(31))
+    assert told.noise == pytest.approx(np.std(np.round(15 * SINE) * 0.25 - 15 * SINE * 0.25), rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        SINE,
+        np.sin(2 * np.pi * 250 * TIMES),  # the same 20 samples over and over
+        np.sign(np.sin(2 * np.pi * 250 * TIMES + 0.1)),  # a square wave is at its limits all the time
+        np.zeros(100),
+        NOISE,
+        np.round(300 * NOISE),
+        np.arange(100.0),
+        np.array([1.0]),
+    ],
+)
+def test_what_has_no_fault_has_none(values) -> None:
+    assert found(values) == ()
+
+
+def test_a_play_that_sticks_at_its_extremes_is_only_possibly_clipped() -> None:
+    """The output of a friction-controlled play stands still at its extremes, into which it comes smoothly."""
+    output = [0.0]
+    for pin in 1.5e-3 * np.cos(2 * np.pi * 110 * np.arange(0, 0.1, 1e-5)):
+        output.append(min(max(output[-1], pin - 2e-4), pin + 2e-4))
+    for values in (np.array(output[1:]), np.round(1e7 * np.array(output[1:]))):
+        told = clipping(values)
+        assert told is not None
+        assert told.certainty is Certainty.POSSIBLE
+        assert "if the motion does not stand still there" in told.sentence
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_dropouts_are_named_with_time_and_length(held: bool) -> None:
+    values = SINE.copy()
+    values[1003:1100] = values[1002] if held else 0.0
+    values[3000:3050] = 0.0
+    (told,) = found(values)
+    assert isinstance(told, Dropout)
+    assert told.begin == pytest.approx((1002 if held else 1003) / RATE)
+    assert (told.end, told.others) == (pytest.approx(1099 / RATE), 1)
+    assert told.value == (values[1002] if held else 0.0)
+    assert "dropout" in told.sentence and "--from" in told.sentence
+
+
+def test_a_late_start_is_a_dropout() -> None:
+    assert [fault.kind for fault in found(np.concatenate([np.zeros(300), SINE[310:]]))] == ["dropout"]
+
+
+def test_a_large_mean_is_told() -> None:
+    (told,) = found(SINE - 20.0)
+    assert isinstance(told, Offset)
+    assert told.mean == pytest.approx(-20.0, abs=1e-2)
+    assert told.ratio == pytest.approx(20.0 * np.sqrt(2), rel=1e-2)
+
+
+def test_scale_and_time_do_not_matter() -> None:
+    values = np.clip(SINE, -0.5, 0.8)
+    one, two = clipping(values), clipping(-3e-6 * values)
+    assert one is not None and two is not None
+    assert (one.certainty, one.largest, one.runs) == (two.certainty, two.smallest, two.runs)

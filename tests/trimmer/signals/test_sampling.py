@@ -1,0 +1,158 @@
+"""Time stamps as loggers write them: rounded, with gaps, with jitter, repeated, wrapped around."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from tests.trimmer.signals.reading import message_for
+from trimmer.signals.read import read_recording, read_signal
+from trimmer.signals.sampling import Gaps, Sampling, TimeStamps
+from trimmer.signals.time_stamps import last_digit, spacing_of
+
+RESAMPLE = Sampling(TimeStamps.RESAMPLE, Gaps.SPLIT)
+SPLIT = Sampling(gaps=Gaps.SPLIT)
+
+
+def text(times: Sequence[float], digits: str = ".9g", values: Sequence[float] | None = None) -> str:
+    values = np.sin(np.asarray(times)) if values is None else values
+    return "t,y\n" + "".join(f"{t:{digits}},{v!r}\n" for t, v in zip(times, map(float, values), strict=True))
+
+
+@pytest.mark.parametrize("rate", [350.0, 400.0, 950.0, 999.0, 3000.0, 44_100.0])
+@pytest.mark.parametrize("rounding", [np.rint, np.floor])
+def test_stamps_rounded_to_milliseconds_give_the_rate_within_what_is_told(rate: float, rounding) -> None:
+    times = rounding(np.arange(4000) / rate * 1e3) / 1e3
+    spacing = spacing_of(times, range(2, 4002), "file")
+    assert (spacing.equal, spacing.begins, spacing.rounding) == (True, (0,), 1e-3)
+    assert abs(spacing.rate / rate - 1) < spacing.rate_uncertainty < 0.02
+
+
+def test_rounded_stamps_are_told_with_what_they_cannot_show(file) -> None:
+    signal = read_signal(file(text(np.arange(10_000) / 44_100, ".3f")))
+    (note,) = signal.notes
+    assert "rounded to 0.001 s" in note
+    assert "a gap of up to 44 samples would not be seen" in note
+    exact = read_signal(file(text(np.arange(10_000) / 44_100, ".3f")), sample_rate=44_100.0)
+    assert exact.sample_rate == 44_100.0
+
+
+@pytest.mark.parametrize("digits", [".9g", ".3f"])
+def test_gaps_are_named_with_time_and_length_and_never_bridged(file, digits: str) -> None:
+    kept = np.r_[0:1000, 1400:4000]
+    path = file(text(kept / 5000, digits, np.sin(kept / 7.0)))
+    told = message_for(path)
+    assert told.startswith(", line 1002: time stamps are not at equal distances: this one comes 0.08")
+    assert "1 gap in the time stamps" in told and "--gaps split" in told
+    recording = read_recording(path, sampling=SPLIT)
+    assert [stretch.values.size for stretch in recording.stretches] == [1000, 2600]
+    assert recording.gaps[0].missing == pytest.approx(400, abs=6)
+    assert recording.gaps[0].end - recording.gaps[0].begin == pytest.approx(0.0802, abs=2e-3)
+    for stretch, samples in zip(recording.stretches, np.split(np.sin(kept / 7.0), [1000]), strict=True):
+        np.testing.assert_array_equal(stretch.values, samples)
+    longest = read_signal(path, sampling=SPLIT)
+    assert longest.start == pytest.approx(0.28, abs=1e-9)
+    assert "the longest of 2 stretches" in longest.notes[-1] and "1000 samples" in longest.notes[-1]
+
+
+def test_one_missing_sample_is_a_gap(file) -> None:
+    kept = np.delete(np.arange(100), 40)
+    recording = read_recording(file(text(kept / 1000)), sampling=SPLIT)
+    assert [stretch.values.size for stretch in recording.stretches] == [40, 59]
+    assert (recording.gaps[0].missing, recording.gaps[0].line) == (1, 42)
+    assert {stretch.sample_rate for stretch in recording.stretches} == {1000.0}
+
+
+def test_missing_values_can_be_gaps(file) -> None:
+    rows = [f"{k},{'' if 100 <= k < 150 else k % 7}" for k in range(400)]
+    path = file("t [ms],y\n" + "\n".join(rows))
+    assert "--missing gap" in message_for(path)
+    recording = read_recording(path, missing="gap", sampling=SPLIT)
+    assert [(s.start, s.values.size) for s in recording.stretches] == [(0.0, 100), (0.15, 250)]
+    assert "1 gap" in message_for(path, missing="gap")
+    without_stamps = file("y\n" + "\n".join(row.split(",")[1] or "nan" for row in rows))
+    recording = read_recording(without_stamps, missing="gap", sample_rate=1000.0, sampling=SPLIT)
+    assert [(s.start, s.values.size) for s in recording.stretches] == [(0.0, 100), (0.15, 250)]
+
+
+def test_jitter_is_refused_with_its_size_or_resampled(file) -> None:
+    rng = np.random.default_rng(1)
+    times = np.arange(2000) / 1000 + rng.uniform(-2e-4, 2e-4, 2000)
+    values = np.cos(2 * np.pi * 50 * times)
+    path = file(text(times, ".9g", values))
+    told = message_for(path)
+    assert "stamps are 0.00012 s off" in told
+    assert "--resample" in told and "--ignore-time" in told
+    signal = read_signal(path, sampling=RESAMPLE)
+    assert np.abs(signal.values - np.cos(2 * np.pi * 50 * signal.times))[20:-20].max() < 0.01
+    assert 100 < signal.trusted.highest < 120
+    assert "cubic spline" in signal.notes[-1]
+    assert "--rate" not in message_for(path, sample_rate=500.0, sampling=RESAMPLE)
+    faster = read_signal(path, sample_rate=4000.0, sampling=RESAMPLE)
+    assert np.abs(faster.values - np.cos(2 * np.pi * 50 * faster.times))[80:-80].max() < 0.01
+
+
+def test_no_gap_is_bridged_by_resampling(file) -> None:
+    rng = np.random.default_rng(2)
+    times = (np.arange(3000) / 1000 + rng.uniform(-2e-4, 2e-4, 3000))[np.r_[0:1000, 1100:3000]]
+    path = file(text(times))
+    with pytest.raises(ValueError, match="1 gap in the time stamps"):
+        read_signal(path, sampling=Sampling(TimeStamps.RESAMPLE))
+    recording = read_recording(path, sampling=RESAMPLE)
+    assert len(recording.stretches) == 2
+    assert recording.stretches[0].times[-1] <= times[999]
+    assert recording.stretches[1].start == pytest.approx(times[1000])
+
+
+@pytest.mark.parametrize(
+    ("times", "message"),
+    [
+        (
+            np.r_[0:50, 0:50] / 1000,
+            ", line 52: time stamp 0 s does not come after 0.049 s of line 51: a counter",
+        ),
+        (np.arange(100) * 1000 % 65_536 * 1e-6, ", line 68: .* a counter that wraps around"),
+        (np.r_[0:50, 48:90] / 1000, ", line 52: time stamp 0.048 s .*; write stamps with more digits"),
+        (np.r_[0:50, 49:90] / 1000, ", line 52: time stamp 0.049 s does not come after 0.049 s of line 51"),
+    ],
+)
+def test_stamps_that_do_not_rise_are_refused_in_a_sentence(file, times, message: str) -> None:
+    path = file(text(times))
+    with pytest.raises(ValueError, match=message):
+        read_signal(path)
+    ignored = read_signal(path, sample_rate=1000.0, sampling=Sampling(TimeStamps.IGNORE))
+    assert ignored.values.size == times.size
+    assert "time stamps are left aside" in ignored.notes[0]
+    assert message_for(path, sampling=Sampling("ignore")) == ": no sample rate; give it (--rate)"
+
+
+def test_rows_that_are_repeated_are_left_out_when_resampling(file) -> None:
+    times = np.r_[0:50, 49:90] / 1000
+    signal = read_signal(file(text(times)), sampling=RESAMPLE)
+    assert (signal.values.size, signal.sample_rate) == (90, 1000.0)
+    assert signal.notes == ("rows left out because they repeat the row before and its time stamp: 1",)
+    values = np.arange(times.size, dtype=float)
+    assert "does not come after" in message_for(file(text(times, ".9g", values)), sampling=RESAMPLE)
+
+
+def test_stamps_in_single_precision_are_rounded_ones() -> None:
+    times = (100.0 + np.arange(5000) / 44_100).astype(np.float32).astype(float)
+    assert last_digit(times) == pytest.approx(2.0**-17)
+    spacing = spacing_of(times, range(5000), "file")
+    assert spacing.equal
+    assert abs(spacing.rate / 44_100 - 1) < spacing.rate_uncertainty
+
+
+def test_words_are_taken_for_members() -> None:
+    assert Sampling("resample", "split") == RESAMPLE
+    with pytest.raises(ValueError, match="choose equal, resample or ignore"):
+        Sampling("bridge")
+
+
+def test_a_line_with_a_serial_number_before_the_heading_is_no_data(file) -> None:
+    content = "Logger\nserial;1234\nrate;5000\nTime;Weg\ns;mm\n0,0;1\n0,1;2\n0,2;1\n"
+    signal = read_signal(file(content))
+    assert (signal.name, signal.unit, signal.values.tolist()) == ("Weg", "mm", [1.0, 2.0, 1.0])
+    assert message_for(file("t,y,state\n0,1,ok\n1,2,ok\na,b,c\n2,3,ok\n"), column="y").startswith(", line 4")

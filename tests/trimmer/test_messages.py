@@ -1,0 +1,110 @@
+"""What was meant is asked for where a word is near, and nothing where none is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from trimmer.linear.model import pin_model
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.messages import listed, near_file, near_match, near_words
+from trimmer.parameters import TrimmerParameters
+
+ELEMENTS = ("friction", "inertia", "viscous", "coulomb", "relay")
+COMMANDS = (
+    "linear",
+    "limit-cycles",
+    "identify",
+    "orbits",
+    "simulate",
+    "spectrum",
+    "respond",
+    "follow",
+    "map",
+)
+UNITS = ("m", "mm", "um", "mN", "MN", "N", "kg", "Hz", "s")
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "meant"),
+    [
+        ("frction", ELEMENTS, "friction"),
+        ("FRICTION", ELEMENTS, "friction"),
+        ("relais", ELEMENTS, "relay"),
+        ("visc", ELEMENTS, "viscous"),
+        ("limit_cycles", COMMANDS, "limit-cycles"),
+        ("limitcycle", COMMANDS, "limit-cycles"),
+        ("mpa", COMMANDS, "map"),
+        ("simulation", COMMANDS, "simulate"),
+        ("HZ", UNITS, "Hz"),
+        ("mn", UNITS, "mN or MN"),
+    ],
+)
+def test_a_near_word_is_asked_for(word: str, known: tuple[str, ...], meant: str) -> None:
+    assert near_match(word, known) == f"did you mean {meant}?"
+
+
+@pytest.mark.parametrize(
+    ("word", "known"),
+    [
+        ("saturation", ELEMENTS),
+        ("play", ELEMENTS),
+        ("backlash", ELEMENTS),
+        ("", ELEMENTS),
+        ("re", ("report", "respond")),
+        ("res", ("resume", "respond")),
+        ("foo", COMMANDS),
+        ("banana", COMMANDS),
+        ("s" * 100_000, COMMANDS),
+        ("inch", UNITS),
+        ("-", ("--", "_")),
+        ("friction", ()),
+    ],
+)
+def test_what_is_not_near_is_not_asked_for(word: str, known: tuple[str, ...]) -> None:
+    assert near_match(word, known) == ""
+
+
+def test_a_known_word_is_nearest_to_itself() -> None:
+    assert near_words("map", ("maps", "map", "amp")) == ("map",)
+
+
+def test_a_file_with_a_near_name_is_asked_for(tmp_path: Path) -> None:
+    there = tmp_path / "thesis-play.toml"
+    there.write_text("")
+    (tmp_path / "thesis-plya").mkdir()
+    assert near_file(tmp_path / "thesis-plya.toml") == f"did you mean {there}?"
+    assert near_file(tmp_path / "another.toml") == ""
+    assert near_file(tmp_path / "nowhere" / "thesis-play.toml") == ""
+
+
+@pytest.mark.parametrize(
+    ("place", "advice"),
+    [
+        ("plays.brigde.gap", "did you mean plays.bridge.gap?"),
+        ("play.bridge.gpa", "did you mean plays.bridge.gap?"),
+        ("bridge.gap", "did you mean plays.bridge.gap?"),
+        ("gap", "did you mean plays.bridge.gap?"),
+        ("plays.slot.gap", "after plays comes bridge"),
+        ("nothing", "a place begins with frequency, bodies,"),
+        ("outputs.strok.cutter", "did you mean outputs.stroke.cutter?"),
+    ],
+)
+def test_a_place_is_looked_for_name_by_name(project_folder: Path, place: str, advice: str) -> None:
+    mechanism = Mechanism.from_toml(project_folder / "examples" / "thesis-play.toml")
+    with pytest.raises(ValueError, match="there is no number at") as caught:
+        mechanism.value(place)
+    assert advice in str(caught.value)
+
+
+def test_a_choice_in_python_is_asked_for_too() -> None:
+    with pytest.raises(ValueError, match=r"channels is 'displacment': did you mean displacement\?"):
+        pin_model(TrimmerParameters.thesis(), channels="displacment")
+
+
+@pytest.mark.parametrize(
+    ("words", "text"), [(["a"], "a"), (["a", "b"], "a or b"), (["a", "b", "c"], "a, b or c")]
+)
+def test_words_are_joined_as_in_a_sentence(words: list[str], text: str) -> None:
+    assert listed(words, "or") == text

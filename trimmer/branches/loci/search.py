@@ -1,0 +1,93 @@
+"""What is followed over two numbers, and finding it again where one of them is held."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.branches.loci.locus import LocusRanges
+from trimmer.branches.loci.relocation import Sought, relocated
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.special import SpecialPoint
+from trimmer.errors import MechanismError
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A point of a locus: values as shares of the ranges, (2,), state, (n,), and the state's scale, (n,)."""
+
+    values: Reals
+    state: Reals
+    sizes: Reals
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """What is followed: maps over either number, what is sought, the ranges and their lengths, (2,)."""
+
+    maps: tuple[MechanismMap, MechanismMap]
+    sought: Sought
+    ranges: LocusRanges
+
+    @property
+    def spans(self) -> Reals:
+        """Lengths of the ranges, (2,)."""
+        return np.array([highest - lowest for lowest, highest in self.ranges.both])
+
+    @property
+    def lowest(self) -> Reals:
+        """Where they begin, (2,)."""
+        return np.array([lowest for lowest, _ in self.ranges.both])
+
+    def map_at(self, held: int, value: float) -> MechanismMap:
+        """Return the map over the number that is not held, with a value of the one that is."""
+        map = self.maps[1 - held]
+        return replace(map, mechanism=map.mechanism.with_value(self.maps[held].place, value))
+
+    def inside(self, values: Reals) -> bool:
+        """Say whether values are within the ranges."""
+        return bool((values >= 0.0).all() and (values <= 1.0).all())
+
+
+@dataclass
+class Track:
+    """The points so far, and what else was found where the last one was looked for."""
+
+    points: list[Point]
+    others: list[SpecialPoint] = field(default_factory=list)
+
+
+def first_point(search: Search, values: Reals, state: Reals) -> Point:
+    """Return the point to begin with, from values of both numbers and a state."""
+    passage = search.map_at(1, float(values[1])).passage(float(values[0]), state)
+    sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)
+    return Point((values - search.lowest) / search.spans, state, sizes)
+
+
+def found_again(
+    search: Search, track: Track, held: int, values: Reals, state: Reals, reach: float
+) -> Point | None:
+    """Find the point again with one number held."""
+    numbers = search.lowest + values * search.spans
+    free = 1 - held
+    try:
+        map = search.map_at(held, float(numbers[held]))
+    except MechanismError:
+        return None
+    found = relocated(map, float(search.spans[free]), search.sought, float(numbers[free]), state, reach)
+    if found is None:
+        return None
+    track.others = list(found.others)
+    if found.point is None:
+        return None
+    located = values.copy()
+    located[free] = (found.point.value - search.lowest[free]) / search.spans[free]
+    return Point(located, found.point.state, found.problem.sizes)
+
+
+def apart(point: Point, values: Reals, state: Reals) -> float:
+    """Return the distance of a point from values and a state, in coordinates without units."""
+    away = np.append(point.values - values, (point.state - state) / point.sizes)
+    return float(np.linalg.norm(away))

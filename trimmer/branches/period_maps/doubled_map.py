@@ -1,0 +1,110 @@
+"""Two passages as one: the map whose fixed points have twice the period."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Phase, Signature
+
+
+@dataclass(frozen=True, eq=False)
+class DoubledPassage:
+    """Two passages, the second from the end of the first.
+
+    Attributes:
+        first: The first.
+        second: The second.
+    """
+
+    first: Passage
+    second: Passage
+
+    @property
+    def end(self) -> Reals:
+        """State at the end, shape (n,)."""
+        return self.second.end
+
+    @property
+    def jacobian(self) -> Reals:
+        """Derivative of the end by the state, n x n."""
+        return self.second.jacobian @ self.first.jacobian
+
+    @property
+    def monodromy(self) -> Reals:
+        """The matrix whose eigenvalues are the multipliers, n x n."""
+        return self.second.monodromy @ self.first.monodromy
+
+    @property
+    def sizes(self) -> Reals:
+        """Magnitude of each entry over both passages, shape (n,)."""
+        return np.maximum(self.first.sizes, self.second.sizes)
+
+    @property
+    def signature(self) -> Signature:
+        """The phases that begin in either passage."""
+        return Counter(self.first.signature) + Counter(self.second.signature)
+
+    @property
+    def events(self) -> int:
+        """Number of events."""
+        return self.first.events + self.second.events
+
+    @property
+    def middle(self) -> Reals:
+        """End of the first passage, shape (n,)."""
+        return self.first.end
+
+    def shortest(self, part: str, phase: Phase) -> float:
+        """Return how long the shortest phase of a kind lasts, s."""
+        return min(self.first.shortest(part, phase), self.second.shortest(part, phase))
+
+    def rate(self) -> Reals:
+        """Return the derivative of the end by the number that is varied, shape (n,)."""
+        return self.second.jacobian @ self.first.rate() + self.second.rate()
+
+
+@dataclass(frozen=True, eq=False)
+class DoubledMap:
+    """The map of two passages. Of a mirrored map it is a whole period, without mirror.
+
+    Attributes:
+        single: The map of one passage.
+    """
+
+    single: PeriodMap
+    mirrored: bool = False
+
+    @property
+    def size(self) -> int:
+        """Number of states."""
+        return self.single.size
+
+    @property
+    def doublings(self) -> int:
+        """How often the passage is doubled."""
+        return self.single.doublings + 1
+
+    def doubled(self) -> DoubledMap:
+        """Return the map of two such passages."""
+        return DoubledMap(self)
+
+    def passage(self, value: float, state: Reals) -> DoubledPassage:
+        """Follow two passages.
+
+        Raises:
+            TrimmerError: if one of them cannot be followed.
+        """
+        first = self.single.passage(value, state)
+        return DoubledPassage(first, self.single.passage(value, first.end))
+
+    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:
+        """Return the map and the state to go on with from an orbit: both as they are."""
+        return self, state
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:
+        """Return the states of an orbit at which a passage may begin: the one that is known."""
+        return [state]

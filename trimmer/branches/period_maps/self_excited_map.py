@@ -1,0 +1,256 @@
+"""The map of a mechanism that moves by itself: the period is a part of the state.
+
+With x the n states of the mechanism and T its period the fixed points of (x, T) -> (x(T), T + u a · (x - x₀))
+are its orbits, of which the plane a · (x - x₀) = 0 chooses the instant at which they begin; u is a time. The
+plane is one across the motion, in the middle of a segment, where nothing happens.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+import scipy.optimize
+
+from trimmer.arrays import Complexes, Reals
+from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.contact.flow import Course, ExactFlow
+from trimmer.errors import UnsupportedMotionError
+
+LONGEST = 4.0
+"""Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
+ACROSS = 0.7
+"""Least cosine of the angle between the motion and the normal of the plane, else it is turned."""
+LEAST_SHARE = 0.3
+"""Length of the segment in which orbits begin, as a share of the longest, below which they begin there."""
+LEAST_MARGIN = 0.15
+"""Share of a segment from its ends within which no orbit begins."""
+SAMPLES = 256
+"""Instants of a motion between which it is to pass the plane at most once."""
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """The plane at which orbits begin.
+
+    Attributes:
+        point: A state on it, (n,).
+        normal: Across it, in one over the units of the states, (n,).
+        period: About that of the orbits, s.
+    """
+
+    point: Reals
+    normal: Reals
+    period: float
+
+    def height(self, states: Reals) -> Reals:
+        """Return how far states, (..., n), are beyond it."""
+        return np.asarray((states - self.point) @ self.normal)
+
+
+def section_at(course: Course, time: float, returns: int) -> Section:
+    """Return the plane across a motion over some returns at a time, s."""
+    count = course.modes.layout.state_count
+    row = int(np.searchsorted(course.log.start, time, side="right")) - 1
+    (extended,) = course.states(np.array([time]))
+    rates = (course.modes[int(course.log.mode[row])].flow @ extended)[:count]
+    sizes = _sizes(course)
+    normal = rates / sizes
+    return Section(extended[:count], normal / np.linalg.norm(normal) / sizes, course.duration / returns)
+
+
+def _sizes(course: Course) -> Reals:
+    """Return the largest modulus of each state over a motion, 1 for what does not move, (n,)."""
+    states = np.vstack([course.states(np.linspace(0.0, course.duration, 64)), course.log.state])
+    sizes = abs(states[:, : course.modes.layout.state_count]).max(axis=0)
+    return np.where(sizes > 0.0, sizes, 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class SelfExcitedMap(MechanismMap):
+    """The map of (x, T) of a mechanism without a drive.
+
+    Attributes:
+        periods: Returns after which the motion repeats; more than one where it was doubled.
+        section: Where orbits begin; it is there from the first ``restarted`` or ``begun`` on.
+    """
+
+    section: Section | None = None
+
+    @cached_property
+    def size(self) -> int:
+        """Number of states, the period among them."""
+        return ExactFlow(self.mechanism).size + 1
+
+    def begun(self, course: Course) -> SelfExcitedMap:
+        """Return the map with the plane across the beginning of a motion over one return."""
+        return self._at(section_at(course, 0.0, self.periods))
+
+    def _at(self, section: Section) -> SelfExcitedMap:
+        single = self.single
+        if isinstance(single, SelfExcitedMap):
+            single = single._at(section)
+        return replace(self, section=section, single=single)
+
+    def passage(self, value: float, state: Reals) -> SelfExcitedPassage:
+        """Follow the motion from a state, (n + 1,), the last entry of which is the period, s.
+
+        Raises:
+            UnsupportedMotionError: if the motion cannot be followed, or the period is out of all bounds.
+            MechanismError: if the number cannot have that value.
+        """
+        flow, period = self.flow(value), float(state[-1])
+        usual = period if self.section is None else self.section.period
+        if not usual / LONGEST < period < usual * LONGEST:
+            raise UnsupportedMotionError(f"a period of {period:.6g} s is too far from {usual:.6g} s")
+        begin, course = self.followed(flow, state[:-1], self.periods * period)
+        return SelfExcitedPassage(self, value, flow, begin, course, state)
+
+    def restarted(self, value: float, state: Reals) -> tuple[SelfExcitedMap, Reals]:
+        """Return the map and the state to go on with from an orbit: it begins amid a long segment."""
+        passage = self.passage(value, state)
+        time = passage.better_start
+        if time == 0.0 and self.section is not None and passage.slant >= ACROSS:
+            return self, state
+        section = section_at(passage.course, time, self.periods)
+        return self._at(section), np.append(section.point, state[-1])
+
+    def phases(self, value: float, state: Reals) -> list[Reals]:
+        """Return the states at which an orbit passes the plane in its direction."""
+        section = self.section
+        if section is None:
+            return [state]
+        course = self.passage(value, state).course
+        times = np.unique(np.append(np.linspace(0.0, course.duration, SAMPLES), course.log.start))
+        size = len(state) - 1
+
+        def height(time: float) -> float:
+            return float(section.height(course.states(np.array([time]))[0, :size]))
+
+        heights = section.height(course.states(times)[:, :size])
+        rising = np.flatnonzero((heights[:-1] < 0.0) & (heights[1:] >= 0.0))
+        found = [float(scipy.optimize.brentq(height, times[at], times[at + 1])) for at in rising]
+        return [np.append(course.states(np.array([time]))[0, :size], state[-1]) for time in found]
+
+
+@dataclass(frozen=True, eq=False)
+class SelfExcitedPassage(MechanismPassage):
+    """The motion of a mechanism without a drive over its period.
+
+    Attributes:
+        start: State and period, (n + 1,).
+    """
+
+    start: Reals
+
+    @property
+    def section(self) -> Section:
+        """Where orbits begin; here, if nothing else was said."""
+        assert isinstance(self.map, SelfExcitedMap)
+        if self.map.section is None:
+            return section_at(self.course, 0.0, self.map.periods)
+        return self.map.section
+
+    @property
+    def end(self) -> Reals:
+        """State at the end, and the period, longer by how far the start is beyond the plane, (n + 1,)."""
+        late = self.section.period * float(self.section.height(self.start[:-1]))
+        return np.append(self.course.end.state, self.start[-1] + late)
+
+    @cached_property
+    def _change(self) -> Reals:
+        """Derivative of the state at the end by that at the start, (n, n)."""
+        return self.course.monodromy
+
+    @cached_property
+    def _end_rate(self) -> Reals:
+        course = self.course
+        extended = np.concatenate([course.end.state, course.modes.layout.forcing_at(course.end.phase)])
+        mode = course.modes[course.modes.number(course.end.statuses)]
+        return np.asarray((mode.flow @ extended)[: len(course.end.state)])
+
+    @cached_property
+    def jacobian(self) -> Reals:
+        """Derivative of the end by state and period, (n + 1, n + 1)."""
+        section = self.section
+        later = self.map.periods * self._end_rate
+        return np.block([[self._change, later[:, None]], [section.period * section.normal, np.ones((1, 1))]])
+
+    @cached_property
+    def monodromy(self) -> Reals:
+        """The derivative of the return to the plane, (n + 1, n + 1).
+
+        Two of its eigenvalues are 0 in place of the 1 that belongs to a shift in time, and of the period.
+        """
+        normal, rate = self.section.normal, self._end_rate
+        count = len(rate)
+        found = np.zeros((count + 1, count + 1))
+        found[:count, :count] = self._change - np.outer(rate, normal @ self._change) / (normal @ rate)
+        return found
+
+    @cached_property
+    def sizes(self) -> Reals:
+        """Largest magnitude of each entry, that of the period among them, (n + 1,)."""
+        return np.append(_sizes(self.course), self.start[-1])
+
+    @cached_property
+    def middle(self) -> Reals | None:
+        """State after half of a doubled map, and the period, (n + 1,); None otherwise."""
+        middle = super().middle
+        return None if middle is None else np.append(middle, self.start[-1])
+
+    def rate(self) -> Reals:
+        """Return the derivative of the end by the number that is varied, (n + 1,).
+
+        Raises:
+            UnsupportedMotionError: if the neighbouring motion cannot be followed.
+        """
+        return np.append(super().rate(), 0.0)
+
+    @property
+    def halvings(self) -> int:
+        """How often the events of each part halve into two like sequences, as after period doublings."""
+        parts: dict[int, list[int]] = {}
+        for _, part, kind in self.course.events:
+            parts.setdefault(part, []).append(kind)
+        return min((_halvings(kinds) for kinds in parts.values()), default=0)
+
+    @property
+    def slant(self) -> float:
+        """Cosine of the angle between the motion and the normal of the plane, relative to the sizes."""
+        sizes = self.sizes[:-1]
+        rate, normal = self._end_rate / sizes, self.section.normal * sizes
+        return float(rate @ normal / (np.linalg.norm(rate) * np.linalg.norm(normal)))
+
+    @property
+    def better_start(self) -> float:
+        """Time, s, at which the orbit had better begin: 0 if it does amid a segment that is long enough."""
+        starts = np.unique(self.course.log.start)[1:]
+        if not len(starts):
+            return 0.0
+        lengths, duration = np.diff(starts), self.course.duration
+        own = duration - starts[-1] + starts[0]
+        longest = float(lengths.max(initial=0.0))
+        share = float(duration - starts[-1]) / own if own > 0.0 else 0.0
+        if own > LEAST_SHARE * longest and LEAST_MARGIN < share < 1.0 - LEAST_MARGIN:
+            return 0.0
+        if own >= longest:
+            return float((starts[-1] + 0.5 * own) % duration)
+        first = int(np.argmax(lengths))
+        return float(starts[first] + 0.5 * lengths[first])
+
+
+def _halvings(kinds: list[int]) -> int:
+    half = len(kinds) // 2
+    return 1 + _halvings(kinds[:half]) if half and kinds == 2 * kinds[:half] else 0
+
+
+def with_trivial(multipliers: Complexes) -> Complexes:
+    """Return the n multipliers of an orbit, the trivial 1 among them, by falling modulus.
+
+    Args:
+        multipliers: Eigenvalues of the ``monodromy`` of a passage by falling modulus, (n + 1,).
+    """
+    found = np.append(multipliers[:-2], 1.0)
+    return found[np.argsort(-abs(found), kind="stable")]

@@ -1,0 +1,147 @@
+"""The derivative of a motion by a number of its mechanism: compiled flow, and what events make of it.
+
+With Z' = M Z between events, the derivative Y of Z at a fixed time obeys Y' = M Y + M_p Z. An event at which
+g · Z = 0 moves by dt = -(g · Y + g_p · Z) / (g · f) with the rate f before it. A difference of two motions
+would be wrong wherever their events differ, as next to a grazing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.contact.assembly import Mode, assemble
+from trimmer.contact.compilation import sources
+from trimmer.contact.flow import Course
+from trimmer.contact.machine import Machine
+from trimmer.contact.statuses import FREE
+from trimmer.motion.compilation import kept
+from trimmer.motion.linear_combination import copy
+from trimmer.motion.taylor import DEGREE
+
+
+def _entry(sources: bytes) -> Callable[..., None]:
+    def entry(
+        flow: Reals, change: Reals, step: float, duration: float, state: Reals, tangent: Reals, room: Reals
+    ) -> None:
+        """Follow a state and its derivative, both (N,), in place, over a duration, s, in steps."""
+        sources  # noqa: B018
+        size, left = state.size, duration
+        x, y, next_x, next_y = room[0], room[1], room[2], room[3]
+        while left > 0.0:
+            h = min(step, left)
+            copy(state, size, x)
+            copy(tangent, size, y)
+            for k in range(1, DEGREE + 2):
+                for i in range(size):
+                    x_sum, y_sum = 0.0, 0.0
+                    for j in range(size):
+                        x_sum += flow[i, j] * x[j]
+                        y_sum += flow[i, j] * y[j] + change[i, j] * x[j]
+                    next_x[i], next_y[i] = x_sum * h / k, y_sum * h / k
+                for i in range(size):
+                    x[i], y[i] = next_x[i], next_y[i]
+                    state[i] += x[i]
+                    tangent[i] += y[i]
+            left -= step
+
+    return kept(entry)
+
+
+_compiled_entry = _entry(sources())
+
+
+@dataclass(frozen=True, eq=False)
+class ValueChange:
+    """How the equations change with a number: two machines of one layout with values a little apart.
+
+    Attributes:
+        course: A motion with the first machine.
+        other: The second machine.
+        step: Difference of the values, in their unit.
+        longer: Derivative of the motion's duration by the number, s per unit.
+    """
+
+    course: Course
+    other: Machine
+    step: float
+    longer: float
+
+    def rate(self) -> Reals:
+        """Return the derivative of the end by the number, from a state that stays, shape (n,)."""
+        log = self.course.log
+        tangent = np.zeros(log.state.shape[1])
+        tangent[:] = self._held(int(log.mode[0]), log.state[0], tangent)
+        row, rows = 0, len(log.start)
+        state = log.state[0]
+        while row < rows:
+            following = row + 1
+            while following < rows and log.start[following] == log.start[row]:
+                following += 1
+            last = following - 1
+            if row > 0:
+                tangent = self._jumped(row, last, tangent)
+            until = log.start[following] if following < rows else self.course.duration
+            state, tangent = self._flown(last, float(until - log.start[last]), tangent)
+            row = following
+        flow = self.course.modes[int(log.mode[-1])].flow
+        count = len(self.course.end.state)
+        return np.asarray((tangent + flow @ state * self.longer)[:count])
+
+    @cached_property
+    def _others(self) -> dict[int, Mode]:
+        return {}
+
+    def _other(self, mode: int) -> Mode:
+        if mode not in self._others:
+            self._others[mode] = assemble(self.other, self.course.modes[mode].statuses)
+        return self._others[mode]
+
+    def _held(self, mode: int, state: Reals, tangent: Reals) -> Reals:
+        """Return the derivative that fits what a mode holds."""
+        own, other = self.course.modes[mode], self._other(mode)
+        held: Reals = own.hold @ tangent + (other.hold - own.hold) @ state / self.step
+        for contact, z in enumerate(self.course.modes.machine.relaxing_state):
+            if z >= 0 and own.statuses[contact] == FREE:
+                held[z] = tangent[z]
+        return held
+
+    def _flown(self, row: int, duration: float, tangent: Reals) -> tuple[Reals, Reals]:
+        """Return state and derivative at the end of a segment; springs that relax flow by themselves."""
+        modes, state = self.course.modes, self.course.log.state[row].copy()
+        settled = int(modes.tables.settled[int(self.course.log.mode[row])])
+        own, other = modes[settled], self._other(settled)
+        change = (other.flow - own.flow) / self.step
+        begun, tangent = state.copy(), tangent.copy()
+        stretched = tangent.copy()
+        room = np.empty((4, len(state)))
+        _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
+        for contact, z in enumerate(modes.machine.relaxing_state):
+            if z >= 0 and own.statuses[contact] == FREE:
+                rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]
+                faster = self.other.stiffness[contact] / self.other.damping[contact] - rate
+                decay = np.exp(-rate * duration)
+                state[z] = begun[z] * decay
+                tangent[z] = decay * (stretched[z] - faster / self.step * duration * begun[z])
+        return state, tangent
+
+    def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:
+        """Return the derivative after an event, or after several at one instant."""
+        log, modes = self.course.log, self.course.modes
+        events = [row for row in range(first, last + 1) if log.function[row] >= 0]
+        if not events:
+            return tangent
+        before, number = modes[int(log.mode[first - 1])], int(log.function[events[0]])
+        gradient = before.functions[number].row
+        changed = self._other(int(log.mode[first - 1])).functions[number].row
+        state, after = log.state[first], modes[int(log.mode[last])]
+        rates = before.flow @ state
+        slope = gradient @ rates
+        if slope != 0.0:
+            later = -(gradient @ tangent + (changed - gradient) @ state / self.step) / slope
+            tangent = tangent + (rates - after.flow @ log.state[last]) * later
+        return self._held(int(log.mode[last]), log.state[last], tangent)

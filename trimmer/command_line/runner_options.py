@@ -1,0 +1,67 @@
+"""Options that say who does the work of many cells: processes of this computer, or a cluster."""
+
+from __future__ import annotations
+
+import logging
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.parser import OptionError
+
+if TYPE_CHECKING:
+    from trimmer.runners.runner import Runner
+
+
+def add_runner_options(parser: ArgumentParser) -> None:
+    """Add ``--jobs N`` and ``--scheduler ADDRESS``."""
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes (default: as many as cores)")
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="let the workers of a Dask cluster do the work, as in tcp://127.0.0.1:8786; "
+        "needs pip install 'trimmer[cluster]'",
+    )
+
+
+def check_runner_options(arguments: Namespace) -> None:
+    """Refuse options that contradict each other.
+
+    Raises:
+        OptionError: if both are given, or the address is empty.
+    """
+    if arguments.scheduler is None:
+        return
+    if arguments.jobs is not None:
+        raise OptionError("--jobs is of this computer, and --scheduler of a cluster: leave one of them out")
+    if not arguments.scheduler.strip():
+        raise OptionError("--scheduler: give the address of a Dask scheduler, as in tcp://127.0.0.1:8786")
+
+
+def chosen_runner(arguments: Namespace, chunk: int | None = None) -> Runner | None:
+    """Return who does the work; None where nothing was chosen.
+
+    Args:
+        arguments: Parsed options.
+        chunk: Cells that go to a process or worker at once; by default a tenth of a second of work.
+    """
+    from trimmer.runners.cluster import ClusterRunner
+    from trimmer.runners.processes import ProcessRunner
+    from trimmer.runners.runner import CHUNK, SerialRunner
+
+    if arguments.scheduler is not None:
+        _silence_dask()
+        return ClusterRunner(arguments.scheduler, chunk or CHUNK)
+    if arguments.jobs is None:
+        return None
+    return SerialRunner() if arguments.jobs == 1 else ProcessRunner(arguments.jobs, chunk or CHUNK)
+
+
+def _silence_dask() -> None:
+    """Leave it to one sentence to tell what goes wrong, where Dask would print how it got there."""
+    try:
+        import distributed
+    except ImportError:
+        return  # which the runner tells
+    for name in logging.root.manager.loggerDict:
+        if name.split(".")[0] == distributed.__name__:
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)

@@ -1,0 +1,124 @@
+"""``trimmer overlay``: a measured motion beside what a mechanism settles to."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import (
+    PICTURES,
+    add_overwrite_option,
+    check_targets,
+    file_to_read,
+    show,
+)
+from trimmer.command_line.mechanisms.mechanism_options import add_set_option, mechanism_with
+from trimmer.command_line.number_options import positive
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import OptionError
+from trimmer.command_line.patience import patience
+from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
+from trimmer.files import STANDARD_INPUT
+from trimmer.messages import near_match
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.spectra.comparison import SimulatedLines
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_signal_options(parser)
+    parser.add_argument(
+        "--against", type=file_to_read, required=True, metavar="FILE", help="the mechanism, a TOML file"
+    )
+    add_set_option(parser)
+    parser.add_argument(
+        "--output", metavar="NAME", help="output of the mechanism that was measured (default: the only one)"
+    )
+    parser.add_argument(
+        "--drive",
+        type=positive("Hz"),
+        metavar="HZ",
+        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
+    )
+    add_json_option(parser)
+    add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.signals.overlay_text import Compared, as_json, as_text
+    from trimmer.drawing.comparison import comparison_figure
+    from trimmer.signals.signal import SignalError
+    from trimmer.spectra.comparison import compare_motions
+
+    if arguments.file == arguments.against == STANDARD_INPUT:
+        raise OptionError("signal and --against cannot both be read from standard input: name a file")
+    sources = {"file": "the file of the signal", "against": "the file of the mechanism"}
+    check_targets(arguments, {"plot": PICTURES}, sources)
+    mechanism = mechanism_with(arguments.against, arguments.set)
+    output = _output(arguments, mechanism)
+    chosen = chosen_recording(arguments)
+    with patience():
+        lines, told = _simulated(mechanism, output)
+    try:
+        comparison = compare_motions(chosen.signal, lines, arguments.drive)
+    except SignalError as error:
+        raise OptionError(f"{arguments.file}: {error}") from error
+    if arguments.plot is not None:
+        write_picture(arguments, comparison_figure(comparison))
+    compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison)
+    show((as_json if arguments.json else as_text)(compared), arguments.plot)
+    return 0
+
+
+def _output(arguments: Namespace, mechanism: Mechanism) -> str:
+    """Choose the output that is compared."""
+    names = list(mechanism.outputs)
+    listed = ", ".join(names) or "none"
+    if arguments.output is None and len(names) == 1:
+        return names[0]
+    if arguments.output is None:
+        raise OptionError(f"{arguments.against}: choose the output that was measured (--output): {listed}")
+    if arguments.output not in names:
+        there = near_match(arguments.output, names) or f"there are {listed}"
+        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}; {there}")
+    return str(arguments.output)
+
+
+def _simulated(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
+    """Return the lines of what the mechanism settles to from its start, and what that is, in words."""
+    from trimmer.response.respond import respond
+    from trimmer.spectra.comparison import SimulatedLines
+
+    motion = respond(mechanism).motion
+    if motion.orbit is None:
+        raise OptionError(
+            f"the simulated motion does not repeat, so it has no lines to compare: {motion.message} Average "
+            "the measured spectrum (trimmer spectrum --average), and see trimmer respond for the mechanism"
+        )
+    measures = motion.orbit.measures.outputs[output]
+    count = motion.orbit.period_count
+    frequency = mechanism.frequency or 1.0 / motion.orbit.period
+    return SimulatedLines(measures.amplitudes, frequency, count), motion.message
+
+
+COMMAND = Command(
+    "overlay",
+    "a measured motion beside what a mechanism settles to",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml",
+            "which harmonics of vibration.csv (see `trimmer simulate --help`) the mechanism has too, in dB",
+        ),
+        Example(
+            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml "
+            "--set plays.bridge.gap=60um --plot compared.svg",
+            "the same with a wider play, and a picture of both spectra and of both waveforms",
+        ),
+    ),
+)
+"""The subcommand ``trimmer overlay``."""

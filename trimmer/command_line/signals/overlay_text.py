@@ -1,0 +1,168 @@
+"""A measured motion beside a simulated one as text and as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
+from trimmer.command_line.table import table
+
+if TYPE_CHECKING:
+    from trimmer.command_line.signals.signal_options import ChosenRecording
+    from trimmer.spectra.comparison import Comparison
+
+_OTHER_FREQUENCY = 2e-3
+_SMALLEST = 1e-4
+
+
+@dataclass(frozen=True)
+class Compared:
+    """What is shown of a comparison.
+
+    Attributes:
+        file: File of the measurement.
+        against: File of the mechanism.
+        output: Name of its output.
+        settled: What the mechanism settles to, in sentences.
+        chosen: The recording.
+        comparison: The comparison.
+    """
+
+    file: Path
+    against: Path
+    output: str
+    settled: str
+    chosen: ChosenRecording
+    comparison: Comparison
+
+
+def as_text(compared: Compared) -> str:
+    """Return what was compared, how it was aligned, and the lines side by side."""
+    return "\n\n".join(
+        "\n".join(part) for part in (_head(compared), _alignment(compared), _lines(compared.comparison))
+    )
+
+
+def as_json(compared: Compared) -> str:
+    """Return the comparison as JSON: full precision, SI units, rad."""
+    comparison = compared.comparison
+    content = {
+        "file": str(compared.file),
+        "against": str(compared.against),
+        "output": compared.output,
+        "settled": compared.settled,
+        "signal": signal_json(comparison.signal),
+        **recording_json(compared.chosen),
+        "frequency": comparison.frequency,
+        "frequency_found": comparison.found,
+        "simulated_frequency": comparison.simulated_frequency,
+        "period_count": comparison.period_count,
+        "shift": comparison.shift,
+        "residual": comparison.residual,
+        "inverted_residual": comparison.inverted_residual,
+        "rest": comparison.rest,
+        "uncertainty": comparison.uncertainty,
+        "lines": [_line_json(comparison, place) for place in range(comparison.measured.size)],
+        "notes": _notes(compared),
+    }
+    return json.dumps(content, indent=2, allow_nan=False)
+
+
+def _line_json(comparison: Comparison, place: int) -> dict[str, Any]:
+    difference = float(comparison.decibels[place])
+    return {
+        "order": [place + 1, comparison.period_count],
+        "frequency": float(comparison.frequencies[place]),
+        "measured": float(abs(comparison.measured[place])),
+        "simulated": float(abs(comparison.simulated[place])),
+        "decibels": difference if math.isfinite(difference) else None,
+        "phase_difference": float(comparison.phase_differences[place]),
+    }
+
+
+def _notes(compared: Compared) -> list[str]:
+    from trimmer.signals.faults import faults
+
+    comparison = compared.comparison
+    wrong = [fault.sentence for fault in (*compared.chosen.faults, *faults(comparison.signal))]
+    notes = notes_of(compared.chosen, compared.chosen.signal, wrong)
+    apart = comparison.frequency / comparison.simulated_frequency - 1.0
+    if abs(apart) > _OTHER_FREQUENCY:
+        notes.append(
+            f"the measured drive is {100 * apart:+.3g} % off that of the simulation; lines are compared "
+            f"order by order, so simulate at the measured one (--set frequency={comparison.frequency:.6g}Hz)"
+        )
+    if comparison.opposite:
+        notes.append(
+            f"with the opposite sign of the measurement the difference would be "
+            f"{100 * comparison.inverted_residual:.3g} % instead of {100 * comparison.residual:.3g} %: is "
+            "the sensor mounted the other way round (--scale -1)?"
+        )
+    return notes
+
+
+def _head(compared: Compared) -> Iterator[str]:
+    signal, comparison = compared.comparison.signal, compared.comparison
+    yield (
+        f"measured: {signal.heading} of {compared.file}, {signal.values.size} samples at "
+        f"{signal.sample_rate:.9g} Hz, {signal.duration:.6g} s"
+    )
+    yield f"simulated: {compared.output} of {compared.against}, as {signal.quantity.word}"
+    yield from wrapped(compared.settled, "  ", "  ")
+    how = "found in the measurement" if comparison.found else "as given"
+    yield (
+        f"drive: {comparison.frequency:.8g} Hz measured ({how}), {comparison.simulated_frequency:.8g} Hz "
+        "simulated"
+    )
+    for note in _notes(compared):
+        yield from wrapped(f"note: {note}", "", "  ")
+
+
+def _alignment(compared: Compared) -> Iterator[str]:
+    comparison = compared.comparison
+    degrees = 360.0 * comparison.shift * comparison.frequency
+    size = comparison.measured.size
+    yield "Waveforms, aligned in time"
+    yield from wrapped(
+        f"the simulation is shifted by {comparison.shift:.6g} s, {degrees:.4g} deg of the drive, where the "
+        "squares of the difference are least: when the measurement began in the drive's period is not known",
+        "  ",
+        "  ",
+    )
+    yield from wrapped(
+        f"the difference of the {size} lines is {100 * comparison.residual:.4g} % rms of the measured ones; "
+        f"the lines leave {comparison.rest:.3g} {comparison.signal.unit} rms of the measurement",
+        "  ",
+        "  ",
+    )
+
+
+def _lines(comparison: Comparison) -> Iterator[str]:
+    unit, count = comparison.signal.unit, comparison.period_count
+    largest = max(float(np.abs(comparison.measured).max()), float(np.abs(comparison.simulated).max()))
+    rows = [
+        (
+            f"{place + 1}" if count == 1 else f"{place + 1}/{count}",
+            f"{comparison.frequencies[place]:.6g}",
+            f"{measured:.5g}",
+            f"{simulated:.5g}",
+            f"{comparison.decibels[place]:+.2f}",
+            f"{math.degrees(comparison.phase_differences[place]):+.1f}",
+            "" if measured > 3.0 * comparison.uncertainty else "within noise",
+        )
+        for place, (measured, simulated) in enumerate(
+            zip(np.abs(comparison.measured), np.abs(comparison.simulated), strict=True)
+        )
+        if max(measured, simulated) > _SMALLEST * largest
+    ]
+    told = f"{comparison.uncertainty:.2g} {unit} (standard deviation, white noise)"
+    yield f"Lines, measured amplitudes to {told}"
+    heads = ("order", "Hz", f"measured, {unit}", f"simulated, {unit}", "dB", "phase, deg", "")
+    yield from table(heads, rows)

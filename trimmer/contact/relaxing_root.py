@@ -1,0 +1,101 @@
+"""Where the gap closes while the spring behind the slot still relaxes, over one step.
+
+The spring does not act on what moves, so the event function is g(s) + z exp(-decay s): a polynomial and a
+known exponential. Where g stays above the modulus of the second term there is no zero, and where g falls
+everywhere faster than that term can change there is at most one. An interval is halved until one or the other
+is so, and its later half is taken only if the earlier one has no zero; so the zero that is found is the first
+one.
+"""
+
+from __future__ import annotations
+
+import math
+
+from trimmer.arrays import Reals
+from trimmer.motion.compilation import compiled
+from trimmer.motion.first_event import NOWHERE, halve
+from trimmer.motion.linear_combination import any_below, copy
+
+UNSURE = -1.0
+"""In place of a fraction of the step: shorter steps must decide."""
+HALVINGS = 12
+"""Halvings after which shorter steps are to decide."""
+
+
+@compiled
+def relaxing_root(bernstein: Reals, taylor: Reals, stretch: float, decay: float, pieces: Reals) -> float:
+    """Find the first zero of g(s) + stretch exp(-decay s) on [0, 1].
+
+    Args:
+        bernstein: Bernstein coefficients of g.
+        taylor: Its coefficients of s^k.
+        stretch: z, with the sign that it has in the event function, m.
+        decay: Its rate, at least 0.
+        pieces: Room for three intervals.
+
+    Returns:
+        The zero, ``NOWHERE`` for none, or ``UNSURE``.
+    """
+    piece, left, right, count = pieces[0], pieces[1], pieces[2], taylor.size
+    copy(bernstein, count, piece)
+    low, width, margin, root = 0.0, 1.0, abs(stretch), UNSURE
+    for _ in range(HALVINGS if piece[0] > margin else 0):
+        if not any_below(piece, count, margin):
+            root = NOWHERE
+            break
+        if (
+            piece[count - 1] < -margin
+            and _steepest_rise(piece, count) * (count - 1) < -decay * width * margin
+        ):
+            root = _fallen(taylor, stretch, decay, low, low + width)
+            break
+        halve(piece, count, left, right)
+        width *= 0.5
+        if not any_below(left, count, margin):
+            copy(right, count, piece)
+            low += width
+            margin = abs(stretch) * math.exp(-decay * low)
+        elif left[count - 1] < -margin:
+            copy(left, count, piece)
+        else:
+            break
+    return root
+
+
+@compiled
+def _steepest_rise(bernstein: Reals, count: int) -> float:
+    """Return the largest difference of neighbouring coefficients: a bound of the slope, over the degree."""
+    rise = bernstein[1] - bernstein[0]
+    for i in range(1, count - 1):
+        rise = max(rise, bernstein[i + 1] - bernstein[i])
+    return float(rise)
+
+
+@compiled
+def _fallen(taylor: Reals, stretch: float, decay: float, low: float, high: float) -> float:
+    """Find the only zero of g(s) + stretch exp(-decay s) in an interval in which it falls (Newton)."""
+    point = low
+    for _ in range(100):
+        rest = stretch * math.exp(-decay * point)
+        value, slope = 0.0, 0.0
+        for k in range(taylor.size - 1, -1, -1):
+            slope = slope * point + value
+            value = value * point + taylor[k]
+        value += rest
+        slope -= decay * rest
+        if value > 0.0:
+            low = point
+        elif value < 0.0:
+            high = point
+        else:
+            break
+        following = point - value / slope if slope < 0.0 else high
+        if abs(following - point) <= 2.0**-52 * point:
+            point = min(max(following, low), high)
+            break
+        if not low < following < high:
+            following = 0.5 * (low + high)
+            if not low < following < high:
+                break
+        point = following
+    return point

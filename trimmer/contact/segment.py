@@ -1,0 +1,109 @@
+"""One segment of a motion, compiled: exact steps until an event function falls to zero.
+
+A spring that relaxes behind a slot is faster than all else, but it exerts no force. So the steps leave it out
+as long as its share of an event function can be told apart, and its stretch is known in closed form.
+"""
+
+from __future__ import annotations
+
+import math
+
+from trimmer.contact.step_event import NO_EVENT, first_event
+from trimmer.contact.tables import Tables
+from trimmer.contact.work import Work
+from trimmer.motion.compilation import inlined
+from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.motion.taylor import LEVELS
+
+LARGEST = 1e150
+"""Modulus of a state beyond which the motion is not followed."""
+NEAR = 2.0
+"""Distance from contact, in stretches of a relaxing spring, within which it is not left out."""
+OUT_OF_BOUNDS, OUT_OF_STEPS = -2, -3
+"""In place of the number of an event function: why a segment ends without event."""
+
+
+@inlined
+def _step(tables: Tables, work: Work, mode: int, now: int, fraction: float) -> None:
+    """Go on for a fraction of a step, a whole one if it is greater than 1."""
+    state = work.state
+    if fraction >= 1.0:
+        copy(work.screened, state.size, state)
+    elif fraction > 0.0:
+        level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0)
+        terms = tables.terms[now, level]
+        combine(state, tables.series[now], terms * state.size, work.terms)
+        evaluate_terms(work.terms, terms, fraction, state)
+    if now != mode:
+        duration = min(fraction, 1.0) * tables.step[now]
+        for contact in range(work.margins.size):
+            rate = tables.relaxation[mode, contact]
+            if rate > 0.0:
+                state[tables.relaxing_state[contact]] *= math.exp(-rate * duration)
+
+
+@inlined
+def _set_margins(tables: Tables, mode: int, work: Work) -> None:
+    """Write by how much each relaxing spring could bring contact forward from now on, m."""
+    for contact in range(work.margins.size):
+        work.margins[contact] = 0.0
+        if tables.relaxation[mode, contact] > 0.0:
+            z = tables.relaxing_state[contact]
+            if abs(work.state[z]) <= work.negligible[contact]:
+                work.state[z] = 0.0
+            work.margins[contact] = abs(work.state[z])
+
+
+@inlined
+def _is_near(tables: Tables, work: Work, mode: int) -> bool:
+    """Return whether a relaxing spring is so close to contact that it is of no use to leave it out."""
+    near = False
+    for function in range(tables.function_count[mode]):
+        owner = tables.owner[mode, function]
+        if 0 <= owner < work.margins.size and tables.relaxation[mode, owner] > 0.0:
+            distance = 0.0
+            for i in range(work.state.size):
+                distance += tables.taylor[mode, function, i, 0] * work.state[i]
+            near |= distance <= NEAR * abs(work.state[tables.relaxing_state[owner]])
+    return near
+
+
+@inlined
+def follow(
+    tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
+) -> tuple[int, bool, float, int]:
+    """Follow one segment for a duration, s; ``work.state`` becomes the state at its end.
+
+    Returns:
+        The event function that ends it, or why there is none; whether it was negative at once; the time
+        until then, s; the number of steps.
+    """
+    settled, elapsed, steps, fired, jumped = tables.settled[mode], 0.0, 0, NO_EVENT, False
+    near = settled != mode and _is_near(tables, work, mode)
+    while True:
+        if steps >= most_steps or not within(work.state, LARGEST):
+            fired = OUT_OF_STEPS if steps >= most_steps else OUT_OF_BOUNDS
+            break
+        steps += 1
+        now, left = mode if near else settled, duration - elapsed
+        if settled != mode:
+            _set_margins(tables, mode, work)
+        while True:
+            fired, fraction, jumped, close = first_event(tables, work, mode, now, elapsed == 0.0, recent)
+            if not close:
+                break
+            now = mode
+        step = tables.step[now]
+        if fired != NO_EVENT and fraction * step > left:
+            fired = NO_EVENT
+        if fired == NO_EVENT:
+            fraction = min(left / step, 1.0)
+        _step(tables, work, mode, now, fraction)
+        near = near and _is_near(tables, work, mode)
+        if fired == NO_EVENT and left <= step:
+            elapsed = duration
+            break
+        elapsed += fraction * step
+        if fired != NO_EVENT:
+            break
+    return fired, jumped, elapsed, steps

@@ -1,0 +1,70 @@
+"""Axes to draw into, their legend and their title."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from matplotlib.axes import Axes
+from matplotlib.transforms import ScaledTranslation
+
+from trimmer.arguments import require_instance
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+NARROW = 4.0
+"""Width of axes, inches, below which a legend stands under them and not beside them."""
+UNDER = 3.6
+"""How far under the axes, in font sizes: below ticks and label."""
+
+
+def axes_for(ax: Axes | None, **size: Any) -> Axes:
+    """Return the axes that were given, or those of a new figure of pyplot, so that notebooks show it.
+
+    Args:
+        ax: What was given.
+        size: For the new figure, such as ``figsize``.
+
+    Raises:
+        WrongTypeError: if something else was given.
+    """
+    if ax is not None:
+        require_instance("ax", ax, Axes, "Matplotlib axes, such as those of plt.subplots()")
+        return ax
+    from matplotlib import pyplot
+
+    figure = pyplot.figure(layout="constrained", **size)
+    return figure.add_subplot()
+
+
+def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str = "") -> None:
+    """Add a legend outside of the data in which each label stands once; none without a label.
+
+    It stands at the right of wide axes, and under narrow ones.
+
+    Args:
+        axes: Where.
+        handles: What it shows; what has a label in the axes if not given.
+        title: What is to be said of all of them.
+    """
+    shown = axes.get_legend_handles_labels()[0] if handles is None else list(handles)
+    once = {str(each.get_label()): each for each in shown}
+    if not once:
+        return
+    look: dict[str, Any] = {"fontsize": "small", "borderaxespad": 0.0, "loc": "upper left"}
+    look |= {"title": title or None, "title_fontsize": "small"}
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    if axes.get_position().width * figure.get_size_inches()[0] >= NARROW:
+        axes.legend(once.values(), once.keys(), bbox_to_anchor=(1.02, 1.0), **look)
+        return
+    down = ScaledTranslation(0.0, -UNDER * _font_size() / 72, figure.dpi_scale_trans)
+    look |= {"bbox_to_anchor": (0.0, 0.0), "bbox_transform": axes.transAxes + down}
+    axes.legend(once.values(), once.keys(), **look)
+
+
+def _font_size() -> float:
+    from matplotlib import rcParams
+
+    return float(rcParams["font.size"])

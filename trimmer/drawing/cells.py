@@ -1,0 +1,68 @@
+"""Cells of a map as areas, one path for each colour."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Integers, Reals
+
+INK = "#404040"
+"""Colour of hatching."""
+NO_HATCHES: Mapping[int, str] = MappingProxyType({})
+SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)])
+
+
+def draw_cells(
+    axes: Axes,
+    first: Reals,
+    second: Reals,
+    cells: Integers,
+    colours: Mapping[int, str],
+    hatches: Mapping[int, str] = NO_HATCHES,
+) -> None:
+    """Draw cells as areas, one path for each colour, so that they change with the colours of a page.
+
+    A cell reaches half way to the next value; values may come in any order.
+
+    Args:
+        axes: Where to draw.
+        first: Values along a row, (n1,).
+        second: Values of the rows, (n2,).
+        cells: Numbers of colours, (n2, n1).
+        colours: By their numbers.
+        hatches: Matplotlib's signs for the hatching of some of them, by their numbers.
+    """
+    columns, rows = np.argsort(first), np.argsort(second)
+    across, up = edges(first[columns]), edges(second[rows])
+    corners: dict[int, list[Path]] = {}
+    for row, numbers in enumerate(cells[np.ix_(rows, columns)]):
+        changes = np.flatnonzero(np.diff(numbers)) + 1
+        for begin, end in zip([0, *changes], [*changes, len(numbers)], strict=True):
+            corner, size = (across[begin], up[row]), (across[end] - across[begin], up[row + 1] - up[row])
+            corners.setdefault(int(numbers[begin]), []).append(Path(corner + SQUARE * size, closed=True))
+    for number, places in sorted(corners.items()):
+        path = Path.make_compound_path(*places)
+        look = {"facecolor": colours[number], "edgecolor": colours[number], "linewidth": 0.6}  # no seams
+        axes.add_patch(PathPatch(path, **look))
+        if hatches.get(number):
+            axes.add_patch(PathPatch(path, fill=False, linewidth=0, edgecolor=INK, hatch=hatches[number]))
+    axes.set(xlim=(across[0], across[-1]), ylim=(up[0], up[-1]))
+
+
+def edges(values: Reals) -> Reals:
+    """Return where cells begin and end around rising values, (n + 1,)."""
+    if len(values) == 1:
+        half = abs(values[0]) / 2 or 0.5
+        return np.array([values[0] - half, values[0] + half])
+    middles = (values[:-1] + values[1:]) / 2
+    first, last = 2 * values[0] - middles[0], 2 * values[-1] - middles[-1]
+    return np.concatenate([[first], middles, [last]])

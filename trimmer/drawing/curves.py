@@ -1,0 +1,73 @@
+"""Curves on which special points lie, over two numbers of a mechanism; by themselves, or over a map."""
+
+from __future__ import annotations
+
+from itertools import cycle
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.look import BLACK
+from trimmer.drawing.units import name_axis
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from typing import Literal
+
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    Dashes = Literal["-", "--", "-.", ":"]
+
+STYLES: tuple[Dashes, ...] = ("-", "--", "-.", ":")
+
+
+def draw_curves(
+    curves: Iterable[tuple[str, ArrayLike]],
+    places: tuple[str, str],
+    units: tuple[str, str],
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw curves over two numbers; see ``SpecialCurves.plot``.
+
+    Args:
+        curves: What each is, and its values of the two numbers, SI units, (points, 2).
+        places: Dotted places of the numbers.
+        units: Their units, empty for a number.
+        ax: Where; new axes if not given. The limits of axes that hold a map stay.
+    """
+    axes = axes_for(ax)
+    held = axes.has_data()
+    handles = add_curves(axes, curves, hold=held)
+    if not held:
+        name_axis(axes.xaxis, places[0], units[0])
+        name_axis(axes.yaxis, places[1], units[1])
+        axes.grid(alpha=0.3)
+    legend = axes.get_legend()
+    before = [] if legend is None else list(legend.legend_handles)
+    add_legend(axes, [*(each for each in before if each is not None), *handles])
+    return axes
+
+
+def add_curves(axes: Axes, curves: Iterable[tuple[str, ArrayLike]], *, hold: bool) -> list[Line2D]:
+    """Draw curves with a light border, so that they show on any colour; return lines for the legend.
+
+    Args:
+        axes: Where.
+        curves: As for ``draw_curves``; those of one name share a line of the legend.
+        hold: Whether the limits stay as they are.
+    """
+    limits = axes.get_xlim(), axes.get_ylim()
+    styles: dict[str, Dashes] = {}
+    rest = cycle(STYLES)
+    for name, points in curves:
+        style = styles[name] if name in styles else styles.setdefault(name, next(rest))
+        first, second = np.asarray(points, dtype=float).T
+        axes.plot(first, second, "-", color="white", linewidth=2.6)
+        axes.plot(first, second, style, color=BLACK, linewidth=1.2)
+    if hold:
+        axes.set_xlim(limits[0])
+        axes.set_ylim(limits[1])
+    return [Line2D([], [], color=BLACK, linestyle=style, label=name) for name, style in styles.items()]

@@ -1,0 +1,73 @@
+"""Magnitude and phase of a frequency response over frequency, with peaks and dips."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.ticker import MultipleLocator
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.content import head, new_figure
+from trimmer.drawing.frequencies import telling_frequencies
+from trimmer.drawing.look import BLACK, DOTTED, line
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.linear.summary import LinearSummary
+
+TURN = 2.0 * np.pi
+SIZE = (7.2, 6.0)
+REACH = 10.0
+"""How far beyond the outermost roots a response is drawn."""
+
+
+def decibels(gain: Complexes | Reals) -> Reals:
+    """Return 20 log10 of the modulus."""
+    return np.asarray(20.0 * np.log10(np.abs(gain)))
+
+
+def draw_summary(summary: LinearSummary, ax: Axes | None = None) -> Axes:
+    """Draw |G| in dB over frequency, Hz, with peaks and dips; see ``LinearSummary.plot``."""
+    axes, name = axes_for(ax), f"{summary.output.label} over the pin"
+    omega = telling_frequencies(summary.factored, reach=REACH)
+    axes.semilogx(omega / TURN, decibels(np.exp(summary.factored.log_gain(omega))), label=name, **line(0))
+    for extrema, marker, label in ((summary.peaks, "^", "peak"), (summary.antiresonances, "v", "dip")):
+        places = [each for each in extrema if 0 < each.magnitude < np.inf]
+        if places:
+            levels = decibels(np.array([each.magnitude for each in places]))
+            look: dict[str, Any] = {
+                "color": BLACK,
+                "fillstyle": "none",
+                "linestyle": "none",
+                "markersize": 4,
+                "label": label,
+            }
+            axes.plot([each.omega / TURN for each in places], levels, marker, **look)
+    for number, mode in enumerate(each for each in summary.modes if each.frequency > 0):
+        axes.axvline(mode.frequency, label="" if number else "natural mode, damped", **DOTTED)
+    axes.margins(x=0.0)
+    axes.set_xlabel("frequency, Hz")
+    axes.set_ylabel("magnitude, dB")
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def summary_figure(summary: LinearSummary) -> Figure:
+    """Draw the Bode plot: magnitude and phase, degrees."""
+    figure = new_figure(*SIZE)
+    upper, lower = figure.subplots(2, sharex=True)
+    draw_summary(summary, upper)
+    upper.set_xlabel("")
+    omega = telling_frequencies(summary.factored, reach=REACH)
+    lower.semilogx(omega / TURN, np.degrees(summary.factored.phase(omega)), **line(0))
+    lower.set_xlabel("frequency, Hz")
+    lower.set_ylabel("phase, degrees")
+    lower.yaxis.set_major_locator(MultipleLocator(90.0))
+    lower.grid(alpha=0.3)
+    head(figure, f"From the pin to {summary.output.label}")
+    return figure

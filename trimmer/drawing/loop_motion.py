@@ -1,0 +1,76 @@
+"""The motion of a loop over time, with contact and stick marked."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.look import line
+from trimmer.drawing.strips import Strip, bars_of, draw_strips
+from trimmer.drawing.units import name_axis
+from trimmer.motion.backlash_component import BacklashComponent
+from trimmer.motion.relay_component import HELD
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Reals
+    from trimmer.motion.motion import Motion
+
+POINTS = 4000
+"""Points of a curve, beside the events."""
+MOST_EVENTS = 2000
+"""Events up to which each is a point of the curves too."""
+
+
+def draw_loop_motion(motion: Motion, ax: Axes | None = None) -> Axes:
+    """Draw output, and of a play its input and output, over time; see ``Motion.plot``."""
+    axes = axes_for(ax)
+    times = np.linspace(0.0, motion.duration, POINTS)
+    if len(motion.log.start) <= MOST_EVENTS:
+        times = np.union1d(times, motion.log.start[motion.log.start <= motion.duration])
+    for number, (name, values) in enumerate(signals_of(motion, times).items()):
+        axes.plot(times, values, label=name, **line(number) | {"linewidth": 1.2})
+    axes.set_xlim(0.0, motion.duration)
+    name_axis(axes.yaxis, "displacement", "m")
+    name_axis(axes.xaxis, "time", "s")
+    axes.grid(alpha=0.3)
+    draw_strips(axes, strips_of(motion))
+    add_legend(axes)
+    return axes
+
+
+def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
+    """Return the displacements of a loop at times, s: its output, and of a play its input and its output.
+
+    Without a drive the input of the play is less the output of the loop, and is left out.
+    What an element gives that is no play is a force or of another unit, and is left out.
+    """
+    drawn = {f"output {motion.loop.model.output_labels[0]}": motion.output(times)}
+    if isinstance(motion.loop.modes.system.components[0], BacklashComponent):
+        if motion.loop.modes.system.drive is not None:
+            drawn["input of the play"] = motion.element_input(times)
+        drawn["output of the play"] = motion.element_output(times)
+    return drawn
+
+
+def strips_of(motion: Motion) -> list[Strip]:
+    """Return when each play is in contact, and when each friction and relay is held."""
+    modes = motion.loop.modes
+    of_segments = np.array([modes.component_modes(int(number)) for number in motion.log.mode])
+    strips = []
+    for number, (label, component) in enumerate(
+        zip(modes.system.labels, modes.system.components, strict=True)
+    ):
+        own = of_segments[:, number]
+        if isinstance(component, BacklashComponent):
+            touching = [mode for mode, name in enumerate(component.mode_names) if name.endswith("contact")]
+            on, word, stick = np.isin(own, touching), "contact", False
+        elif len(component.mode_names) > HELD and component.mode_names[HELD] == "held":
+            on, word, stick = own == HELD, "stick", True
+        else:
+            continue
+        strips.append(Strip(f"{label}, {word}", bars_of(motion.log.start, motion.duration, on), stick))
+    return strips

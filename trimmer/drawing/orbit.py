@@ -1,0 +1,56 @@
+"""Periodic orbits of a loop in the phase plane of the element's input."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
+from trimmer.drawing.units import name_axis, with_prefix
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Reals
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+POINTS = 2000
+"""Points of an orbit, beside its events."""
+
+
+def draw_orbit(orbit: PeriodicOrbit, ax: Axes | None = None) -> Axes:
+    """Draw one orbit, with a dot where a mode changes; see ``PeriodicOrbit.plot``."""
+    return draw_orbits([orbit], ax)
+
+
+def draw_orbits(orbits: Iterable[PeriodicOrbit], ax: Axes | None = None) -> Axes:
+    """Draw orbits, stable ones solid and others dashed, with dots where a mode changes."""
+    axes = axes_for(ax)
+    for number, orbit in enumerate(orbits):
+        events = orbit.switching_times
+        times = np.union1d(np.linspace(0.0, orbit.period, POINTS), events[events <= orbit.period])
+        dashes = STABLE if orbit.stable else UNSTABLE
+        axes.plot(*in_plane(orbit, times), color=colour(number), linestyle=dashes, label=_words(orbit))
+        where = in_plane(orbit, events[events <= orbit.period])
+        axes.plot(*where, "o", color=BLACK, markersize=3.0, linestyle="none", label="change of mode")
+    name_axis(axes.xaxis, "input of the element", "m")
+    name_axis(axes.yaxis, "its rate", "m/s")
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+    return axes
+
+
+def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:
+    """Return the element's input, m, and its rate, m/s, at times, s, (2, times)."""
+    return orbit.motion.values(
+        times, lambda mode: np.array([mode.signals[0].input, mode.signals[0].input_rate])
+    )
+
+
+def _words(orbit: PeriodicOrbit) -> str:
+    kind = "stable" if orbit.stable else "not stable"
+    return f"{kind}: {orbit.frequency:.5g} Hz,\nA = {with_prefix(orbit.amplitude, 'm')}"

@@ -1,0 +1,63 @@
+"""Sampled signals over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.look import line
+from trimmer.drawing.units import name_axis
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Reals
+    from trimmer.linear.time_response import TimeResponse
+    from trimmer.signals.signal import Signal
+
+MOST_POINTS = 8000
+"""Samples up to which each is drawn; of more, the lowest and the highest of each block."""
+
+
+def draw_signal(signal: Signal, ax: Axes | None = None) -> Axes:
+    """Draw samples over time, s; see ``Signal.plot``."""
+    axes = axes_for(ax)
+    axes.plot(*thinned(signal.times, signal.values), label=signal.name, **line(0) | {"linewidth": 1.0})
+    _finish(axes)
+    name_axis(axes.yaxis, signal.name, signal.unit)
+    return axes
+
+
+def draw_time_response(response: TimeResponse, ax: Axes | None = None) -> Axes:
+    """Draw inputs and outputs over time, s; see ``TimeResponse.plot``."""
+    axes = axes_for(ax)
+    for number, (name, values) in enumerate(response.named.items()):
+        axes.plot(*thinned(response.time, values), label=name, **line(number))
+    _finish(axes)
+    name_axis(axes.yaxis, "signal, in its unit", "")
+    add_legend(axes)
+    return axes
+
+
+def thinned(times: Reals, values: Reals) -> tuple[Reals, Reals]:
+    """Return samples as they are drawn: all, or the lowest and the highest of each block in their order."""
+    if values.size <= MOST_POINTS:
+        return times, values
+    block = -(-2 * values.size // MOST_POINTS)
+    begins = np.arange(0, values.size, block)
+    ends = np.append(begins[1:], values.size)
+    places = [
+        begin + place(values[begin:end])
+        for begin, end in zip(begins, ends, strict=True)
+        for place in (np.argmin, np.argmax)
+    ]
+    kept = np.unique([0, *places, values.size - 1])
+    return times[kept], values[kept]
+
+
+def _finish(axes: Axes) -> None:
+    axes.margins(x=0.0)
+    name_axis(axes.xaxis, "time", "s")
+    axes.grid(alpha=0.3)

@@ -1,0 +1,92 @@
+"""Bars under a motion over time that mark when a part is in contact or sticks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+from trimmer.drawing.look import COLOURS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from trimmer.arrays import Flags, Reals
+
+HEIGHT = 0.06
+"""Height of a strip, as a share of the axes."""
+MOST = 0.45
+"""Share of the axes that all strips take at most."""
+NAME: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points", "va": "center"}
+NAME |= {"fontsize": "x-small", "parse_math": False, "annotation_clip": False}
+"""How the name of a strip stands beside the axes."""
+
+
+@dataclass(frozen=True)
+class Strip:
+    """When something is on.
+
+    Attributes:
+        name: What is on, such as ``bridge, contact``.
+        bars: Start and length of each time, s.
+        stick: Whether it is stick, which has another colour and hatching.
+    """
+
+    name: str
+    bars: Sequence[tuple[float, float]]
+    stick: bool
+
+
+def bars_of(starts: Reals, duration: float, on: Flags) -> list[tuple[float, float]]:
+    """Return start and length of each time at which something is on, s; what touches is one.
+
+    Args:
+        starts: Starts of the segments of a motion, s, rising, (n,).
+        duration: End of the motion, s.
+        on: Whether it is on in each segment, (n,).
+    """
+    lengths = np.diff(np.append(starts, duration))
+    bars: list[tuple[float, float]] = []
+    for start, length, each in zip(starts.tolist(), lengths.tolist(), on, strict=True):
+        if not each or length <= 0:
+            continue
+        if bars and np.isclose(sum(bars[-1]), start, rtol=0, atol=1e-12 * duration):
+            bars[-1] = bars[-1][0], start + length - bars[-1][0]
+        else:
+            bars.append((start, length))
+    return bars
+
+
+def draw_strips(axes: Axes, strips: Sequence[Strip]) -> None:
+    """Make room under the curves and draw a row of bars for each strip, with its name at the right."""
+    if not strips:
+        return
+    height = min(HEIGHT, MOST / len(strips))
+    low, high = axes.get_ylim()
+    room = height * (len(strips) + 0.3)
+    axes.set_ylim(low - (high - low) * room / (1.0 - room), high)
+    for number, strip in enumerate(reversed(strips)):
+        middle = height * (number + 0.5)
+        _add_bars(axes, strip, middle, 0.7 * height)
+        axes.annotate(strip.name, (1.0, middle), (5, 0), **NAME)
+    axes.plot([0, 1], [room, room], transform=axes.transAxes, color="0.6", linewidth=0.6)
+
+
+def _add_bars(axes: Axes, strip: Strip, middle: float, height: float) -> None:
+    """Add bars in the axes' share of height; the hatching tells stick without colours."""
+    low, high = middle - height / 2, middle + height / 2
+    corners = [
+        [(start, low), (start, high), (start + length, high), (start + length, low)]
+        for start, length in strip.bars
+    ]
+    look: dict[str, Any] = {"facecolor": COLOURS[0], "edgecolor": "none", "linewidth": 0}
+    if strip.stick:
+        look |= {"facecolor": COLOURS[1], "edgecolor": "white", "hatch": "////"}
+    bars = PolyCollection(corners, **look)
+    bars.set_transform(axes.get_xaxis_transform())
+    bars.set_label(f"_{strip.name}")  # no legend shows it
+    axes.add_collection(bars, autolim=False)

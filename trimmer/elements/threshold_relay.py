@@ -1,0 +1,187 @@
+"""A relay that switches at thresholds: its describing function, and bounds of that.
+
+The output is L from where the rising input passes ``on`` until the falling one passes ``off``, |off| <= on.
+With u = on/A, r = off/on, sin α = u and sin ρ = r u the harmonics are, for odd n,
+
+N_n = (2L/(π n on)) u (exp(-jnα) + exp(jnρ)) = (4L/(π n on)) u cos(n(α + ρ)/2) exp(-jn(α - ρ)/2).
+
+Of the two terms of N_1, g(u) = u exp(-jα) lies on the circle of diameter 1 through 0 and -j, as does its
+conjugate for ρ; so g(u) and g(v) are |sin(α_u - α_v)| apart, and |dg/du| = 1/cos α, which is not bounded.
+
+Where on > off, |N| is small only for large amplitudes. With c = 2L/(π on) and m = cos(π/4 + asin(r)/2),
+u >= 1/2 means |N| >= c m, as cos((α + ρ)/2) falls with u. For u < 1/2, N lags by (α - ρ)/2 <= α <= πu/3, and
+|N| > 2 c u cos(π/6); so it lags by less than 0.61 |N|/c.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.elements.backlash_bounds import ROUNDED_UP
+from trimmer.elements.small_gains import SmallGains, real_small_gains
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Complexes, Flags, Reals
+
+_BEHIND = 0.61
+_ROUNDING = 1e-15
+"""More than the rounding error of a difference of angles, or of its sine."""
+_LARGEST = np.finfo(float).max
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """A relay with on > 0; arrays of amplitude or u are of any shape, which results have too.
+
+    Attributes:
+        level: L, output beyond the thresholds, > 0.
+        dead_zone: (on + off) / 2, >= 0.
+        hysteresis: (on - off) / 2, >= 0.
+    """
+
+    level: float
+    dead_zone: float
+    hysteresis: float
+
+    @property
+    def on(self) -> float:
+        """Input at which the rising output reaches the level."""
+        return self.dead_zone + self.hysteresis
+
+    @property
+    def off(self) -> float:
+        """Input at which the falling output leaves it."""
+        return self.dead_zone - self.hysteresis
+
+    @property
+    def size(self) -> float:
+        """The factor c = 2L / (π on), in the unit of N."""
+        return 2.0 * self.level / (math.pi * self.on)
+
+    @property
+    def rests(self) -> bool:
+        """Whether the output is zero, from any start, while the amplitude does not exceed ``on``."""
+        return self.off >= 0.0
+
+    def silent(self, amplitude: Reals) -> Flags:
+        """Return whether the amplitude is too small for the relay to switch."""
+        return np.asarray(amplitude <= self.on)
+
+    @property
+    def silence(self) -> float:
+        """What N is where the relay does not switch: 0 if it rests there, else NaN."""
+        return 0.0 if self.rests else math.nan
+
+    def cosines(self, amplitude: Reals) -> tuple[Reals, Reals]:
+        """Return cos α and cos ρ, to full relative precision; NaN where the relay does not switch."""
+        half = 0.5 * np.minimum(amplitude, _LARGEST)  # The sum below would overflow for the whole.
+        rising, falling = (
+            np.sqrt((half - 0.5 * place) / half * ((half + 0.5 * place) / half))
+            for place in (self.on, self.off)
+        )
+        return rising, falling
+
+    def harmonic(self, amplitude: Reals, harmonic: int) -> Complexes:
+        """Evaluate N_n for odd n; ``silence`` where the relay does not switch."""
+        finite = np.minimum(amplitude, _LARGEST)
+        rising, falling = self.cosines(amplitude)
+        sine, other = self.on / finite, self.off / finite
+        middle = 0.5 * (np.arctan2(sine, rising) + np.arctan2(other, falling))
+        from_peak = 0.5 * (np.arctan2(rising, sine) + np.arctan2(falling, other))
+        sign = 1.0 if harmonic % 4 == 1 else -1.0
+        cosine = np.where(middle < from_peak, np.cos(harmonic * middle), sign * np.sin(harmonic * from_peak))
+        size = 4.0 * self.level / (np.pi * harmonic) / amplitude
+        value = size * cosine * np.exp(-1j * harmonic * self._lag(finite, rising, falling))
+        value[self.silent(amplitude)] = self.silence
+        return np.asarray(value)
+
+    def _lag(self, amplitude: Reals, rising: Reals, falling: Reals) -> Reals:
+        """(α - ρ)/2; where both are positive, without the difference that a narrow hysteresis would lose."""
+        if not self.rests:
+            return 0.5 * (np.arctan2(self.on / amplitude, rising) - np.arctan2(self.off / amplitude, falling))
+        width = 2.0 * self.hysteresis / amplitude
+        sine = width * (2.0 * self.dead_zone / (self.on * falling + self.off * rising))
+        return 0.5 * np.arctan2(sine, rising * falling + self.on / amplitude * (self.off / amplitude))
+
+    def slope(self, amplitude: Reals) -> Complexes:
+        """Evaluate dN_1/du = c (exp(-2jα) / cos α + exp(2jρ) / cos ρ)."""
+        finite = np.minimum(amplitude, _LARGEST)
+        rising, falling = self.cosines(amplitude)
+        value = (rising - 1j * self.on / finite) ** 2 / rising
+        value += (falling + 1j * self.off / finite) ** 2 / falling
+        value *= self.size
+        value[self.silent(amplitude)] = self.silence
+        return np.asarray(value)
+
+    def mean_gain(self, amplitude: Reals) -> Reals:
+        """Evaluate L/(πA) (1/cos α + 1/cos ρ), which follows from the four phases of switching."""
+        rising, falling = self.cosines(amplitude)
+        gain = self.level / (np.pi * amplitude) * (1.0 / rising + 1.0 / falling)
+        return np.where(self.silent(amplitude), self.silence, gain)
+
+    def output(self, phase: Reals, amplitude: Reals) -> Reals:
+        """Evaluate the steady output."""
+        rising, falling = self.cosines(amplitude)
+        start = np.arctan2(self.on / amplitude, rising)
+        duration = np.pi - start - np.arctan2(self.off / amplitude, falling)
+        elapsed = np.mod(phase - start, 2.0 * np.pi)
+        value = np.where(elapsed < duration, self.level, 0.0)
+        value = np.where((elapsed >= np.pi) & (elapsed - np.pi < duration), -self.level, value)
+        return np.where(self.silent(amplitude), self.silence, value)
+
+    def small_gains(self) -> SmallGains:
+        """Tell how N goes to zero."""
+        if self.hysteresis == 0:
+            return real_small_gains(self.size)
+        reach = math.sqrt(self.hysteresis / self.on) / ROUNDED_UP
+        return SmallGains(1.0, self.size, 0.0, steepest=0.0, gentlest=0.0, behind=_BEHIND, reach=reach)
+
+    def steepest(self, u_upper: ArrayLike) -> Reals:
+        """Bound |dN/du| up to some u by c (1/cos α + 1/cos ρ); infinite at u = 1."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(ROUNDED_UP * self.size * sum(1.0 / np.cos(a) for a in self._angles(u_upper)))
+
+    def change_of_slope(self, u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+        """Bound the change of dN/du between two u; infinite at u = 1.
+
+        The derivative of exp(-2jα)/cos α by α has the modulus √(4 + tan² α) / cos α, which rises with |α|.
+        """
+        total = np.zeros(np.broadcast_shapes(np.shape(u_lower), np.shape(u_upper)))
+        for first, last in zip(self._angles(u_lower), self._angles(u_upper), strict=True):
+            cosine = np.cos(last)
+            steepness = np.sqrt(4.0 + np.tan(last) ** 2) / cosine
+            total = total + (np.abs(last - first) + _ROUNDING) * steepness
+        return np.asarray(ROUNDED_UP * self.size * total)
+
+    def reach(self, u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+        """Bound how far N is from its value in the middle of two u, by the chords of the two circles."""
+        middle = 0.5 * (np.asarray(u_lower) + np.asarray(u_upper))
+        total: Reals = np.zeros(np.shape(middle))
+        ratios = (1.0, self.off / self.on)
+        for ratio, centre in zip(ratios, self._angles(middle), strict=True):
+            ends = (np.arcsin(np.clip(np.multiply(u, ratio), -1.0, 1.0)) for u in (u_lower, u_upper))
+            chord = np.maximum(*(np.sin(np.abs(end - centre)) for end in ends)) + _ROUNDING
+            total = total + (
+                chord / abs(ratio) if abs(ratio) > _SMALLEST_RATIO else _widest(u_lower, u_upper)
+            )
+        leaves = (np.asarray(u_upper) > 1.0) & (self.hysteresis > 0)
+        return np.where(leaves, np.inf, ROUNDED_UP * self.size * total)
+
+    def _angles(self, u: ArrayLike) -> tuple[Reals, Reals]:
+        """Return α and ρ for some u; those of u = 1 beyond that."""
+        within = np.minimum(np.asarray(u, dtype=float), 1.0)
+        return np.arcsin(within), np.arcsin(within * (self.off / self.on))
+
+
+_SMALLEST_RATIO = 1e-6
+
+
+def _widest(u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+    """Bound the change of u exp(jρ) from the middle for |r| <= 1e-6, where it is that of u, nearly."""
+    return 0.5 * np.subtract(u_upper, u_lower) * ROUNDED_UP + _ROUNDING

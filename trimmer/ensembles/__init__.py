@@ -1,0 +1,1 @@
+"""Limit cycles of many trimmers at once, each with its own parameters and gap."""

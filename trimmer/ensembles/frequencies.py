@@ -1,0 +1,36 @@
+"""Where along omega many responses are looked at: close together where a pole turns the phase."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Reals
+
+ANGLES = np.tan(np.radians(np.linspace(-84.0, 84.0, 22)))
+"""Distances from a pole in units of its damping: its own phase turns by 8 degrees between two of them."""
+BETWEEN = 56
+"""Frequencies, evenly spaced on a logarithmic scale, beside those near poles."""
+BEYOND = 20.0
+"""By which factor these go beyond the slowest and the fastest pole."""
+
+
+def frequencies_near(poles: Complexes) -> Reals:
+    """Return the frequencies at which responses are looked at, in rising order.
+
+    Args:
+        poles: Of each response, in pairs, shape (n, count).
+
+    Returns:
+        Angular frequencies in the unit of the poles, > 0, shape (n, points).
+    """
+    sizes = np.abs(poles)
+    lowest, highest = np.log(sizes.min(axis=1) / BEYOND), np.log(sizes.max(axis=1) * BEYOND)
+    between = np.exp(lowest[:, None] + np.linspace(0.0, 1.0, BETWEEN) * (highest - lowest)[:, None])
+    upper = np.take_along_axis(poles, np.argsort(-poles.imag, axis=1), axis=1)[:, : poles.shape[1] // 2]
+    near = np.abs(upper.imag)[:, :, None] + np.abs(upper.real)[:, :, None] * ANGLES
+    # Of a heavily damped pole some would be negative.
+    near = np.maximum(near.reshape(len(poles), -1), between[:, :1])
+    return np.sort(np.concatenate([between, near], axis=1), axis=1)

@@ -1,0 +1,61 @@
+"""Points along -1/G of many trimmers, and how far N is from it at the same phase lag."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from trimmer.ensembles.gain_by_phase import gain_by_lag
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Flags, Reals
+    from trimmer.ensembles.responses import Responses
+
+LOUD = 0.5
+"""Ln |1/G| up to which a point counts: |N| is at most 1, so above 0 there is no limit cycle."""
+
+
+class Grid(NamedTuple):
+    """Points along omega, each field of shape (n, points).
+
+    Attributes:
+        omega: In units of the references, rising.
+        loud: Whether |1/G| is small enough for a limit cycle to be near; the next two count only there.
+        lag: Phase lag that N needs, rad, from -π to π.
+        h: ln |N| - ln |1/G|, with N of that lag; 0 at a limit cycle. Beyond the lags that N can have, with
+            N of the nearest lag.
+    """
+
+    omega: Reals
+    loud: Flags
+    lag: Reals
+    h: Reals
+
+    @property
+    def inside(self) -> Flags:
+        """Where N can have the lag."""
+        return np.asarray(self.loud & (self.lag > 0) & (self.lag < 0.5 * np.pi))
+
+
+def grid_at(responses: Responses, omega: Reals) -> Grid:
+    """Return the points at some frequencies, in units of the references, shape (n, points)."""
+    inverse: Complexes = responses.inverse(omega)
+    with np.errstate(all="ignore"):
+        size = inverse.real**2
+        size += inverse.imag**2
+    loud = size < np.exp(2.0 * LOUD)
+    lag, h = np.zeros(omega.shape), np.full(omega.shape, -LOUD)
+    here = inverse[loud]
+    lags = np.arctan2(-here.imag, here.real)
+    lag[loud] = lags
+    with np.errstate(divide="ignore"):
+        h[loud] = gain_by_lag().log_gain_at(lags) - 0.5 * np.log(size[loud])
+    return Grid(omega, loud, lag, h)
+
+
+def merged(first: Grid, second: Grid) -> Grid:
+    """Return the points of both in rising order."""
+    both = [np.concatenate(pair, axis=1) for pair in zip(first, second, strict=True)]
+    order = np.argsort(both[0], axis=1)
+    return Grid(*(np.take_along_axis(each, order, axis=1) for each in both))

@@ -1,0 +1,83 @@
+"""Newton's method on N + 1/G = 0 from enclosures of many trimmers, and what the derivatives tell."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from trimmer.ensembles.gain_by_phase import PLAY
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Flags, Reals
+    from trimmer.ensembles.crossings import Crossings
+    from trimmer.ensembles.responses import Responses
+
+STEPS = 8
+ROUNDING = 1e-11
+"""Residual |N + 1/G| / |N| up to which a solution counts as found."""
+SLACK = 1e-6
+"""How far, as a share of the frequency, a solution may lie outside of its enclosure."""
+
+
+class Solutions(NamedTuple):
+    """Solutions of harmonic balance, each of shape (m,).
+
+    Attributes:
+        omega: In units of the references.
+        u: gap / amplitude.
+        gain: N.
+        sine: Of the angle between the curves; positive if Loeb's criterion holds.
+        residual: |1 + N G|.
+        found: Whether Newton's method ended within the enclosure.
+    """
+
+    omega: Reals
+    u: Reals
+    gain: Complexes
+    sine: Reals
+    residual: Reals
+    found: Flags
+
+    def part(self, rows: Flags) -> Solutions:
+        """Return some of them."""
+        return Solutions(
+            self.omega[rows],
+            self.u[rows],
+            self.gain[rows],
+            self.sine[rows],
+            self.residual[rows],
+            self.found[rows],
+        )
+
+
+def polished(responses: Responses, crossings: Crossings) -> Solutions:
+    """Find the solution within each enclosure.
+
+    Args:
+        responses: Of the trimmers of the enclosures, shape (m,).
+        crossings: The enclosures.
+    """
+    x, u = np.log(0.5 * (crossings.lower + crossings.upper)), crossings.u.copy()
+    for _ in range(STEPS):
+        inverse, by_x = responses.inverse_and_slope(x)
+        gain, by_u, _ = PLAY.expansion(1.0 / u)
+        rest = gain - inverse
+        determinant = _cross(by_u, -by_x)
+        with np.errstate(all="ignore"):
+            step_u, step_x = _cross(-rest, -by_x) / determinant, _cross(by_u, -rest) / determinant
+        # A step that would leave the amplitudes that exist is shortened.
+        u = np.where(np.isfinite(step_u), np.clip(u + step_u, 0.5 * u, 0.5 * (u + 2.0)), u)
+        x = x + np.where(np.isfinite(step_x), np.clip(step_x, -0.1, 0.1), 0.0)
+    inverse, by_x = responses.inverse_and_slope(x)
+    gain, by_u, _ = PLAY.expansion(1.0 / u)
+    omega = np.exp(x)
+    residual = np.abs(gain - inverse) / np.abs(inverse)
+    # u falls as the amplitude rises, and 1/G is the negative of the inverse here.
+    sine = _cross(-by_u, -by_x) / (np.abs(by_u) * np.abs(by_x))
+    inside = (omega > crossings.lower * (1 - SLACK)) & (omega < crossings.upper * (1 + SLACK))
+    return Solutions(omega, u, gain, sine, residual, inside & (residual < ROUNDING))
+
+
+def _cross(first: Complexes, second: Complexes) -> Reals:
+    return np.asarray(first.real * second.imag - first.imag * second.real)

@@ -1,0 +1,78 @@
+"""-1/G of many trimmers: the derived polynomials, with a row for each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.displacement import Displacement
+from trimmer.ensembles.polynomials import on_axis, value_and_slope
+from trimmer.generated import linear_trimmer
+from trimmer.linear.model import InputChannels
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Places, Reals
+
+
+@dataclass(frozen=True)
+class Responses:
+    """G = numerator / denominator of each trimmer, with s in units of ``reference``.
+
+    Attributes:
+        numerator: Shape (n, 8).
+        denominator: Monic, shape (n, 9).
+        reference: Geometric mean of the moduli of the poles, rad/s, shape (n,).
+    """
+
+    numerator: Reals
+    denominator: Reals
+    reference: Reals
+
+    def part(self, rows: Places) -> Responses:
+        """Return those of some trimmers."""
+        return Responses(self.numerator[rows], self.denominator[rows], self.reference[rows])
+
+    def inverse(self, omegas: Reals) -> Complexes:
+        """Return -1/G at each trimmer's own omegas / reference, shape (n, points)."""
+        with np.errstate(all="ignore"):
+            return np.asarray(-on_axis(self.denominator, omegas) / on_axis(self.numerator, omegas))
+
+    def inverse_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
+        """Return -1/G and its derivative by x = ln(omega / reference), one for each trimmer, shape (n,)."""
+        s = 1j * np.exp(x)
+        top, top_slope = value_and_slope(self.denominator.astype(complex), s)
+        bottom, bottom_slope = value_and_slope(self.numerator.astype(complex), s)
+        with np.errstate(all="ignore"):
+            inverse = -top / bottom
+            return inverse, inverse * s * (top_slope / top - bottom_slope / bottom)
+
+
+def responses_of(values: Reals, output: Displacement, channels: InputChannels) -> Responses:
+    """Build the responses from the derived coefficients.
+
+    Args:
+        values: Parameters in the order of ``TrimmerParameters``, shape (n, 13).
+        output: The displacement at the input of the play.
+        channels: How the pin acts.
+    """
+    columns = tuple(np.ascontiguousarray(values.T))
+    count = len(values)
+    denominator = _stacked(linear_trimmer.characteristic_polynomial(*columns), count)
+    numerator = np.zeros((count, 8))
+    with np.errstate(all="ignore"):
+        for weight, row in zip(output.row, linear_trimmer.displacement_numerators(*columns), strict=True):
+            if weight:
+                numerator[:, 1:] += weight * _stacked(row, count)
+        if channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
+            for weight, row in zip(output.row, linear_trimmer.velocity_numerators(*columns), strict=True):
+                if weight:
+                    numerator[:, :-1] += weight * _stacked(row, count)
+        reference = denominator[:, -1] ** (1.0 / 8.0)
+        powers = reference[:, None] ** np.arange(9)
+        return Responses(numerator / powers[:, 1:], denominator / powers, reference)
+
+
+def _stacked(row: tuple[object, ...], count: int) -> Reals:
+    return np.stack([np.broadcast_to(np.asarray(each, dtype=float), (count,)) for each in row], axis=1)

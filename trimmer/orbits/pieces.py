@@ -1,0 +1,106 @@
+"""The pieces of half a period on which a saturation, dead zone or relay with thresholds is smooth."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.optimize
+
+from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
+from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
+from trimmer.orbits.trigonometric import POINTS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from trimmer.arrays import Reals
+    from trimmer.motion.switched_component import Component
+    from trimmer.orbits.trigonometric import OddPolynomial
+
+    Piece = tuple[float, float, Callable[[Reals], Reals]]
+
+
+def corner_pieces(component: CornerComponent, given: OddPolynomial) -> list[Piece]:
+    """Return phases from and to, rad, and the output between them, in its unit, from phase 0 to π.
+
+    Args:
+        component: The saturation or dead zone.
+        given: Its input, in its unit.
+    """
+
+    def output(phase: Reals) -> Reals:
+        place = given(phase)
+        inside = np.clip(place, -component.threshold, component.threshold)
+        return component.inner_slope * inside + component.outer_slope * (place - inside)
+
+    limits = (component.threshold, -component.threshold)
+    cuts = sorted({0.0, math.pi, *(cut for limit in limits for cut in _passes(given, limit))})
+    return [(begin, end, output) for begin, end in pairwise(cuts)]
+
+
+def relay_pieces(component: ThresholdComponent, given: OddPolynomial) -> list[Piece] | None:
+    """Return the pieces of half a period from where the output becomes positive; None if it never does.
+
+    Args:
+        component: The relay.
+        given: Its input, in its unit.
+    """
+    switches = switching_phases(component, given)
+    if switches is None:
+        return None
+    rise, fall = switches
+    end = rise + math.pi
+    positive = (rise, min(fall, end), lambda phase: np.full(phase.shape, component.level))
+    return [positive, (fall, end, np.zeros_like)] if fall < end else [positive]
+
+
+def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tuple[float, float] | None:
+    """Return where the output becomes positive, and where it does not stay so, rad; None if it never does.
+
+    Where the input passes ``on`` several times before it passes ``off``, the first one counts.
+    """
+    if given.largest() <= component.on:
+        return None
+    lowest = float(np.argmin(given(np.linspace(0.0, 2.0 * math.pi, POINTS))) * 2.0 * math.pi / (POINTS - 1))
+    rises = [place for place in _passes(given, component.on, lowest, 2.0 * math.pi) if given(place, 1) > 0]
+    if not rises:
+        return None
+    falls = _passes(given, component.off, rises[0], 2.0 * math.pi)
+    fall = next((place for place in falls if given(place, 1) < 0 and place > rises[0]), None)
+    return None if fall is None else (rises[0], fall)
+
+
+def mode_on(component: Component, given: OddPolynomial, phase: float) -> int:
+    """Return the mode of a saturation, dead zone or relay with thresholds at a phase, rad."""
+    place = float(given(phase))
+    if isinstance(component, CornerComponent):
+        beyond = ABOVE if place > 0 else BELOW
+        return beyond if abs(place) > component.threshold else BETWEEN
+    assert isinstance(component, ThresholdComponent)
+    switches = switching_phases(component, given)
+    if switches is None:
+        return SILENT
+    rise, fall = switches
+    since, length = (phase - rise) % (2.0 * math.pi), fall - rise
+    return POSITIVE if since < length else NEGATIVE if 0 <= since - math.pi < length else SILENT
+
+
+def _passes(given: OddPolynomial, limit: float, begin: float = 0.0, span: float = math.pi) -> list[float]:
+    """Return the phases from ``begin`` on at which the input passes a limit."""
+    phases = np.linspace(begin, begin + span, POINTS)
+    values = given(phases) - limit
+    places = np.flatnonzero((values[:-1] > 0) != (values[1:] > 0))
+
+    def beyond(phase: float) -> float:
+        return float(given(phase)) - limit
+
+    def root(first: float, last: float) -> float:
+        # A zero at one end may have another sign there when it is evaluated alone.
+        if beyond(first) * beyond(last) >= 0:
+            return first if abs(beyond(first)) < abs(beyond(last)) else last
+        return float(scipy.optimize.brentq(beyond, first, last, xtol=1e-15))
+
+    return [root(float(phases[k]), float(phases[k + 1])) for k in places]

@@ -1,0 +1,1 @@
+"""Who does the work of many independent cells: this process, several, or a cluster."""

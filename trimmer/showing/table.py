@@ -1,0 +1,67 @@
+"""A result as a table: columns with names and units, a row for each thing in it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+from operator import attrgetter, itemgetter
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table.
+
+    Attributes:
+        name: What it is; the key of the same number in JSON, where there is one.
+        unit: SI unit; empty for a number without one, a word or a truth value.
+        of: Takes the value out of what a row is about.
+    """
+
+    name: str
+    unit: str
+    of: Callable[[Any], object]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table whose values are computed when they are asked for.
+
+    Attributes:
+        title: What the rows are, in a few words.
+        items: What each row is about.
+        columns: The columns; each name is there once.
+    """
+
+    title: str
+    items: Sequence[Any]
+    columns: tuple[Column, ...]
+
+    def __post_init__(self) -> None:
+        names = [column.name for column in self.columns]
+        assert len(set(names)) == len(names), names
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units by the names of the columns."""
+        return {column.name: column.unit for column in self.columns}
+
+    def rows(self, most: int | None = None) -> Iterator[tuple[object, ...]]:
+        """Yield the values of each row, of all or of the first ones."""
+        for item in islice(self.items, most):
+            yield tuple(column.of(item) for column in self.columns)
+
+
+def attributes(**units: str) -> tuple[Column, ...]:
+    """Return columns of attributes: by the name of each its unit."""
+    return tuple(Column(name, unit, attrgetter(name)) for name, unit in units.items())
+
+
+def arrays(**given: tuple[str, Any]) -> tuple[Column, ...]:
+    """Return columns of arrays, (rows,), for rows that are numbered from 0: by name, unit and values."""
+    return tuple(Column(name, unit, values.__getitem__) for name, (unit, values) in given.items())
+
+
+TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", itemgetter(1)))
+"""Columns of an energy balance, whose rows are names and energies."""

@@ -1,0 +1,364 @@
+"""What is wrong with a record as far as its samples show: clipping, dropouts, few steps, a large offset."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import final
+
+import numpy as np
+
+from trimmer.arguments import require_instance
+from trimmer.arrays import Flags, Places, Reals
+from trimmer.choices import Choice
+from trimmer.signals.signal import Signal
+
+
+class Certainty(Choice):
+    """How sure a fault is."""
+
+    CERTAIN = "certain"
+    LIKELY = "likely"
+    POSSIBLE = "possible"
+
+
+@final
+@dataclass(frozen=True)
+class Clipping:
+    """Runs of samples that have the extreme value.
+
+    Attributes:
+        certainty: ``CERTAIN`` at the full scale of the device; ``LIKELY`` if there are several, or both
+            extremes have the same modulus, and the signal is cut off in most; else ``POSSIBLE``: the motion
+            itself may stand still there, as in stick, into which it comes smoothly.
+        largest, smallest: Number of samples that have the largest and the smallest value, 0 without runs.
+        runs: Number of runs of both.
+        samples: Number of samples of the record.
+        first: Time of the first run, s.
+        level: The largest modulus of the clipped values, in the unit of the signal.
+    """
+
+    certainty: Certainty
+    largest: int
+    smallest: int
+    runs: int
+    samples: int
+    first: float
+    level: float
+
+    @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "clipping"
+
+    @property
+    def sentence(self) -> str:
+        """What was found and what it means, without a full stop."""
+        ends = (("largest", self.largest), ("smallest", self.smallest))
+        told = [f"{n} of {self.samples} samples have the {name} value" for name, n in ends if n]
+        found = f"{' and '.join(told)}, in {self.runs} run{'s' * (self.runs > 1)} from {self.first:.6g} s on"
+        if self.certainty is Certainty.CERTAIN:
+            return f"{found}: the measurement is clipped at full scale {_REMEDY}"
+        if self.certainty is Certainty.LIKELY:
+            return f"{found}: the measurement is likely to be clipped there {_REMEDY}"
+        return f"{found}: if the motion does not stand still there, the measurement is clipped {_REMEDY}"
+
+
+_REMEDY = "and shows harmonics that the motion does not have; measure again with a larger range"
+
+
+@final
+@dataclass(frozen=True)
+class Dropout:
+    """A long run of equal samples where the signal moves elsewhere.
+
+    Attributes:
+        begin, end: Times of the first and the last of them, s.
+        value: The value, in the unit of the signal.
+        samples: Number of samples.
+        others: Number of further runs of that kind.
+    """
+
+    begin: float
+    end: float
+    value: float
+    samples: int
+    others: int
+
+    @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "dropout"
+
+    @property
+    def sentence(self) -> str:
+        """What was found and what it means, without a full stop."""
+        more = f" (as {self.others} more)" if self.others else ""
+        return (
+            f"{self.samples} samples from {self.begin:.6g} s to {self.end:.6g} s are exactly "
+            f"{self.value:.6g}{more}: a dropout of the measurement, unless the motion stands still there; "
+            "leave it out (--from, --until)"
+        )
+
+
+@final
+@dataclass(frozen=True)
+class FewSteps:
+    """Samples that have few different values.
+
+    Attributes:
+        values: Number of different values.
+        step: Smallest difference of two of them, in the unit of the signal.
+        bits: Logarithm to base 2 of the range in steps.
+        noise: Root mean square of the rounding, step/sqrt(12), in the unit of the signal.
+        unit: That unit.
+    """
+
+    values: int
+    step: float
+    bits: float
+    noise: float
+    unit: str
+
+    @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "few steps"
+
+    @property
+    def sentence(self) -> str:
+        """What was found and what it means, without a full stop."""
+        return (
+            f"the samples have {self.values} different values, steps of {self.step:.4g} {self.unit}".rstrip()
+            + f" ({self.bits:.1f} bits used): rounding adds about {self.noise:.2g} {self.unit}".rstrip()
+            + " rms, in part as lines at harmonics; use a smaller range or more bits"
+        )
+
+
+@final
+@dataclass(frozen=True)
+class Offset:
+    """A mean that is large beside the vibration.
+
+    Attributes:
+        mean: Mean, in the unit of the signal.
+        ratio: Its modulus over the root mean square of the rest.
+        unit: The unit.
+    """
+
+    mean: float
+    ratio: float
+    unit: str
+
+    @property
+    def kind(self) -> str:
+        """The fault in a word or two."""
+        return "offset"
+
+    @property
+    def sentence(self) -> str:
+        """What was found and what it means, without a full stop."""
+        return (
+            f"the mean, {self.mean:.6g} {self.unit}".rstrip() + f", is {self.ratio:.3g} times the rms of the "
+            "vibration about it: it is taken off, but takes range from the measurement"
+        )
+
+
+Fault = Clipping | Dropout | FewSteps | Offset
+
+_SHORTEST_RUN = 3
+_CREST = 12.0
+"""How many steps of the converter a rounded crest falls beside a run of at least 3 samples, at most.
+
+A parabola that stays within one step for r samples has a curvature of at most 8/r^2 steps per sample squared,
+so the next sample is at most 4 (1 + 2/r)^2 steps below: 11.1 for r = 3.
+"""
+_SAME_LEVEL = 0.02
+_MOST = 0.6
+_ROUGH = 0.3
+"""Share of sign changes of the curvature that shows noise from sample to sample; noise alone has 2/3."""
+_STEEP = 2.0
+_CLIPPED_SHARE = 0.005
+_CLIPPED_EXCESS = 3.0
+_LONG_RUN = 16
+_LONGER = 8.0
+_FEW_VALUES = 256
+_OFTEN = 20
+_LARGE_OFFSET = 3.0
+
+
+def faults(signal: Signal) -> tuple[Fault, ...]:
+    """Look for what is wrong with a record.
+
+    Args:
+        signal: The record, as it was measured: filters and resampling hide what is looked for.
+
+    Raises:
+        WrongTypeError: if it is no signal.
+    """
+    require_instance("signal", signal, Signal, "a trimmer.Signal")
+    if np.all(signal.values == signal.values[0]):
+        return ()
+    runs = _Runs.of(signal.values)
+    return tuple(_found(signal, runs))
+
+
+def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
+    clipping = _clipping(signal, runs)
+    if clipping is not None:
+        yield clipping
+    dropout = _dropout(signal, runs)
+    if dropout is not None:
+        yield dropout
+    steps = _few_steps(signal, runs)
+    if steps is not None:
+        yield steps
+    mean, rms = float(signal.values.mean()), signal.rms
+    if rms > 0 and abs(mean) > _LARGE_OFFSET * rms:
+        yield Offset(mean, abs(mean) / rms, signal.unit)
+
+
+@dataclass(frozen=True, eq=False)
+class _Runs:
+    """Runs of equal samples, and the step of the converter.
+
+    Attributes:
+        values: Samples, shape (n,).
+        begins, lengths: Place of the first sample of each run, and number of samples, shape (m,).
+        levels: Different values, rising, shape (k,).
+        step: Smallest difference of two of them.
+    """
+
+    values: Reals
+    begins: Places
+    lengths: Places
+    levels: Reals
+    step: float
+
+    @classmethod
+    def of(cls, values: Reals) -> _Runs:
+        begins = np.concatenate([[0], np.flatnonzero(np.diff(values)) + 1])
+        levels = np.unique(values)
+        apart = np.diff(levels)
+        return cls(values, begins, np.diff(begins, append=values.size), levels, float(apart.min()))
+
+    @cached_property
+    def _jumps(self) -> tuple[Reals, Reals]:
+        """By how much the signal jumps before and after each run, 0 at the ends of the record."""
+        steps = np.abs(np.diff(self.values[self.begins]))
+        return np.append(0.0, steps), np.append(steps, 0.0)
+
+    @property
+    def abrupt(self) -> Flags:
+        """Whether the signal enters or leaves each run faster than a rounded crest, shape (m,)."""
+        return np.asarray(np.maximum(*self._jumps) > _CREST * self.step)
+
+    def cut(self, which: Flags) -> bool:
+        """Return whether most of some runs (m,) are cut off, rather than stand still.
+
+        A smooth motion comes to stand still with a last step that the change of its steps can take away; one
+        that is cut off comes with more. Noise would not stand still at all.
+        """
+        inside = np.repeat(which, self.lengths)
+        near = inside.copy()
+        near[1:] |= inside[:-1]
+        near[:-1] |= inside[1:]
+        curvature = np.diff(self.values, 2)[~near[1:-1]]
+        if curvature.size < _SHORTEST_RUN:
+            return False
+        if np.mean(curvature[1:] * curvature[:-1] < 0) > _ROUGH:
+            return True
+        begins, ends = self.begins[which], self.begins[which] + self.lengths[which]
+        inner = (begins >= _SHORTEST_RUN) & (ends + _SHORTEST_RUN <= self.values.size)
+        arriving = [self.values[begins[inner] - back] for back in (1, 2, 3)]
+        leaving = [self.values[ends[inner] + on] for on in (0, 1, 2)]
+        fast = _is_fast(*arriving) & _is_fast(*leaving)
+        return bool(fast.size and np.mean(fast) >= _MOST)
+
+    def at(self, value: float) -> Flags:
+        """Which runs have a value, shape (m,)."""
+        return np.asarray(self.values[self.begins] == value)
+
+
+def _is_fast(first: Reals, second: Reals, third: Reals) -> Flags:
+    """Return whether a step beside a run is larger than the change of steps there can take away."""
+    step = np.abs(first - second)
+    return np.asarray(step > _STEEP * np.abs(first - 2.0 * second + third))
+
+
+def _clipping(signal: Signal, runs: _Runs) -> Clipping | None:
+    ends = (float(runs.levels[-1]), float(runs.levels[0]))
+    clipped = [_clipped_runs(signal, runs, value) for value in ends]
+    if runs.levels.size < 3 or not any(found.any() for found in clipped):
+        return None
+    both = clipped[0] | clipped[1]
+    largest, smallest = (
+        int(runs.lengths[runs.at(value)].sum()) if found.any() else 0
+        for value, found in zip(ends, clipped, strict=True)
+    )
+    level = max(abs(value) for value, found in zip(ends, clipped, strict=True) if found.any())
+    symmetric = largest * smallest > 0 and abs(ends[0] + ends[1]) <= _SAME_LEVEL * (ends[0] - ends[1])
+    several = symmetric or int(both.sum()) >= _SHORTEST_RUN
+    if level >= 0.999 * signal.full_scale:
+        certainty = Certainty.CERTAIN
+    else:
+        certainty = Certainty.LIKELY if several and runs.cut(both) else Certainty.POSSIBLE
+    first = float(signal.times[runs.begins[both][0]])
+    return Clipping(certainty, largest, smallest, int(both.sum()), signal.values.size, first, level)
+
+
+def _clipped_runs(signal: Signal, runs: _Runs, extreme: float) -> Flags:
+    """Find the runs of an extreme value that look clipped, shape (m,).
+
+    A run counts if it is more abrupt than a rounded crest. Where the converter's steps are too coarse to
+    tell, runs count if the extreme value is much more frequent than the next one.
+    """
+    at = runs.at(extreme)
+    shortest = 2 if abs(extreme) >= 0.999 * signal.full_scale else _SHORTEST_RUN
+    long = at & (runs.lengths >= shortest) & (runs.lengths < _share(runs.values.size))
+    abrupt = long & runs.abrupt
+    if abrupt.any():
+        return np.asarray(abrupt)
+    rest = runs.levels[1] if extreme == runs.levels[0] else runs.levels[-2]
+    count, others = int(runs.lengths[at].sum()), int(runs.lengths[runs.at(float(rest))].sum())
+    many = count >= max(3.0, _CLIPPED_SHARE * runs.values.size) and count > _CLIPPED_EXCESS * others
+    return np.asarray(at & (runs.lengths >= 2) & many)
+
+
+def _share(samples: int) -> float:
+    """Longest run that may be a crest: longer ones are dropouts, or no vibration."""
+    return max(8.0, 0.25 * samples)
+
+
+def _dropout(signal: Signal, runs: _Runs) -> Dropout | None:
+    """Find abrupt runs that are no crest, and far longer than others."""
+    near = _SAME_LEVEL * float(runs.levels[-1] - runs.levels[0])
+    held = runs.values[runs.begins]
+    extreme = (held <= runs.levels[0] + near) | (held >= runs.levels[-1] - near)
+    zero = runs.at(0.0)
+    others = runs.lengths[~extreme & ~zero]
+    usual = float(np.median(others)) if others.size else 1.0
+    long = (runs.lengths >= max(_LONG_RUN, _LONGER * usual)) & (~extreme | zero) & runs.abrupt
+    if not long.any() or runs.levels.size < _SHORTEST_RUN:
+        return None
+    longest = int(np.argmax(np.where(long, runs.lengths, 0)))
+    begin, length = int(runs.begins[longest]), int(runs.lengths[longest])
+    start, rate = signal.start, signal.sample_rate
+    value = float(runs.values[begin])
+    return Dropout(
+        start + begin / rate, start + (begin + length - 1) / rate, value, length, int(long.sum()) - 1
+    )
+
+
+def _few_steps(signal: Signal, runs: _Runs) -> FewSteps | None:
+    count = runs.levels.size
+    if count < 3 or count > _FEW_VALUES or signal.values.size < _OFTEN * count:
+        return None
+    spread = float(runs.levels[-1] - runs.levels[0])
+    whole = np.diff(runs.levels) / runs.step
+    if np.abs(whole - np.rint(whole)).max() > 1e-3:
+        return None  # a signal that repeats exactly has few values too
+    bits = math.log2(spread / runs.step + 1.0)
+    return FewSteps(count, runs.step, bits, runs.step / math.sqrt(12.0), signal.unit)

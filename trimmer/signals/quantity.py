@@ -1,0 +1,60 @@
+"""What a signal of a motion is: displacement, velocity or acceleration, told by its unit."""
+
+from __future__ import annotations
+
+from trimmer.choices import Choice
+
+STANDARD_GRAVITY = 9.80665
+"""m/s² in one g, by definition (3rd General Conference on Weights and Measures, 1901)."""
+
+
+class Quantity(Choice):
+    """What a signal is; the value is its unit in SI, empty where it is no motion or its unit is not known."""
+
+    DISPLACEMENT = "m"
+    VELOCITY = "m/s"
+    ACCELERATION = "m/s²"
+    OTHER = ""
+
+    @property
+    def unit(self) -> str:
+        """Unit in SI."""
+        return str(self.value)
+
+    @property
+    def derivatives(self) -> int:
+        """How many times displacement is differentiated to give it: 0, 1 or 2.
+
+        Raises:
+            ValueError: for what is no motion.
+        """
+        if self is Quantity.OTHER:
+            raise ValueError("it is not known how the signal follows from a displacement")
+        return (Quantity.DISPLACEMENT, Quantity.VELOCITY, Quantity.ACCELERATION).index(self)
+
+
+_PREFIXES = {"": 1.0, "c": 1e-2, "m": 1e-3, "u": 1e-6, "µ": 1e-6, "μ": 1e-6, "n": 1e-9}
+_SUFFIXES = {
+    "m": Quantity.DISPLACEMENT,
+    **dict.fromkeys(("m/s", "m s^-1"), Quantity.VELOCITY),
+    **dict.fromkeys(("m/s²", "m/s2", "m/s^2", "m/s**2", "m s^-2"), Quantity.ACCELERATION),
+}
+MOTION_UNITS = {
+    prefix + suffix: (quantity, factor)
+    for prefix, factor in _PREFIXES.items()
+    for suffix, quantity in _SUFFIXES.items()
+} | {
+    "g": (Quantity.ACCELERATION, STANDARD_GRAVITY),
+    "mg": (Quantity.ACCELERATION, 1e-3 * STANDARD_GRAVITY),
+}
+"""Quantity of each unit of a motion, and its size in SI."""
+
+
+def quantity_of(unit: str) -> Quantity:
+    """Return what a unit measures; ``OTHER`` for what is no unit of a motion."""
+    return MOTION_UNITS.get(unit, (Quantity.OTHER, 1.0))[0]
+
+
+def in_si(unit: str) -> float:
+    """Return the size of a unit of a motion in that of SI, 1 for another."""
+    return MOTION_UNITS.get(unit, (Quantity.OTHER, 1.0))[1]

@@ -1,0 +1,292 @@
+"""A measured motion beside a simulated one that repeats: harmonics, and waveforms aligned in time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.arguments import require_instance, whole_number
+from trimmer.arrays import Complexes, Reals
+from trimmer.showing.shown import Shown, Tabular, counted
+from trimmer.showing.table import Table, arrays
+from trimmer.signals.quantity import Quantity
+from trimmer.signals.signal import Signal, SignalError
+from trimmer.spectra.classification import require_positive
+from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
+from trimmer.spectra.peaks import peaks
+from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra.window import Window
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+NEAR = 0.03
+"""How far from that of the simulation the frequency of the drive is looked for, relative."""
+
+_POINTS_PER_LINE = 32
+_HANN_LOSS = math.sqrt(1.5)
+_BETTER = 0.8
+_EXPLAINED = 0.5
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SimulatedLines(Shown):
+    """The lines of a simulated motion that repeats.
+
+    Attributes:
+        displacement: Complex amplitudes c of Re(c exp(2 pi j p f t / k)), p = 1, 2, ..., m, shape (n,).
+        frequency: Frequency f of the drive, Hz; without a drive that of the motion.
+        period_count: Drive periods k after which it repeats.
+    """
+
+    displacement: Complexes
+    frequency: float
+    period_count: int = 1
+
+    def __post_init__(self) -> None:
+        lines: NDArray[Any]
+        try:
+            lines = np.asarray(self.displacement)
+        except ValueError:  # nested lists of unequal length
+            lines = np.empty(0)
+        if lines.ndim != 1 or lines.size == 0 or lines.dtype.kind not in "fc" or not np.isfinite(lines).all():
+            raise SignalError("displacement must be finite complex amplitudes in one dimension, at least one")
+        object.__setattr__(self, "displacement", lines.astype(np.complex128))
+        require_positive("frequency", self.frequency)
+        whole_number("period_count", self.period_count, 1)
+
+    def _told(self) -> str:
+        lines = counted(np.asarray(self.displacement).size, "line")
+        return f"{lines} at 1/{self.period_count} of {self.frequency:.9g} Hz"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Tabular):
+    """A measured and a simulated motion, line by line.
+
+    Attributes:
+        signal: The measured motion, SI.
+        frequency: Frequency of the drive in the measurement, Hz.
+        found: Whether that was found in the measurement; else it was given.
+        simulated_frequency: Frequency of the drive in the simulation, Hz.
+        period_count: Drive periods k after which the simulation repeats.
+        measured: Complex amplitudes at p/k of the drive, p = 1, 2, ..., with t = 0 at the first sample, in
+            the unit of the signal, shape (n,).
+        simulated: The same of the simulation, in the quantity of the signal and shifted in time, shape (n,).
+        uncertainty: Standard deviation of a measured amplitude, if what the lines leave is white noise.
+        shift: By how much later the simulation begins than the measurement, s, in its own period.
+        inverted_residual: The residual if the measurement had the opposite sign.
+        rest: Root mean square of what the lines leave of the measurement.
+    """
+
+    signal: Signal
+    frequency: float
+    found: bool
+    simulated_frequency: float
+    period_count: int
+    measured: Complexes
+    simulated: Complexes
+    uncertainty: float
+    shift: float
+    inverted_residual: float
+    rest: float
+
+    @property
+    def period(self) -> float:
+        """Time after which the simulation repeats, at the measured frequency, s."""
+        return self.period_count / self.frequency
+
+    @property
+    def frequencies(self) -> Reals:
+        """Frequency of each line in the measurement, Hz, shape (n,)."""
+        return np.asarray(np.arange(1, self.measured.size + 1) / self.period)
+
+    @property
+    def decibels(self) -> Reals:
+        """Measured over simulated amplitude, dB, shape (n,)."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(20.0 * np.log10(np.abs(self.measured) / np.abs(self.simulated)))
+
+    @property
+    def phase_differences(self) -> Reals:
+        """Phase of the measured line less that of the simulated one, rad, shape (n,)."""
+        return np.asarray(np.angle(self.measured * self.simulated.conj()))
+
+    @property
+    def residual(self) -> float:
+        """Root mean square of the difference of the lines, over that of the measured ones."""
+        return _residual(self.measured, self.simulated)
+
+    @property
+    def opposite(self) -> bool:
+        """Whether the opposite sign of the measurement would fit clearly better."""
+        return self.inverted_residual < _BETTER * self.residual
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the measured spectrum, its lines and the simulated ones over frequency, Hz.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.comparison import draw_comparison
+
+        return draw_comparison(self, ax)
+
+    def _told(self) -> str:
+        lines = counted(self.measured.size, "line")
+        return f"{lines} at {self.frequency:.9g} Hz, difference {self.residual:.3%} rms"
+
+    def _table(self) -> Table:
+        unit = self.signal.unit
+        columns = arrays(
+            frequency=("Hz", self.frequencies),
+            measured=(unit, np.abs(self.measured)),
+            simulated=(unit, np.abs(self.simulated)),
+            decibels=("dB", self.decibels),
+            phase_difference=("rad", self.phase_differences),
+        )
+        return Table("Lines", range(self.measured.size), columns)
+
+    def waveforms(self, points: int = 400) -> tuple[Reals, Reals, Reals]:
+        """Return times from the first sample, s, and the lines of both added up over a period, (points,)."""
+        times = np.asarray(np.arange(points) * (self.period / points))
+        turned = np.exp(2j * np.pi * np.outer(self.frequencies, times))
+        return times, (self.measured @ turned).real, (self.simulated @ turned).real
+
+
+def compare_motions(
+    signal: Signal, simulated: SimulatedLines, drive_frequency: float | None = None
+) -> Comparison:
+    """Fit the lines of a simulation to a measurement, and shift the simulation so that both agree best.
+
+    The simulation is compared in the quantity that was measured: its lines are multiplied by (j omega)^n.
+    When a measurement begins in the period of its drive is not known; so the shift is that of the least
+    squares of the difference, and phases are told against it. Lines are compared as far as the measurement
+    is to be trusted.
+
+    Args:
+        signal: The measured displacement, velocity or acceleration.
+        simulated: Lines of the simulated displacement.
+        drive_frequency: Frequency of the drive in the measurement, Hz; looked for near that of the simulation
+            if not given.
+
+    Raises:
+        SignalError: if the signal is no motion, no line is near the frequency of the drive, or the record is
+            too short to part the lines.
+        WrongTypeError: if an argument is of another type.
+    """
+    require_instance("signal", signal, Signal, "a trimmer.Signal")
+    require_instance("simulated", simulated, SimulatedLines, "a trimmer.SimulatedLines")
+    if signal.quantity is Quantity.OTHER:
+        raise SignalError(
+            f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
+            "velocity or an acceleration, so it is compared with no motion; say what it is (--unit)"
+        )
+    measured = signal.in_si()
+    found = drive_frequency is None
+    if drive_frequency is not None:
+        require_positive("frequency of the drive", drive_frequency)
+    frequency = _found_frequency(measured, simulated) if drive_frequency is None else float(drive_frequency)
+    fit = _fit(measured, simulated, frequency)
+    orders = np.arange(1, fit.coefficients.size + 1)
+    omega = 2 * np.pi * frequency / simulated.period_count * orders
+    lines = simulated.displacement[: orders.size] * (1j * omega) ** measured.quantity.derivatives
+    angle, _ = _alignment(fit.coefficients, lines)
+    _, opposite = _alignment(-fit.coefficients, lines)
+    return Comparison(
+        signal=measured,
+        frequency=frequency,
+        found=found,
+        simulated_frequency=simulated.frequency,
+        period_count=simulated.period_count,
+        measured=fit.coefficients,
+        simulated=np.asarray(lines * np.exp(1j * orders * angle)),
+        uncertainty=_HANN_LOSS * math.sqrt(2.0 / measured.values.size) * fit.residual,
+        shift=(-angle % (2 * np.pi)) / (2 * np.pi) * simulated.period_count / frequency,
+        inverted_residual=opposite,
+        rest=fit.residual,
+    )
+
+
+def _found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
+    """Find the drive: the largest line near its harmonics, and what explains most beside it."""
+    spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
+    near = [
+        peak.frequency / order
+        for peak in peaks(spectrum, 20)
+        if peak.frequency in signal.trusted
+        and (order := max(1, round(peak.frequency / simulated.frequency)))
+        and abs(peak.frequency / order - simulated.frequency) <= NEAR * simulated.frequency
+    ]
+    if not near:
+        raise SignalError(
+            f"no line of the measurement is within {100 * NEAR:g} % of a harmonic of the drive at "
+            f"{simulated.frequency:g} Hz; say at which frequency it was driven (--drive)"
+        )
+    from scipy.optimize import minimize_scalar
+
+    half = 0.5 * spectrum.bin_width
+    best = minimize_scalar(
+        lambda tried: _fit(signal, simulated, tried).residual,
+        bounds=(near[0] - half, near[0] + half),
+        method="bounded",
+        options={"xatol": 1e-5 * spectrum.bin_width},
+    )
+    frequency = float(best.x)
+    explained = _fit(signal, simulated, frequency).explained
+    if explained < _EXPLAINED:
+        raise SignalError(
+            f"multiples of {frequency:.6g} Hz, the drive that is nearest to the {simulated.frequency:g} Hz "
+            f"of the simulation, explain only {100 * explained:.3g} % of the measurement's variance; say "
+            "at which frequency it was driven (--drive)"
+        )
+    return frequency
+
+
+def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> HarmonicFit:
+    """Fit as many lines as there are in the simulation, or fewer if the measurement does not show them."""
+    step = frequency / simulated.period_count
+    rate, samples = signal.sample_rate, signal.values.size
+    window = Window.HANN
+    highest = min(0.5 * rate * (1.0 - window.half_width / samples), signal.trusted.highest)
+    count = min(simulated.displacement.size, math.floor(highest / step), (samples - 1) // 2)
+    if count < simulated.period_count:
+        raise SignalError(
+            f"the measurement is {signal.trusted.sentence}, and samples at {rate:g} Hz show no drive at "
+            f"{frequency:g} Hz"
+        )
+    return fit_harmonics(signal.values, rate, step, count, window)
+
+
+def _alignment(measured: Complexes, simulated: Complexes) -> tuple[float, float]:
+    """Return the angle of the first line by which the simulation is turned, rad, and the residual there.
+
+    The sum of measured times conjugate simulated lines over all angles is a Fourier series; its largest value
+    is searched on a grid finer than its fastest term, and from there by Newton's method.
+    """
+    products = measured * simulated.conj()
+    orders = np.arange(1, products.size + 1)
+    points = _POINTS_PER_LINE * products.size
+    grid = np.arange(points) * (2 * np.pi / points)
+    series = np.zeros(points, np.complex128)
+    series[orders] = products
+    angle = float(grid[int(np.argmax(np.fft.fft(series).real))])
+    for _ in range(8):
+        turned = products * np.exp(-1j * orders * angle)
+        slope, bend = float((turned * -1j * orders).real.sum()), float((-turned * orders**2).real.sum())
+        if bend >= 0.0:
+            break
+        angle -= slope / bend
+    return angle, _residual(measured, simulated * np.exp(1j * orders * angle))
+
+
+def _residual(measured: Complexes, simulated: Complexes) -> float:
+    size = float(np.linalg.norm(measured))
+    return float(np.linalg.norm(measured - simulated)) / size if size else math.inf
