@@ -16,7 +16,7 @@ from queue import SimpleQueue
 from scripts.mutation import __doc__ as description
 from scripts.mutation.claims import Judged
 from scripts.mutation.judging import Judge, unaltered
-from scripts.mutation.line_map import digest, read_map, record
+from scripts.mutation.line_map import digest, read_map, record, unrecorded
 from scripts.mutation.mutants import Mutant, drawn
 from scripts.mutation.records import Noticed, Outcome, Records
 from scripts.mutation.summary import count, lines, one_line, read_equivalent
@@ -53,6 +53,11 @@ def record_map(processes: int, tests: str) -> None:
 def judge_mutants(wanted: argparse.Namespace) -> None:
     """Judge what has no outcome yet, in as many copies of the project as there are processes."""
     trees = [copied(PROJECT, FOLDER / str(number)) for number in range(1, wanted.processes + 1)]
+    if missing_files := unrecorded(trees[0].root, FOLDER):
+        raise SystemExit(
+            f"error: which lines {len(missing_files)} test files run is not known, or has changed "
+            f"({missing_files[0]}); run the action map first"
+        )
     line_map = read_map(trees[0].root, FOLDER)
     for failed in line_map.unusable:
         print(f"not used, it fails in the unaltered copy: {failed}", flush=True)
