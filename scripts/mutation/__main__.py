@@ -35,13 +35,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Do what the command line says; return the exit code."""
     wanted = _parser().parse_args(arguments)
     FOLDER.joinpath("printed").mkdir(parents=True, exist_ok=True)
+    try:
+        _act(wanted)
+    except BlockingIOError:
+        print("error: another run is using build/mutation; wait for it, or end it", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _act(wanted: argparse.Namespace) -> None:
     if wanted.action in ("map", "all"):
         record_map(wanted.processes, wanted.tests)
     if wanted.action in ("run", "all"):
         judge_mutants(wanted)
     if wanted.action in ("summary", "all"):
         summarise(wanted)
-    return 0
 
 
 def record_map(processes: int, tests: str) -> None:
@@ -101,6 +109,8 @@ def summarise(wanted: argparse.Namespace) -> None:
     judged = [found[key] for key in keys if key in found]
     if len(judged) < len(keys):
         print(f"{len(keys) - len(judged)} of {len(keys)} are not judged yet")
+    if not judged:
+        return
     equivalent = read_equivalent()
     print("\n".join(lines(judged, equivalent)))
     if wanted.write:
