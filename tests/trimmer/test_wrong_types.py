@@ -29,9 +29,11 @@ from trimmer import (
     OrbitSearch,
     Preload,
     Relay,
+    Sampling,
     Saturation,
     ScaledElement,
     Signal,
+    SimulatedLines,
     Simulations,
     StaticElement,
     SumOfElements,
@@ -46,11 +48,15 @@ from trimmer import (
     analyse_signal,
     antiresonances,
     asymptotic_roll_off,
+    averaged_spectrum,
     bandwidth,
     bandwidth_crossings,
     classify,
+    compare_motions,
+    convert,
     encirclements,
     energy_balance,
+    faults,
     filtering_ratio,
     fit_harmonics,
     forced_orbit,
@@ -67,6 +73,7 @@ from trimmer import (
     periodic_orbits,
     pin_model,
     read_signal,
+    read_wav,
     real_axis_crossings,
     resonance_peaks,
     response_at,
@@ -91,6 +98,7 @@ CYCLE = limit_cycles(SYSTEM, PLAY)[-1]
 MOTION = simulate(TRIMMER, 0.001)
 SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = Signal(SAMPLES, 1000.0)
+MOVING = Signal(SAMPLES, 1000.0, "x", "m")
 SPECTRUM = amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = CoulombFriction(1.0)
 STATIC = StaticElement(np.sin)
@@ -160,10 +168,19 @@ CALLS = {
     write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
     TrimmerParameters.from_toml: {"path": "nothing.toml"},
     Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
-    | {"interpolated": 0},
+    | {"interpolated": 0, "converted": 0},
     write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
     write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0, "peak": 0.9, "overwrite": True},
-    read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": CsvLayout()},
+    SIGNAL.scaled: {"factor": 2.0},
+    SIGNAL.between: {"begin": 0.0, "end": 1.0},
+    read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": CsvLayout(), "sampling": Sampling()},
+    read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
+    convert: {"signal": MOVING, "quantity": "velocity", "highest": 200.0, "sensor_corner": 1.0},
+    faults: {"signal": SIGNAL},
+    averaged_spectrum: {"signals": SIGNAL, "averages": 2},
+    compare_motions: {"signal": MOVING, "simulated": SimulatedLines(np.array([1.0 + 0j]), 160.0)}
+    | {"drive_frequency": 160.0},
+    SimulatedLines: {"displacement": np.array([1.0 + 0j]), "frequency": 1.0, "period_count": 1},
     analyse_signal: {"signal": SIGNAL, "drive_frequency": 100.0, "natural_frequencies": (10.0,), "limit": 3}
     | {"limit_cycle_frequencies": (10.0,), "closed_loop": True},
     classify: {
@@ -179,7 +196,19 @@ CALLS = {
     Tolerance: {"bins": 1.0, "model": 0.1},
 }
 NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
-NONE_WILL_DO |= {"settling", "drive", "element", "sample_rate", "omega", "guesses", "search", "half_periods"}
+NONE_WILL_DO |= {
+    "settling",
+    "drive",
+    "element",
+    "sample_rate",
+    "omega",
+    "guesses",
+    "search",
+    "half_periods",
+    "channel",
+    "highest",
+    "sensor_corner",
+}
 """Arguments that may be left out, somewhere."""
 ALSO_NAMED = {"values": "samples", "signal": "samples", "bins": "tolerance in bins"}
 ALSO_NAMED |= {

@@ -21,8 +21,8 @@ ENDINGS = {
 }
 """Ends of the names of files that are offered for an option."""
 ENDINGS_OF_COMMAND = {
-    **dict.fromkeys(("simulate", "respond", "follow", "map", "derive"), (".toml",)),
-    **dict.fromkeys(("spectrum", "compare"), (".csv", ".txt", ".wav")),
+    **dict.fromkeys(("simulate", "respond", "follow", "map", "derive", "fit"), (".toml",)),
+    **dict.fromkeys(("spectrum", "overlay"), (".csv", ".txt", ".wav")),
 }
 """The same for the file that a command reads."""
 BODIES = ("q1", "q2", "q3", "q4")

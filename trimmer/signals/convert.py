@@ -99,6 +99,8 @@ def convert(
         raise SignalError(
             f"{source.values.size} samples are too few to convert; {_FEWEST} or more are needed"
         )
+    scale = float(np.abs(source.values).max()) or 1.0  # keeps squares finite
+    source = replace(source, values=source.values / scale)
     spectrum = powers(source.values, source.sample_rate)
     limits = _Limits(source, times, spectrum)
     band = limits.band(lowest, highest, sensor_corner)
@@ -111,7 +113,7 @@ def convert(
     result = Conversion(
         signal=replace(
             source,
-            values=values,
+            values=scale * values,
             name=f"{source.name} as {quantity.word}",
             unit=quantity.unit,
             start=source.start + kernel.reach / source.sample_rate,
@@ -121,9 +123,9 @@ def convert(
         ),
         source=signal,
         cut=kernel.reach / source.sample_rate,
-        end_error=end_error,
-        end_bound=end_bound,
-        noise=math.sqrt(float(np.abs(kernel.response(spectrum.frequency)) ** 2 @ spectrum.floor)),
+        end_error=scale * end_error,
+        end_bound=scale * end_bound,
+        noise=scale * math.sqrt(float(np.abs(kernel.response(spectrum.frequency)) ** 2 @ spectrum.floor)),
         outside=float(spectrum.total[~inside].sum()) / total,
     )
     told = (*signal.notes, *(fault.sentence for fault in faults(signal)), *_notes(result, band))
@@ -219,7 +221,7 @@ def _frequency(name: str, value: float, above: float, below: float) -> float:
 
 def _notes(result: Conversion, band: Band) -> tuple[str, ...]:
     signal, unit = result.signal, result.signal.unit
-    rms = float(signal.values.std())
+    rms = signal.rms
     what = f"{result.source.quantity.word} converted to {signal.quantity.word} in the frequency domain"
     rest = "mean, drift and slow motion are lost" if band.lowest else "the mean is lost"
     outside = f"{100 * result.outside:.2g} % of the variance about mean and trend lies outside"

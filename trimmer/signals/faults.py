@@ -215,7 +215,7 @@ def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
     steps = _few_steps(signal, runs)
     if steps is not None:
         yield steps
-    mean, rms = float(signal.values.mean()), float(signal.values.std())
+    mean, rms = float(signal.values.mean()), signal.rms
     if rms > 0 and abs(mean) > _LARGE_OFFSET * rms:
         yield Offset(mean, abs(mean) / rms, signal.unit)
 

@@ -126,6 +126,12 @@ class Signal(Tabular):
         return Table(f"Samples of {self.name}", range(self.values.size), columns)
 
     @property
+    def rms(self) -> float:
+        """Root mean square about the mean, in ``unit``."""
+        scale = float(np.abs(self.values).max()) or 1.0
+        return scale * float((self.values / scale).std())
+
+    @property
     def quantity(self) -> Quantity:
         """What it is, by its unit."""
         return quantity_of(self.unit)

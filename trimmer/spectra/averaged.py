@@ -28,6 +28,7 @@ _NEAR = 40
 """Bins on either side of a line from which the noise beside it is taken."""
 _LARGE = 1e4
 _FALSE_ALARM = 0.01
+_SMALLEST_SQUARED, _LARGEST_SQUARED = 1e-140, 1e140
 
 
 @dataclass(frozen=True)
@@ -244,6 +245,8 @@ def averaged_spectrum(
         )
     rate = stretches[0].sample_rate
     scale = max(float(np.abs(stretch.values).max()) for stretch in stretches) or 1.0
+    if not _SMALLEST_SQUARED < scale < _LARGEST_SQUARED:
+        raise SignalError(f"samples of the size of {scale:g} cannot be squared; use another unit")
     weights = window.samples(segment)
     total, number = np.zeros(segment // 2 + 1), 0
     for stretch in stretches:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.arguments import require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.quantity import Quantity
 from trimmer.signals.signal import Signal, SignalError
+from trimmer.spectra.classification import require_positive
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
@@ -21,6 +22,7 @@ from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
 NEAR = 0.03
 """How far from that of the simulation the frequency of the drive is looked for, relative."""
@@ -46,11 +48,15 @@ class SimulatedLines(Shown):
     period_count: int = 1
 
     def __post_init__(self) -> None:
-        lines = np.asarray(self.displacement)
+        lines: NDArray[Any]
+        try:
+            lines = np.asarray(self.displacement)
+        except ValueError:  # nested lists of unequal length
+            lines = np.empty(0)
         if lines.ndim != 1 or lines.size == 0 or lines.dtype.kind not in "fc" or not np.isfinite(lines).all():
             raise SignalError("displacement must be finite complex amplitudes in one dimension, at least one")
-        if not 0 < real_number("frequency", self.frequency, "Hz") < math.inf:
-            raise SignalError(f"frequency must be positive and finite, not {self.frequency!r}")
+        object.__setattr__(self, "displacement", lines.astype(np.complex128))
+        require_positive("frequency", self.frequency)
         whole_number("period_count", self.period_count, 1)
 
     def _told(self) -> str:
@@ -185,11 +191,9 @@ def compare_motions(
         )
     measured = signal.in_si()
     found = drive_frequency is None
-    frequency = (
-        found_frequency(measured, simulated)
-        if drive_frequency is None
-        else real_number("drive_frequency", drive_frequency, "Hz")
-    )
+    if drive_frequency is not None:
+        require_positive("frequency of the drive", drive_frequency)
+    frequency = found_frequency(measured, simulated) if drive_frequency is None else float(drive_frequency)
     fit = _fit(measured, simulated, frequency)
     orders = np.arange(1, fit.coefficients.size + 1)
     omega = 2 * np.pi * frequency / simulated.period_count * orders

@@ -79,7 +79,7 @@ def test_a_logger_with_a_gap_becomes_displacement(capsys, logger: Path, tmp_path
     told = refused(capsys, "spectrum", logger)
     assert "1 gap in the time stamps: gap of 0.08 s after 1.8 s" in told and "--gaps split" in told
     written = tmp_path / "displacement.csv"
-    words = ["--drive", DRIVE, "--gaps", "split", "--to", "displacement", "--average", 10]
+    words = ["--drive", DRIVE, "--gaps", "split", "--as", "displacement", "--average", 10]
     printed = run(capsys, "spectrum", logger, *words, "--csv", written)
     assert (printed["signal"]["unit"], printed["signal"]["quantity"]) == ("m", "displacement")
     assert 10 < printed["signal"]["trusted"]["lowest"] < 13
@@ -108,7 +108,7 @@ def test_a_logger_with_a_gap_becomes_displacement(capsys, logger: Path, tmp_path
 
 
 def test_the_text_tells_the_same_within_110_signs(capsys, logger: Path) -> None:
-    words = ["spectrum", str(logger), "--gaps", "split", "--to", "velocity", "--average", "10"]
+    words = ["spectrum", str(logger), "--gaps", "split", "--as", "velocity", "--average", "10"]
     assert main(words) == 0
     text = capsys.readouterr().out
     assert "Average of 10 spectra (Welch)" in text and "lines closer than" in text
@@ -135,10 +135,10 @@ def test_a_clipped_wav_file_is_marked_or_refused(capsys, sound: Path) -> None:
     assert set(keys(printed)) >= OF_FAULTS
     assert (fault["kind"], fault["certainty"]) == ("clipping", "certain")
     assert "does not tell whether" in refused(
-        capsys, "spectrum", sound, "--channel", 2, "--to", "displacement"
+        capsys, "spectrum", sound, "--channel", 2, "--as", "displacement"
     )
     scaled = ["--channel", 2, "--scale", 60, "--unit", "g"]
-    printed = run(capsys, "spectrum", sound, *scaled, "--from", 1, "--until", 3, "--to", "velocity")
+    printed = run(capsys, "spectrum", sound, *scaled, "--from", 1, "--until", 3, "--as", "velocity")
     assert printed["signal"]["unit"] == "m/s"
     assert printed["signal"]["start"] > 1.0
     assert any("clipped at full scale" in note for note in printed["notes"])
@@ -166,7 +166,7 @@ def test_jittering_stamps_are_resampled_or_ignored(capsys, tmp_path: Path) -> No
 def test_volts_become_displacement_with_the_sensitivity(capsys, tmp_path: Path) -> None:
     path = tmp_path / "volts.csv"
     np.savetxt(path, 0.1 * ACCELERATION, header="U [V]", comments="")
-    words = ["spectrum", path, "--rate", RATE, "--drive", DRIVE, "--to", "displacement"]
+    words = ["spectrum", path, "--rate", RATE, "--drive", DRIVE, "--as", "displacement"]
     assert "the unit 'V' does not tell" in refused(capsys, *words)
     assert "the heading says that U is in V, not in g" in refused(capsys, *words, "--unit", "g")
     printed = run(capsys, *words, "--scale", 10, "--unit", "g", "--sensor-corner", 5)
@@ -179,10 +179,11 @@ def test_volts_become_displacement_with_the_sensitivity(capsys, tmp_path: Path) 
     [
         (["{wav}", "--column", "1"], "--column has no effect without a CSV file; this one is a WAV file"),
         (["{wav}", "--channel", "1", "--resample"], "--resample has no effect on a WAV file"),
+        (["none.wav", "--channel", "1"], "none.wav: no such file"),
         (["{csv}", "--channel", "1"], "--channel has no effect without a WAV file"),
-        (["{csv}", "--lowest", "5"], "--lowest has no effect without --to"),
+        (["{csv}", "--lowest", "5"], "--lowest has no effect without --as"),
         (["{csv}", "--gaps", "split", "--from", "9"], "no sample lies from 9 s"),
-        (["{csv}", "--gaps", "split", "--to", "velocity", "--lowest", "1"], "too short to convert from 1"),
+        (["{csv}", "--gaps", "split", "--as", "velocity", "--lowest", "1"], "too short to convert from 1"),
         (["{csv}", "--gaps", "split", "--average", "5000"], "too few for 5000 averages"),
         (["{csv}", "--gaps", "split", "--scale", "0"], "the factor must be finite and not 0"),
         (["{csv}", "--csv", "{csv}"], "is the file of the signal"),
@@ -219,14 +220,14 @@ def oscillator(tmp_path_factory) -> Path:
 def test_a_measured_motion_is_compared_with_the_simulated_one(
     capsys, oscillator: Path, tmp_path: Path
 ) -> None:
-    words = ["compare", oscillator / "speed.csv", "--against", oscillator / "stop.toml"]
+    words = ["overlay", oscillator / "speed.csv", "--against", oscillator / "stop.toml"]
     printed = run(capsys, *words, "--column", "v", "--plot", tmp_path / "a.svg")
     assert (tmp_path / "a.svg").read_bytes().startswith(b"<?xml")
     assert printed["frequency"] == pytest.approx(20.0, rel=1e-5)
     assert printed["residual"] < 0.01
     assert printed["rest"] == pytest.approx(1e-3, rel=0.1)
     assert [line["decibels"] for line in printed["lines"][:3]] == pytest.approx([0.0, 0.0, 0.0], abs=0.1)
-    known = documented("trimmer compare") - OF_FAULTS - OF_GAPS
+    known = documented("trimmer overlay") - OF_FAULTS - OF_GAPS
     assert set(keys(printed)) - {"faults", "gaps"} == known
     turned = run(capsys, *words, "--column", "turned")
     assert any("--scale -1" in note for note in turned["notes"])
@@ -237,7 +238,7 @@ def test_a_measured_motion_is_compared_with_the_simulated_one(
 
 
 def test_another_frequency_is_told(capsys, oscillator: Path) -> None:
-    words = ["compare", oscillator / "speed.csv", "--column", "v", "--against", oscillator / "stop.toml"]
+    words = ["overlay", oscillator / "speed.csv", "--column", "v", "--against", oscillator / "stop.toml"]
     printed = run(capsys, *words, "--set", "frequency=20.2Hz")
     assert any("--set frequency=20Hz" in note for note in printed["notes"])
     told = refused(capsys, *words, "--set", "frequency=25Hz")

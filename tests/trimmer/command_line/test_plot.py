@@ -20,7 +20,7 @@ LINES = {
     "simulate": ["simulate", *PLAY, "--impulse", "1e-6", "--duration", "0.01"],
 }
 """A call of each command that draws and has no test of its pictures of its own."""
-ELSEWHERE = {"spectrum", "compare", "respond", "follow", "map"}
+ELSEWHERE = {"spectrum", "overlay", "respond", "follow", "map"}
 WITHOUT_PICTURE = {"parameters", "derive", "report"}
 BEGINNINGS = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF-"}
 

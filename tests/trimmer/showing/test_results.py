@@ -82,7 +82,7 @@ JSON = {
     "FollowedBranch": ("trimmer follow", "points[]."),
     "MotionMap": ("trimmer map", ""),
     "SpectrumAnalysis": ("trimmer spectrum", "peaks[]."),
-    "Comparison": ("trimmer compare", "lines[]."),
+    "Comparison": ("trimmer overlay", "lines[]."),
 }
 """Section of the document of the JSON, and what stands before the keys."""
 NOT_IN_JSON = {"largest_multiplier", "branch", "period_count", "distance_bins"}

@@ -111,6 +111,10 @@ def test_it_is_linear_shifts_with_the_signal_and_keeps_the_scale() -> None:
     np.testing.assert_allclose(both, 2.5 * first - 7.0 * second, atol=1e-12 * np.abs(both).max())
     in_g = convert(Signal(one / STANDARD_GRAVITY, RATE, "a", "g"), "displacement", **FIXED).signal.values
     np.testing.assert_allclose(in_g, first, atol=1e-12 * np.abs(first).max())
+    for size in (1e250, 1e-250):
+        scaled = made(size * one, 2, "displacement", **FIXED)
+        np.testing.assert_allclose(scaled.signal.values / size, first, atol=1e-12 * np.abs(first).max())
+        assert scaled.noise / size == pytest.approx(made(one, 2, "displacement", **FIXED).noise)
     later = convert(Signal(one[1000:], RATE, "a", "m/s2"), "displacement", **FIXED)
     np.testing.assert_allclose(later.signal.values, first[1000:], atol=2 * later.end_bound)
 

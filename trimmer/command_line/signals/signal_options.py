@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.number_options import finite, positive, positive_whole
 from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
     from trimmer.signals.faults import Fault
@@ -43,10 +44,25 @@ def add_signal_options(parser: ArgumentParser) -> None:
         help="WAV file, or CSV file with the samples, one row each, with a heading or not; - for CSV from "
         "standard input",
     )
+    _add_column_option(parser)
+    add_record_options(parser)
+    _add_conversion_options(parser)
+
+
+def add_record_options(parser: ArgumentParser) -> None:
+    """Add the options that say how to read a record, but not which column, and in which unit it is."""
     _add_reading_options(parser)
     _add_stamp_options(parser)
     _add_unit_options(parser)
-    _add_conversion_options(parser)
+
+
+def _add_column_option(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--column",
+        type=column,
+        metavar="NAME|NUMBER",
+        help="column of the signal (default: the only one beside the time stamps); the first has number 1",
+    )
 
 
 def _add_reading_options(parser: ArgumentParser) -> None:
@@ -56,12 +72,6 @@ def _add_reading_options(parser: ArgumentParser) -> None:
         type=positive("Hz"),
         metavar="HZ",
         help="samples per second; not needed if a column of time stamps gives it",
-    )
-    parser.add_argument(
-        "--column",
-        type=column,
-        metavar="NAME|NUMBER",
-        help="column of the signal (default: the only one beside the time stamps); the first has number 1",
     )
     parser.add_argument(
         "--time",
@@ -138,7 +148,8 @@ def _add_unit_options(parser: ArgumentParser) -> None:
 
 def _add_conversion_options(parser: ArgumentParser) -> None:
     parser.add_argument(
-        "--to",
+        "--as",
+        dest="quantity",
         choices=QUANTITIES,
         help="integrate or differentiate to this quantity, in the band that can be trusted, which is told",
     )
@@ -198,7 +209,7 @@ def chosen_recording(arguments: Namespace) -> ChosenRecording:
         found = faults(measured.longest)
         _refuse_clipped(arguments, found)
         recording = measured
-        if arguments.to is not None:
+        if arguments.quantity is not None:
             recording = Recording(_converted(arguments, measured), measured.gaps)
     except SignalError as error:
         raise (
@@ -213,10 +224,10 @@ def _check(arguments: Namespace, wav: bool) -> None:
         for name, given in (("--ignore-time", arguments.ignore_time), ("--resample", arguments.resample)):
             if given:
                 raise OptionError(f"{name} has no effect on a WAV file, which has no stamps: leave it out")
-    else:
+    elif arguments.file == STANDARD_INPUT or arguments.file.exists():
         refuse_unused(arguments, ["channel"], "a WAV file")
-    if arguments.to is None:
-        refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--to, which converts")
+    if arguments.quantity is None:
+        refuse_unused(arguments, ["lowest", "highest", "sensor_corner"], "--as, which converts")
     if arguments.ignore_time and arguments.rate is None:
         raise OptionError("--ignore-time needs the sample rate: give it (--rate HZ)")
 
@@ -281,7 +292,7 @@ def _converted(arguments: Namespace, recording: Recording) -> tuple[Signal, ...]
     longest = max(recording.stretches, key=lambda stretch: stretch.values.size)
     first = convert(
         longest,
-        arguments.to,
+        arguments.quantity,
         lowest=arguments.lowest,
         highest=arguments.highest,
         sensor_corner=arguments.sensor_corner,
@@ -294,7 +305,7 @@ def _converted(arguments: Namespace, recording: Recording) -> tuple[Signal, ...]
             converted.append(
                 first
                 if stretch is longest
-                else convert(stretch, arguments.to, lowest=band.lowest or None, highest=highest).signal
+                else convert(stretch, arguments.quantity, lowest=band.lowest or None, highest=highest).signal
             )
         except SignalError:
             short += 1

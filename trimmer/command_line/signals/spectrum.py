@@ -75,7 +75,7 @@ def _configure(parser: ArgumentParser) -> None:
         "--csv",
         type=file_to_write,
         metavar="FILE",
-        help="write the samples that were analysed, after --scale, --resample and --to, into a CSV file",
+        help="write the samples that were analysed, after --scale, --resample and --as, into a CSV file",
     )
     parser.add_argument(
         "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
@@ -199,7 +199,7 @@ COMMAND = Command(
             "how high the five largest peaks are; see `trimmer simulate --help` for what wrote vibration.csv",
         ),
         Example(
-            "trimmer spectrum vibration.csv --column q2-q4 --to acceleration --average 8",
+            "trimmer spectrum vibration.csv --column q2-q4 --as acceleration --average 8",
             "the same as acceleration, with the band that can be trusted, and averaged by Welch's method",
         ),
     ),

@@ -1,4 +1,4 @@
-"""``trimmer compare``: a measured motion beside what a mechanism settles to."""
+"""``trimmer overlay``: a measured motion beside what a mechanism settles to."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.signals.compare_text import Compared, as_json, as_text
+    from trimmer.command_line.signals.overlay_text import Compared, as_json, as_text
     from trimmer.drawing.comparison import comparison_figure
     from trimmer.signals.signal import SignalError
     from trimmer.spectra.comparison import compare_motions
@@ -105,20 +105,20 @@ def _simulated(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
 
 
 COMMAND = Command(
-    "compare",
+    "overlay",
     "a measured motion beside what a mechanism settles to",
     _configure,
     _run,
     examples=(
         Example(
-            "trimmer compare vibration.csv --column q2-q4 --against examples/thesis-play.toml",
+            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml",
             "which harmonics of vibration.csv (see `trimmer simulate --help`) the mechanism has too, in dB",
         ),
         Example(
-            "trimmer compare vibration.csv --column q2-q4 --against examples/thesis-play.toml "
+            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml "
             "--set plays.bridge.gap=60um --plot compared.svg",
             "the same with a wider play, and a picture of both spectra and of both waveforms",
         ),
     ),
 )
-"""The subcommand ``trimmer compare``."""
+"""The subcommand ``trimmer overlay``."""
