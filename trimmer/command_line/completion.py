@@ -18,8 +18,9 @@ ENDINGS = {
     "--parameters": (".toml",),
     "--plot": tuple(PICTURES),
     "--wav": (".wav",),
+    "MEASURED": (".csv", ".txt", ".wav"),
 }
-"""Ends of the names of files that are offered for an option."""
+"""Ends of the names of files that are offered for an option, or a word of this name."""
 ENDINGS_OF_COMMAND = {
     **dict.fromkeys(("simulate", "respond", "follow", "map", "derive", "fit"), (".toml",)),
     **dict.fromkeys(("spectrum", "overlay"), (".csv", ".txt", ".wav")),
@@ -65,7 +66,9 @@ def _offered(action: Action, command: str) -> object:
     if action.metavar == "DIR":
         return shtab.DIRECTORY
     option = action.option_strings[0] if action.option_strings else None
-    endings = ENDINGS_OF_COMMAND.get(command) if option is None else ENDINGS.get(option)
+    endings = ENDINGS.get(option or str(action.metavar))
+    if option is None and endings is None:
+        endings = ENDINGS_OF_COMMAND.get(command)
     return shtab.glob(*(f"*{ending}" for ending in endings)) if endings else shtab.FILE
 
 

@@ -20,7 +20,7 @@ from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
 from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
-from trimmer.command_line.signals import overlay, spectrum
+from trimmer.command_line.signals import fit, overlay, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
@@ -122,6 +122,7 @@ def installed_commands() -> list[Command]:
         *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
         *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
         *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND, sample.COMMAND),
+        fit.COMMAND,
         *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
     ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))

@@ -185,8 +185,9 @@ COMMAND = Command(
     _run,
     examples=(
         Example(
-            "trimmer simulate examples/thesis-play.toml --duration 0.05 --plot motion.svg",
-            "how bridge and pin meet in the first 50 ms, and a picture of it",
+            "trimmer simulate examples/thesis-play.toml --set frictions.blade.force=1 --duration 0.6 "
+            "--csv motion.csv --plot motion.svg",
+            "how bridge and pin meet if the blade rubs with 1 N, as samples and as a picture",
         ),
         Example(
             f"trimmer simulate --gap 4e-5 {_DRIVEN} --csv vibration.csv",

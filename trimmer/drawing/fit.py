@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     times, _, simulated = fit.waveforms(output)
     folded, means = averaged(fit, output)
     count = int(fit.measured.periods / fit.measured.period_count)
-    look = {"linestyle": "none", "color": MEASURED, "markersize": 3}
+    look: dict[str, Any] = {"linestyle": "none", "color": MEASURED, "markersize": 3}
     axes.plot(folded, means, "o", label=f"measured,\nmean of {count} periods", **look)
     axes.plot(times, simulated, color=SIMULATED, linewidth=1.4, label="fitted")
     name_axis(axes.xaxis, "time in the period", "s")
@@ -54,13 +54,15 @@ def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
 
 
 def draw_rest(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
-    """Draw averaged measurement less fitted motion over a period, and the rms of the noise of that mean."""
+    """Draw averaged measurement less fitted motion over a period, and how much noise that mean has."""
     axes, signal = axes_for(ax), fit.measured.signals[output]
     place = fit.measured.outputs.index(output)
     times, measured, simulated = fit.waveforms(output)
     noise = float(np.linalg.norm(fit.measured.deviations[:, place]))
     axes.axhspan(-2 * noise, 2 * noise, color="0.85", linewidth=0, label="noise of the lines,\ntwice its rms")
-    axes.plot(times, measured - simulated, color=MEASURED, linewidth=1.0, label="lines: measured\nless fitted")
+    axes.plot(
+        times, measured - simulated, color=MEASURED, linewidth=1.0, label="lines: measured\nless fitted"
+    )
     name_axis(axes.xaxis, "time in the period", "s")
     name_axis(axes.yaxis, "left", signal.unit)
     axes.grid(alpha=0.3)
@@ -76,9 +78,18 @@ def draw_lines(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     measured, simulated = fit.measured.lines[:, place], fit.simulated[:, place]
     noise = np.sqrt(2.0) * fit.measured.deviations[:, place]
     axes.semilogy(frequencies, noise, color="0.6", linestyle=":", label="noise, rms")
-    axes.plot(frequencies, abs(measured), "o", color=MEASURED, linestyle="none", markersize=4, label="measured")
-    axes.plot(frequencies, abs(simulated), "x", color=SIMULATED, linestyle="none", markersize=7, label="fitted")
-    look = {"color": COLOURS[0], "linestyle": "none", "markersize": 4, "markerfacecolor": "none"}
+    axes.plot(
+        frequencies, abs(measured), "o", color=MEASURED, linestyle="none", markersize=4, label="measured"
+    )
+    axes.plot(
+        frequencies, abs(simulated), "x", color=SIMULATED, linestyle="none", markersize=7, label="fitted"
+    )
+    look: dict[str, Any] = {
+        "color": COLOURS[0],
+        "linestyle": "none",
+        "markersize": 4,
+        "markerfacecolor": "none",
+    }
     axes.plot(frequencies, abs(measured - simulated), "s", label="left", **look)
     axes.set_ylim(bottom=max(0.1 * float(noise.min()), 1e-9 * float(abs(measured).max())))
     name_axis(axes.xaxis, "frequency", "Hz")

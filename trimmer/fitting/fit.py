@@ -87,8 +87,8 @@ def fit_mechanism(
         measured: The record of each output that was measured: displacement, velocity or acceleration.
         free: Dotted places of the numbers to fit; by default gap, stiffness and damping of each play and the
             force of each friction.
-        drive_frequency: That of the drive in the measurement, Hz; looked for near that of the mechanism if not
-            given.
+        drive_frequency: That of the drive in the measurement, Hz; looked for near that of the mechanism if
+            not given.
         settings: How is fitted.
 
     Raises:
@@ -131,7 +131,9 @@ def _checked(mechanism: Mechanism, measured: Mapping[str, Signal]) -> float:
     for name, signal in measured.items():
         require_instance(f"the signal of {name}", signal, Signal, "a trimmer.Signal")
         if name not in mechanism.outputs:
-            there = near_match(name, mechanism.outputs) or f"there are {', '.join(mechanism.outputs) or 'none'}"
+            there = (
+                near_match(name, mechanism.outputs) or f"there are {', '.join(mechanism.outputs) or 'none'}"
+            )
             raise FitError(f"the mechanism has no output {name!r}; {there}")
     return mechanism.frequency
 
@@ -143,9 +145,9 @@ def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     does = f"repeats after {_periods(orbit.period_count)}" if orbit else "does not repeat"
     where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
     return (
-        f"the measured motion repeats after {_periods(misfit.measured.period_count)}, but from {where} that of the "
-        f"mechanism does not, with the numbers of the file it {does}: begin with other numbers (--set), or with "
-        "more starts (--starts)"
+        f"the measured motion repeats after {_periods(misfit.measured.period_count)}, but from {where} "
+        f"that of the mechanism does not; with the numbers of the file it {does}: begin with other numbers "
+        "(--set), or with more starts (--starts)"
     )
 
 
@@ -181,9 +183,7 @@ def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: 
     )
 
 
-def _profiled(
-    misfit: Misfit, best: Fitted, allowed: float
-) -> tuple[Fitted, Reals, list[tuple[Side, Side]]]:
+def _profiled(misfit: Misfit, best: Fitted, allowed: float) -> tuple[Fitted, Reals, list[tuple[Side, Side]]]:
     """Return the fit, its derivative, and both sides of each profile; anew where one meets a better fit."""
     count = len(best.coordinates)
     sides: list[tuple[Side, Side]] = []
@@ -205,13 +205,18 @@ def _profiled(
 
 def _number(unknown: Unknown, at: float, lower: Side, upper: Side) -> FittedNumber:
     ends = [None if side.end is None else unknown.value(side.end) for side in (lower, upper)]
-    notes = [
-        _open(unknown, side, word)
-        for side, word in ((lower, "lower"), (upper, "upper"))
-    ]
+    notes = [_open(unknown, side, word) for side, word in ((lower, "lower"), (upper, "upper"))]
     return FittedNumber(
-        unknown.place, unknown.unit, unknown.start, unknown.value(at), ends[0], ends[1],
-        unknown.value(lower.reached), unknown.value(upper.reached), notes[0], notes[1],
+        unknown.place,
+        unknown.unit,
+        unknown.start,
+        unknown.value(at),
+        ends[0],
+        ends[1],
+        unknown.value(lower.reached),
+        unknown.value(upper.reached),
+        notes[0],
+        notes[1],
     )
 
 
@@ -220,7 +225,7 @@ def _open(unknown: Unknown, side: Side, word: str) -> str:
     if side.end is not None:
         return ""
     if side.better is not None:
-        return f"the {word} end is not known, because better fits were met on the way to it; more starts may help"
+        return f"the {word} end is not known, because better fits were met on the way; try more starts"
     reached = f"{unknown.value(side.reached):.4g} {unknown.unit}"
     if side.lost:
         return f"the {word} end is open: beyond {reached} no stable motion of this kind was found"
@@ -245,7 +250,10 @@ def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
             f"{SMALLEST_NOISE:g} of the largest line: the intervals say what such noise would leave open"
         )
     if misfit.opposite(best) < OPPOSITE * best.chi_square:
-        yield "with the opposite sign of the measurement the fit would be better: is the sensor mounted the other way round (--scale -1)?"
+        yield (
+            "with the opposite sign of the measurement the fit would be better: is the sensor mounted the "
+            "other way round (--scale -1)?"
+        )
     yield from _kind(measured, best)
 
 

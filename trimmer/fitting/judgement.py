@@ -81,7 +81,9 @@ def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int) -> Judgement:
     freedom = max(2 * measured.lines.size - unknowns - 1, 1)
     # Each line has a noise of its own, so that altogether many more are known than of one.
     known = max(measured.freedom * max(len(measured.lines) / _shared(measured), 1.0), 1.0)
-    probability = float(f.sf(fitted.chi_square / freedom, freedom, known))
+    # Weights that are estimated are too large in the mean, which makes chi-square larger.
+    inflated = measured.freedom / max(measured.freedom - 2.0, 1.0)
+    probability = float(f.sf(fitted.chi_square / (inflated * freedom), freedom, known))
     excesses = _excesses(measured, fitted)
     judged = Judgement(fitted.chi_square, freedom, probability, excesses, ())
     sentences = tuple(_sentences(measured, fitted, judged))
@@ -122,15 +124,15 @@ def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> It
     else:
         yield (
             f"the mechanism does not explain the measurement: {told}, where noise alone gives about 1; "
-            f"{100 * left:.2g} % rms of the lines is left. The intervals know of the noise alone, and not of what "
-            "the mechanism lacks"
+            f"{100 * left:.2g} % rms of the lines is left. The intervals know of the noise alone, and not of "
+            "what the mechanism lacks"
         )
     if judged.excesses:
         yield f"more than noise is left {_where(judged)}"
     fractions = [each for each in measured.strays if each.fraction is not None]
     named = dict.fromkeys(f"{p}/{q}" for p, q in (each.fraction for each in fractions if each.fraction))
     if measured.period_count > 1:
-        yield f"the measured motion repeats after {measured.period_count} drive periods, and so does the fitted one"
+        yield f"the measured motion repeats after {measured.period_count} drive periods"
     if named:
         yield (
             f"the measurement has lines at {listed(named)} of the drive, which a motion that repeats after "
@@ -149,11 +151,12 @@ def _periods(count: int) -> str:
 def _where(judged: Judgement) -> str:
     several = len({each.output for each in judged.excesses}) > 1
     named = [
-        f"{_order(each.order)}{f' of {each.output}' if several else ''} ({each.ratio:.3g} standard deviations)"
+        f"{_order(each.order)}{f' of {each.output}' if several else ''} ({each.ratio:.3g} deviations)"
         for each in judged.excesses[:NAMED]
     ]
     more = len(judged.excesses) - len(named)
-    return f"at {'harmonic' if len(named) == 1 else 'harmonics'} {listed(named)}{f', and {more} more' if more else ''}"
+    word = "harmonic" if len(named) == 1 else "harmonics"
+    return f"at {word} {listed(named)}{f', and {more} more' if more else ''}"
 
 
 def _order(order: tuple[int, int]) -> str:

@@ -77,7 +77,7 @@ class MeasuredLines:
     @property
     def deviations(self) -> Reals:
         """Standard deviation of the real or imaginary part of each line, (m, outputs)."""
-        return np.sqrt(np.einsum("pij,pij->pi", self.factors, self.factors.conj()).real)
+        return np.asarray(np.sqrt(np.einsum("pij,pij->pi", self.factors, self.factors.conj()).real))
 
     @property
     def frequencies(self) -> Reals:
@@ -160,7 +160,7 @@ class _Record:
         ]
         lines = np.array([fit.coefficients for fit in fits]).T
         rests = np.array([_rest(*each) for each in zip(self.signals.values(), fits, strict=True)])
-        between, strays = self._between(rests)
+        between, strays = self._between(lines, rests)
         covariances, freedom, smallest = self._noise(lines, rests, between)
         seen = (abs(lines) ** 2 > 2 * math.log(lines.size / RARE) * _diagonals(covariances)).any(axis=1)
         if not seen.any():
@@ -171,8 +171,15 @@ class _Record:
         last = int(np.flatnonzero(seen)[-1]) + 1
         kept = min(count, max(math.ceil(1.25 * last) + 2 * self.period_count, 3 * self.period_count))
         return MeasuredLines(
-            self.signals, self.frequency, self.found, self.period_count, lines[:kept],
-            np.linalg.cholesky(covariances[:kept]), freedom, strays, bool(smallest),
+            self.signals,
+            self.frequency,
+            self.found,
+            self.period_count,
+            lines[:kept],
+            np.asarray(np.linalg.cholesky(covariances[:kept]), dtype=np.complex128),
+            freedom,
+            strays,
+            bool(smallest),
         )
 
     def _count(self) -> int:
@@ -191,27 +198,28 @@ class _Record:
             raise SignalError(f"samples at {rate:g} Hz show no drive at {self.frequency:g} Hz")
         return count
 
-    def _between(self, rests: Complexes) -> tuple[Flags, tuple[StrayLine, ...]]:
+    def _between(self, lines: Complexes, rests: Complexes) -> tuple[Flags, tuple[StrayLine, ...]]:
         """Return which bins hold noise alone, (bins,), and the lines that stand out of it."""
         frequencies = np.arange(rests.shape[1]) * self.bin_width
         apart = abs(frequencies - self.step * np.rint(frequencies / self.step))
         free = (apart > GUARD * self.bin_width) & (frequencies > GUARD * self.bin_width)
+        free &= frequencies < (len(lines) + 0.5) * self.step  # higher harmonics are still in the rest
         free[-1] = False
         strays: list[StrayLine] = []
-        for name, rest in zip(self.signals, rests, strict=True):
+        for place, (name, rest) in enumerate(zip(self.signals, rests, strict=True)):
             power = 0.5 * abs(rest) ** 2
-            floor = _floor(power, free)
-            ratio = np.where(free, power / np.where(floor > 0, floor, np.inf), 0.0)
-            for place in peaks_of(ratio, math.log(free.sum() / RARE)):
-                free[max(place - 3, 0) : place + 4] = False
-                at = float(frequencies[place])
+            least = (SMALLEST_NOISE * float(abs(lines[:, place]).max())) ** 2
+            ratio = np.where(free, power / np.maximum(_floor(power, free), least), 0.0)
+            for peak in peaks_of(ratio, math.log(free.sum() / RARE)):
+                free[max(peak - 3, 0) : peak + 4] = False
+                at = float(frequencies[peak])
                 fraction = fraction_of(at, self.frequency, self.bin_width)
-                strays.append(StrayLine(name, at, float(abs(rest[place])), float(ratio[place]), fraction))
+                strays.append(StrayLine(name, at, float(abs(rest[peak])), float(ratio[peak]), fraction))
         largest = sorted(strays, key=lambda each: -each.ratio)
         return free, tuple(largest[:LISTED])
 
     def _noise(self, lines: Complexes, rests: Complexes, between: Flags) -> tuple[Complexes, float, bool]:
-        """Return the covariance of each line's parts, its degrees of freedom, and whether it was too small."""
+        """Return the covariance of each line's parts, its freedom, and whether it was too small."""
         places = np.flatnonzero(between)
         centres = np.arange(1, len(lines) + 1) * self.step / self.bin_width
         outputs, used = len(rests), min(FEWEST_BINS, len(places))
@@ -232,7 +240,7 @@ class _Record:
 
 
 def _diagonals(covariances: Complexes) -> Reals:
-    return np.einsum("pii->pi", covariances).real
+    return np.asarray(np.einsum("pii->pi", covariances).real)
 
 
 def _rest(signal: Signal, fit: HarmonicFit) -> Complexes:

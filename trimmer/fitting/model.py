@@ -83,9 +83,7 @@ class Model:
         flow = self._flow(coordinates)
         return None if flow is None else self._settled(flow, coordinates, flow.rest(), SETTLED_WITHIN)
 
-    def continued(
-        self, coordinates: Reals, near: ModelMotion, settling: int = GOES_ON
-    ) -> ModelMotion | None:
+    def continued(self, coordinates: Reals, near: ModelMotion, settling: int = GOES_ON) -> ModelMotion | None:
         """Return the stable motion that goes on from that of neighbouring numbers; None if there is none.
 
         Where the motion has lost its stability or vanished, it is followed from there to what it settles to,
@@ -96,7 +94,11 @@ class Model:
             return None
         instant = flow.at(near.orbit.instant.state, like=near.orbit.instant)
         found = self._solved(flow, coordinates, instant)
-        return found if found is not None or not settling else self._settled(flow, coordinates, instant, settling)
+        return (
+            found
+            if found is not None or not settling
+            else self._settled(flow, coordinates, instant, settling)
+        )
 
     def _flow(self, coordinates: Reals) -> ExactFlow | None:
         try:

@@ -1,4 +1,4 @@
-"""The result of a fit: numbers with intervals, how well they explain the measurement, and what they are worth."""
+"""The result of a fit: numbers with their intervals, and how well they explain the measurement."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.showing.shown import Tabular, counted
-from trimmer.showing.table import Column, Table, attributes
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,7 +64,7 @@ class Fit(Tabular):
         mechanism: The mechanism with the fitted numbers, driven at the measured frequency.
         before: The mechanism as it was.
         numbers: The fitted numbers.
-        confidence: Probability with which an interval holds the true number, if the mechanism is the true one.
+        confidence: Probability with which an interval holds the true number, if the mechanism is right.
         measured: The lines of the measurement.
         simulated: Those of the fitted motion, shifted in time so that both agree best, (m, outputs).
         shift: By how much later a drive period of the simulation begins than the measurement, s.
@@ -110,7 +110,7 @@ class Fit(Tabular):
         return told
 
     def waveforms(self, output: str, points: int = 400) -> tuple[Reals, Reals, Reals]:
-        """Return times, s, and measured and simulated lines of an output added up over a period, (points,)."""
+        """Return times, s, and the lines of both added up over a period, each (points,)."""
         place = self.measured.outputs.index(output)
         times = np.asarray(np.arange(points) * (self.period / points))
         turned = np.exp(2j * np.pi * np.outer(self.measured.frequencies, times))
@@ -134,5 +134,5 @@ class Fit(Tabular):
         return f"{counted(len(self.numbers), 'number')}, {self.judgement.sentences[0]}"
 
     def _table(self) -> Table:
-        columns: tuple[Column, ...] = attributes(self.numbers, place="", unit="", start="", value="", lower="", upper="")
-        return Table("Fitted numbers, in their units", range(len(self.numbers)), columns)
+        columns = attributes(place="", unit="", start="", value="", lower="", upper="")
+        return Table("Fitted numbers, in their units", self.numbers, columns)

@@ -96,8 +96,15 @@ class _Descent:
 
         least, largest = bounds_of(self.misfit.model.unknowns)
         least_squares(
-            self._residual, self.begun.coordinates, self._jacobian, bounds=(least, largest),
-            x_scale="jac", xtol=1e-8, ftol=1e-6, gtol=1e-12, max_nfev=MOST_EVALUATIONS,
+            self._residual,
+            self.begun.coordinates,
+            self._jacobian,
+            bounds=(least, largest),
+            x_scale="jac",
+            xtol=1e-8,
+            ftol=1e-6,
+            gtol=1e-12,
+            max_nfev=MOST_EVALUATIONS,
         )
         return min(self.tried.values(), key=lambda each: each.chi_square)
 

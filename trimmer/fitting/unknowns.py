@@ -110,7 +110,9 @@ def _unknown(mechanism: Mechanism, place: str) -> Unknown:
     if quantity.range is Range.WHOLE:
         raise FitError(f"{place}: is a whole number, and cannot be fitted")
     if start == 0 and quantity.unit != "rad":
-        raise FitError(f"{place}: is 0, which gives no size to begin with; set another start (--set {place}=...)")
+        raise FitError(
+            f"{place}: is 0, which gives no size to begin with; set another start (--set {place}=...)"
+        )
     positive = quantity.range in (Range.POSITIVE, Range.NOT_NEGATIVE)
     return Unknown(place, quantity.unit, start, positive)
 

@@ -27,8 +27,7 @@ class WeakDirection:
 
     Attributes:
         places: Dotted places of the numbers that take part, largest change first.
-        changes: By how much each coordinate changes, the largest by 10 %: relative changes, those of logarithms
-            to first order.
+        changes: By how much each coordinate changes, that of the largest change by ln 1.1.
         chi_square: By how much that changes chi-square.
         message: The same as a sentence without a full stop.
     """
@@ -39,7 +38,9 @@ class WeakDirection:
     message: str
 
 
-def weak_directions(unknowns: Sequence[Unknown], jacobian: Reals, allowed: float) -> tuple[WeakDirection, ...]:
+def weak_directions(
+    unknowns: Sequence[Unknown], jacobian: Reals, allowed: float
+) -> tuple[WeakDirection, ...]:
     """Return the changes of numbers by 10 % that change chi-square by less than the noise does.
 
     They are singular vectors of the whitened derivative, in coordinates in which 10 % of each number count
@@ -66,9 +67,13 @@ def _described(unknowns: Sequence[Unknown], scaled: Reals, changed: float) -> We
     changes = tuple(float(scaled[place]) for place in taking)
     names = [unknowns[place].short for place in taking]
     if len(taking) == 1:
-        told = f"the measurement says little of the {names[0]}: {_change(unknowns[taking[0]], changes[0], names[0])} "
-        return WeakDirection(places, changes, changed, told + "changes the fit by less than the noise")
-    moved = [_change(unknowns[place], by, name) for place, by, name in zip(taking, changes, names, strict=True)]
+        moved = [_change(unknowns[taking[0]], changes[0], names[0])]
+        told = f"the measurement says little of the {names[0]}: {moved[0]}"
+        told += " changes the fit by less than the noise"
+        return WeakDirection(places, changes, changed, told)
+    moved = [
+        _change(unknowns[place], by, name) for place, by, name in zip(taking, changes, names, strict=True)
+    ]
     told = f"{listed(names)} cannot be told apart: {listed(moved)} changes the fit by less than the noise"
     return WeakDirection(places, changes, changed, told)
 

@@ -28,6 +28,7 @@ from trimmer.command_line.signals.signal_options import (
     ChosenRecording,
     add_record_options,
     chosen_recording,
+    column,
 )
 from trimmer.files import MECHANISM, STANDARD_INPUT, write_atomically
 from trimmer.messages import near_match
@@ -50,15 +51,17 @@ def _configure(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="PLACE",
-        help="number to fit, such as plays.bridge.gap; may be repeated (default: gap, stiffness and damping of "
-        "each play, and the force of each friction, where greater than zero)",
+        help="number to fit, such as plays.bridge.gap; may be repeated (default: gap, stiffness and damping "
+        "of each play, and the force of each friction, where greater than zero)",
     )
     parser.add_argument(
-        "--measured-as",
+        "--column",
+        dest="columns",
         action="append",
+        type=column,
         default=[],
-        metavar="OUTPUT=COLUMN",
-        help="which column measures which output of the mechanism, by name or number; may be repeated "
+        metavar="[OUTPUT=]COLUMN",
+        help="column by name or number, and which output of the mechanism it measures; may be repeated "
         "(default: columns with the names of outputs, or the only column and the only output)",
     )
     add_record_options(parser)
@@ -143,19 +146,21 @@ def _times(signal: Signal) -> tuple[float, float, int]:
     return signal.start, signal.sample_rate, signal.values.size
 
 
-def _reading(arguments: Namespace, column: str | None) -> Namespace:
-    """Return the options with which one column is read."""
-    channel = None
-    return Namespace(**{**vars(arguments), "file": arguments.measured, "column": column, "channel": channel, "to": None})
+def _reading(arguments: Namespace, chosen: str | None) -> Namespace:
+    """Return the options with which one column is read; it is compared in the quantity that was measured."""
+    ours = {"file": arguments.measured, "column": chosen, "quantity": None}
+    return Namespace(**(vars(arguments) | ours))
 
 
 def _columns(arguments: Namespace, mechanism: Mechanism) -> dict[str, str | None]:
     """Return the column of each output that was measured."""
     outputs = list(mechanism.outputs)
     if not outputs:
-        raise OptionError(f"{arguments.file}: the mechanism has no output that could be measured; add [outputs]")
-    if arguments.measured_as:
-        return dict(_paired(text, outputs) for text in arguments.measured_as)
+        raise OptionError(
+            f"{arguments.file}: the mechanism has no output that could be measured; add [outputs]"
+        )
+    if arguments.columns:
+        return _named(arguments, outputs)
     named = [name for name in outputs if name in _headings(arguments.measured)]
     if named:
         return {name: name for name in named}
@@ -163,18 +168,40 @@ def _columns(arguments: Namespace, mechanism: Mechanism) -> dict[str, str | None
         return {outputs[0]: None}
     raise OptionError(
         f"{arguments.measured}: no column has the name of an output; say which measures which "
-        f"(--measured-as {outputs[0]}=COLUMN); outputs are {', '.join(outputs)}"
+        f"(--column {outputs[0]}=COLUMN); outputs are {', '.join(outputs)}"
     )
 
 
+def _named(arguments: Namespace, outputs: list[str]) -> dict[str, str | None]:
+    """Return the columns that the options name."""
+    from trimmer.signals.read_wav import is_wav
+
+    if is_wav(arguments.measured):
+        raise OptionError("--column has no effect on a WAV file; choose its channel (--channel)")
+    found: dict[str, str | None] = {}
+    for text in arguments.columns:
+        output, chosen = _paired(text, outputs)
+        if output in found:
+            raise OptionError(
+                f"--column {text}: {output} is measured by another column already; leave one out"
+            )
+        found[output] = chosen
+    return found
+
+
 def _paired(text: str, outputs: list[str]) -> tuple[str, str]:
-    output, equals, column = text.rpartition("=")
-    if not equals or not output or not column:
-        raise OptionError(f"--measured-as {text}: write OUTPUT=COLUMN, such as {outputs[0]}=2")
-    if output not in outputs:
-        there = near_match(output, outputs) or f"there are {', '.join(outputs)}"
-        raise OptionError(f"--measured-as {text}: the mechanism has no output {output!r}; {there}")
-    return output, column
+    """Return output and column of a text; a column may have an equals sign in its name."""
+    for output in outputs:
+        if text.startswith(f"{output}=") and len(text) > len(output) + 1:
+            return output, text[len(output) + 1 :]
+    if "=" not in text and len(outputs) == 1:
+        return outputs[0], text
+    if "=" not in text:
+        told = f"say which output it measures: {' or '.join(f'{output}={text}' for output in outputs)}"
+        raise OptionError(f"--column {text}: {told}")
+    output = text.partition("=")[0]
+    there = near_match(output, outputs) or f"there are {', '.join(outputs)}"
+    raise OptionError(f"--column {text}: the mechanism has no output {output!r}; {there}")
 
 
 def _headings(file: Path) -> list[str]:
@@ -187,3 +214,24 @@ def _headings(file: Path) -> list[str]:
     if file == STANDARD_INPUT or is_wav(file):
         return []
     return [split_heading(heading)[0] for heading in read_table(file, CsvLayout()).headings or ()]
+
+
+COMMAND = Command(
+    "fit",
+    "gap, stiffness, damping and friction of a mechanism from a measured motion, with intervals",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 2 --output fitted.toml",
+            "which gap, stiffness, damping and friction explain motion.csv (see `trimmer simulate --help`); "
+            "and the mechanism with them",
+        ),
+        Example(
+            "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 1 --free plays.bridge.gap "
+            "--free frictions.blade.force --plot fit.svg",
+            "gap and friction alone, and a picture of the measured motion over the fitted one",
+        ),
+    ),
+)
+"""The subcommand ``trimmer fit``."""
