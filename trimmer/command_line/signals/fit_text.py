@@ -61,7 +61,6 @@ def _head(shown: ShownFit) -> Iterator[str]:
     step = measured.frequency / measured.period_count
     count = len(measured.lines)
     yield f"compared: {count} lines at multiples of {step:.6g} Hz, weighed by the noise between them"
-: {len(measured.lines)} lines at multiples of {step:.6g} Hz, weighed by the noise between them"
 
 
 def _numbers(fit: Fit) -> Iterator[str]:
