@@ -1,0 +1,51 @@
+"""Records of exact orbits with noise, whose numbers are known."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trimmer import Mechanism, Signal, forced_orbit
+from trimmer.response.motion_signals import along, output_rows, rate, steady
+
+RATE = 10_000.0
+BEGIN = 0.00123
+"""Time in the drive's period at which records begin, s."""
+UNITS = ("m", "m/s", "m/s²")
+
+
+def trimmer(**numbers: float) -> Mechanism:
+    mechanism = Mechanism.from_toml("examples/thesis-play.toml").with_value("frictions.blade.force", 1.0)
+    for place, value in numbers.items():
+        mechanism = mechanism.with_value(place, value)
+    return mechanism
+
+
+def exact(mechanism: Mechanism, output: str, samples: int, derivatives: int = 0, periods: int = 1) -> np.ndarray:
+    """Sample an output from the states of its orbit: no Fourier series, which the fit rests on."""
+    orbit = forced_orbit(mechanism, periods=periods)
+    assert orbit.stable or orbit.neutral
+    course = orbit.course
+    signal = steady(output_rows(mechanism, course.modes.layout)[output])
+    for _ in range(derivatives):
+        signal = rate(course.modes, signal)
+    times = (BEGIN + np.arange(samples) / RATE) % course.duration
+    order = np.argsort(times)
+    rows = np.searchsorted(course.log.start, times[order], side="right") - 1
+    values = np.empty(samples)
+    values[order] = along(course, signal, rows, course.states(times[order]))
+    return values
+
+
+def record(
+    mechanism: Mechanism,
+    noise: float,
+    seed: int = 0,
+    *,
+    output: str = "stroke",
+    samples: int = 4000,
+    derivatives: int = 0,
+    periods: int = 1,
+) -> Signal:
+    values = exact(mechanism, output, samples, derivatives, periods)
+    values = values + noise * np.random.default_rng(seed).normal(size=samples)
+    return Signal(values, RATE, output, UNITS[derivatives])

@@ -1,0 +1,227 @@
+"""Fits to records whose numbers are known."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from tests.trimmer.fitting.made import exact, record, trimmer
+from trimmer import Fit, FitSettings, Mechanism, Signal, fit_mechanism
+from trimmer.errors import FitError
+from trimmer.mechanism import Link
+
+GAP, DAMPING, FORCE = "plays.bridge.gap", "plays.bridge.damping", "frictions.blade.force"
+TRUE = {GAP: 40e-6, "plays.bridge.stiffness": 30e3, DAMPING: 0.4, FORCE: 1.0}
+ONCE = FitSettings(starts=1)
+
+
+def holds(fit: Fit, place: str, value: float) -> bool:
+    (number,) = (each for each in fit.numbers if each.place == place)
+    return (number.lower is None or number.lower <= value) and (number.upper is None or value <= number.upper)
+
+
+def begun(**factors: float) -> Mechanism:
+    mechanism = trimmer()
+    for place, factor in factors.items():
+        mechanism = mechanism.with_value(place, factor * mechanism.value(place))
+    return mechanism
+
+
+@pytest.fixture(scope="module")
+def usual() -> Fit:
+    return fit_mechanism(begun(**{GAP: 1.4, FORCE: 0.8}), {"stroke": record(trimmer(), 2e-6)}, settings=ONCE)
+
+
+def test_the_numbers_come_back(usual: Fit) -> None:
+    assert [each.place for each in usual.numbers] == list(TRUE)
+    for number in usual.numbers:
+        assert number.value == pytest.approx(TRUE[number.place], rel=0.02)
+        assert number.lower is not None and number.upper is not None
+        assert number.upper - number.lower < 0.06 * number.value
+        assert usual.mechanism.value(number.place) == number.value
+    assert sum(holds(usual, *each) for each in TRUE.items()) >= 3
+    assert usual.judgement.explained and 0.4 < usual.judgement.reduced < 1.9
+    assert usual.weak == ()
+    assert usual.orbit.stable
+
+
+def test_the_origin_of_time_comes_back(usual: Fit) -> None:
+    # The record begins 1.23 ms after a drive period does, so that the next one begins that much less later.
+    assert usual.shift % usual.period == pytest.approx((usual.period - 1.23e-3) % (usual.period / 2), rel=2e-3) or (
+        usual.shift == pytest.approx(usual.period - 1.23e-3, rel=2e-3)
+    )
+
+
+def test_intervals_are_those_of_a_linear_problem_where_noise_is_small(usual: Fit) -> None:
+    """With the derivative by differences of lines of ``forced_orbit`` over a hundred times larger steps."""
+    from trimmer import forced_orbit
+
+    measured, orders = usual.measured, np.arange(1, len(usual.measured.lines) + 1)
+
+    def lines(place: str, factor: float) -> np.ndarray:
+        mechanism = usual.mechanism.with_value(place, factor * usual.mechanism.value(place))
+        found = forced_orbit(mechanism).measures.outputs["stroke"].amplitudes[: len(orders)]
+        return found * np.exp(2j * np.pi * measured.frequency * -usual.shift * orders)
+
+    columns = [(lines(place, 1.001) - lines(place, 0.999)) / 0.002 for place in TRUE]
+    columns.append(1j * orders * lines(GAP, 1.0))
+    scaled = np.array(columns) / measured.deviations[:, 0]
+    jacobian = np.concatenate([scaled.real, scaled.imag], axis=1).T
+    deviations = np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian)))
+    for number, deviation in zip(usual.numbers, deviations, strict=False):
+        half = (number.upper - number.lower) / 2 / number.value  # type: ignore[operator]
+        # 2.00: Student's t with about 60 degrees of freedom, of the noise that is estimated.
+        assert half == pytest.approx(2.00 * deviation, rel=0.06)
+
+
+def test_units_do_not_matter(usual: Fit) -> None:
+    signal = record(trimmer(), 2e-6)
+    other = fit_mechanism(
+        begun(**{GAP: 1.4, FORCE: 0.8}), {"stroke": signal.scaled(1e6, "um")}, settings=ONCE
+    )
+    for number, same in zip(other.numbers, usual.numbers, strict=True):
+        assert number.value == pytest.approx(same.value, rel=1e-5)
+        assert number.upper == pytest.approx(same.upper, rel=1e-4)
+
+
+def test_a_machine_of_another_size_has_the_same_relative_intervals(usual: Fit) -> None:
+    """With all lengths and forces a thousandth the motion is a thousandth."""
+    small = trimmer()
+    for place in ("pins.pin.amplitude", GAP, FORCE):
+        small = small.with_value(place, 1e-3 * small.value(place))
+    start = small.with_value(GAP, 1.4 * small.value(GAP)).with_value(FORCE, 0.8 * small.value(FORCE))
+    fit = fit_mechanism(start, {"stroke": record(small, 2e-9)}, settings=ONCE)
+    for number, same in zip(fit.numbers, usual.numbers, strict=True):
+        assert number.value / number.start == pytest.approx(same.value / same.start, rel=1e-5)
+        assert number.upper / number.start == pytest.approx(same.upper / same.start, rel=1e-4)  # type: ignore[operator]
+
+
+def test_two_outputs_in_two_quantities_tell_more(usual: Fit) -> None:
+    start = dataclasses.replace(
+        begun(**{GAP: 1.2}), outputs={**trimmer().outputs, "motor": type(trimmer().outputs["stroke"])({"motor": 1})}
+    )
+    true = dataclasses.replace(trimmer(), outputs=start.outputs)
+    measured = {
+        "stroke": record(true, 2e-6),
+        "motor": record(true, 1.0, seed=1, output="motor", derivatives=2),
+    }
+    fit = fit_mechanism(start, measured, [GAP, FORCE], settings=ONCE)
+    alone = fit_mechanism(start, {"stroke": measured["stroke"]}, [GAP, FORCE], settings=ONCE)
+    assert fit.judgement.explained
+    for number, before in zip(fit.numbers, alone.numbers, strict=True):
+        assert number.value == pytest.approx(TRUE[number.place], rel=0.02)
+        assert number.upper - number.lower < 1.05 * (before.upper - before.lower)  # type: ignore[operator]
+
+
+def test_a_drive_that_differs_from_that_of_the_file_is_told() -> None:
+    fit = fit_mechanism(trimmer(), {"stroke": record(trimmer(frequency=110.8), 2e-6)}, [FORCE], settings=ONCE)
+    assert fit.measured.frequency == pytest.approx(110.8, rel=1e-5)
+    assert fit.mechanism.frequency == fit.measured.frequency
+    assert any("+0.727 % off that of the file" in note for note in fit.notes)
+    assert fit.judgement.explained and holds(fit, FORCE, 1.0)
+
+
+def test_friction_that_holds_all_the_time_is_not_known() -> None:
+    from trimmer.mechanism import Friction
+
+    held = dataclasses.replace(
+        trimmer(), frictions={**trimmer().frictions, "brake": Friction(("ground", "housing"), 80.0)}
+    )
+    fit = fit_mechanism(held, {"stroke": record(held, 2e-6)}, [FORCE, "frictions.brake.force"], settings=ONCE)
+    brake = fit.numbers[1]
+    assert brake.upper is None and "upper end is open" in brake.upper_note
+    assert any(each.places == ("frictions.brake.force",) for each in fit.weak)
+    assert any("says little of the force of brake" in each.message for each in fit.weak)
+
+
+def test_springs_side_by_side_cannot_be_told_apart() -> None:
+    links = {**trimmer().links, "second": Link(("ground", "motor"), stiffness=100e3, damping=0.5)}
+    links["motor mount"] = Link(("ground", "motor"), stiffness=100e3, damping=3.0)
+    both = dataclasses.replace(trimmer(), links=links)
+    places = ["links.motor mount.stiffness", "links.second.stiffness"]
+    fit = fit_mechanism(both, {"stroke": record(both, 2e-6)}, places, settings=ONCE)
+    (weak,) = fit.weak
+    assert set(weak.places) == {fit.numbers[0].place, fit.numbers[1].place}
+    assert weak.changes[0] * weak.changes[1] < 0
+    assert "cannot be told apart: raising the" in weak.message and "and lowering the" in weak.message
+    # Both may vanish, and the other takes its share: 200 N/mm in all.
+    total = fit.numbers[0].value + fit.numbers[1].value
+    assert total == pytest.approx(200e3, rel=0.05)
+    assert all(each.lower is None for each in fit.numbers)
+
+
+def test_a_mechanism_that_lacks_something_is_told() -> None:
+    signal = record(trimmer(), 2e-6)
+    third = 3e-6 * np.cos(2 * np.pi * 330 * signal.times)
+    hum = 2e-5 * np.cos(2 * np.pi * 50 * signal.times)
+    half = 4e-6 * np.cos(2 * np.pi * 55 * 3 * signal.times)
+    more = Signal(signal.values + third + hum + half, signal.sample_rate, "stroke", "m")
+    fit = fit_mechanism(trimmer(), {"stroke": more}, [FORCE], settings=ONCE)
+    told = " ".join(fit.judgement.sentences)
+    assert not fit.judgement.explained and fit.judgement.reduced > 100
+    assert fit.judgement.excesses and any(each.order == (6, 2) for each in fit.judgement.excesses)
+    assert "3/2" in told and "at 50 Hz, which are no fraction of the drive" in told
+
+
+def test_a_line_of_low_frequency_is_no_noise() -> None:
+    signal = record(trimmer(), 2e-6)
+    hum = Signal(signal.values + 1e-4 * np.cos(2 * np.pi * 50 * signal.times), signal.sample_rate, "stroke", "m")
+    fit, clean = (fit_mechanism(trimmer(), {"stroke": each}, [FORCE], settings=ONCE) for each in (hum, signal))
+    assert fit.judgement.explained
+    assert fit.numbers[0].value == pytest.approx(clean.numbers[0].value, rel=1e-3)
+    assert fit.numbers[0].upper == pytest.approx(clean.numbers[0].upper, rel=2e-3)
+
+
+def test_starts_that_agree_are_counted() -> None:
+    fit = fit_mechanism(
+        begun(**{GAP: 1.3}), {"stroke": record(trimmer(), 2e-5)}, [GAP, FORCE], settings=FitSettings(starts=3)
+    )
+    searched = fit.searched
+    assert searched.agreeing + len(searched.elsewhere) + searched.lost == searched.starts == 3
+    assert f"{searched.agreeing} of 3 starts came to this fit" in fit.agreement
+
+
+@pytest.mark.parametrize(
+    ("free", "told"),
+    [
+        (["plays.bridge.gpa"], "did you mean plays.bridge.gap?"),
+        (["frequency"], "is taken from the measurement"),
+        (["pins.pin.order"], "is a whole number"),
+        (["start.motor.velocity"], "does not depend on it"),
+        (['links."coil spring".damping'], "is 0, which gives no size"),
+        ([GAP, GAP], "named twice"),
+    ],
+)
+def test_numbers_that_cannot_be_fitted(free: list[str], told: str) -> None:
+    with pytest.raises(ValueError, match=told.replace("?", r"\?")):
+        fit_mechanism(trimmer(), {"stroke": Signal(np.ones(100), 1e3, "stroke", "m")}, free)
+
+
+def test_a_mechanism_without_drive_or_output_is_refused() -> None:
+    signal = Signal(np.ones(100), 1e3, "stroke", "m")
+    with pytest.raises(FitError, match="did you mean stroke"):
+        fit_mechanism(trimmer(), {"strok": signal})
+    with pytest.raises(FitError, match="has no drive"):
+        fit_mechanism(Mechanism.from_toml("examples/block-on-belt.toml"), {"block": signal})
+    with pytest.raises(FitError, match="spread is 1"):
+        FitSettings(spread=1)
+
+
+@pytest.mark.slow
+def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
+    count, free = 40, [GAP, DAMPING, FORCE]
+    held = dict.fromkeys(free, 0)
+    values = exact(trimmer(), "stroke", 4000)
+    for seed in range(count):
+        noise = 5e-6 * np.random.default_rng(1000 + seed).normal(size=values.size)
+        fit = fit_mechanism(trimmer(), {"stroke": Signal(values + noise, 1e4, "stroke", "m")}, free, settings=ONCE)
+        for place in free:
+            held[place] += holds(fit, place, TRUE[place])
+    fewest = binom.ppf(0.001, count, 0.95)
+    assert all(number >= fewest for number in held.values()), held
+    assert sum(held.values()) >= binom.ppf(0.001, count, 0.95) * 3
+    # All of them always would be intervals that are too wide.
+    assert sum(held.values()) <= binom.ppf(0.999, 3 * count, 0.95)
