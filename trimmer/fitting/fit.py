@@ -228,7 +228,7 @@ def _open(unknown: Unknown, side: Side, word: str) -> str:
         return f"the {word} end is not known, because better fits were met on the way; try more starts"
     reached = f"{unknown.value(side.reached):.4g} {unknown.unit}"
     if side.lost:
-        return f"the {word} end is open: beyond {reached} no stable motion of this kind was found"
+        return f"the {word} end is open: beyond {reached} no stable motion of this kind that fits was found"
     return f"the {word} end is open: {reached} fits within the noise too, and no end was found up to there"
 
 

@@ -140,7 +140,7 @@ def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> It
         )
     others = [each for each in measured.strays if each.fraction is None]
     if others:
-        told = listed(dict.fromkeys(f"{each.frequency:.6g} Hz" for each in others))
+        told = listed(dict.fromkeys(f"{each.frequency:.4g} Hz" for each in others))
         yield f"the measurement has lines at {told}, which are no fraction of the drive; they are left out"
 
 

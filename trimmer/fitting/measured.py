@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
-from trimmer.fitting.stray import LISTED, StrayLine, fraction_of, peaks_of, repeats_after
+from trimmer.fitting.stray import LISTED, StrayLine, fraction_of, peaks_of, place_of, repeats_after
 from trimmer.signals.quantity import Quantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, found_frequency
@@ -212,7 +212,7 @@ class _Record:
             ratio = np.where(free, power / np.maximum(_floor(power, free), least), 0.0)
             for peak in peaks_of(ratio, math.log(free.sum() / RARE)):
                 free[max(peak - 3, 0) : peak + 4] = False
-                at = float(frequencies[peak])
+                at = place_of(rest, peak) * self.bin_width
                 fraction = fraction_of(at, self.frequency, self.bin_width)
                 strays.append(StrayLine(name, at, float(abs(rest[peak])), float(ratio[peak]), fraction))
         largest = sorted(strays, key=lambda each: -each.ratio)

@@ -124,7 +124,8 @@ class Misfit:
         for sign in (1.0, -1.0):
             coordinates = fitted.coordinates.copy()
             coordinates[place] += sign * step
-            other = self.continued(coordinates, fitted, settling=0)
+            # Where stick leaves a position free, Newton's method has no one solution to go to.
+            other = self.continued(coordinates, fitted, GOES_ON if fitted.motion.orbit.neutral else 0)
             if other is not None:
                 sides.append(sign * (other.residual - fitted.residual) / step)
         if not sides:

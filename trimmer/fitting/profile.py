@@ -8,7 +8,7 @@ many (Venzon and Moolgavkar 1988, Applied Statistics 37, 87-94; Raue et al. 2009
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,12 +22,16 @@ if TYPE_CHECKING:
 
 CLOSE = 0.03
 """Relative error of the root of the excess at which an end counts as found."""
-BETTER = 0.3
+BETTER = 0.5
 """By how much a profile may fall below the fit before the fit begins anew there."""
-MOST_TRIALS = 14
+MOST_TRIALS = 24
 """Places at which one side of a profile is tried."""
 LONGEST = 0.7
 """Largest change of the coordinate from one place to the next."""
+JUMP = 3.0
+"""Root of the excess from which on a place is far outside: a motion of another kind, or a poor guess."""
+COARSE, FINE = 2e-3, 2e-5
+"""Shares of the distance from the fit to which an end is known, and a jump is told from a steep rise."""
 NARROW = 1e-7
 """Change of the coordinate below which no end is told from the fit."""
 
@@ -39,8 +43,8 @@ class Side:
     Attributes:
         end: Coordinate at which the interval ends; None where it is open.
         reached: Coordinate of the farthest place that was tried and still fits.
-        lost: Whether the motion is lost beyond ``reached``, so that the interval ends there for another
-            reason than the misfit.
+        lost: Whether the motion is lost beyond ``reached``, or jumps to one that does not fit, so that it is
+            not the noise that ends the interval there.
         better: A fit that is better than the one it began with, if one was met.
     """
 
@@ -48,6 +52,43 @@ class Side:
     reached: float
     lost: bool = False
     better: Fitted | None = None
+
+
+@dataclass(frozen=True)
+class _Bracket:
+    """What is known of the place of an end: distances from the fit, and roots of the excess there.
+
+    Attributes:
+        inside, low: The farthest distance that fits, and its root, below 1.
+        outside, high: The nearest one that does not; infinite where none is known, or no motion is there.
+    """
+
+    inside: float = 0.0
+    low: float = 0.0
+    outside: float = math.inf
+    high: float = math.inf
+
+    def narrowed(self, distance: float, excess: float) -> _Bracket:
+        """Return what is known after another place."""
+        if excess < 1.0:
+            return replace(self, inside=distance, low=excess)
+        return replace(self, outside=distance, high=excess)
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether the end is known as well as is needed; what may be a jump is looked at more closely."""
+        steep = JUMP < self.high < math.inf
+        return self.outside - self.inside < NARROW + (FINE if steep else COARSE) * self.inside
+
+    def following(self, farthest: float) -> float:
+        """Return the next distance: where a parabola from the fit crosses, within what is known."""
+        if math.isinf(self.outside):
+            grown = self.inside * min(max(1.0 / max(self.low, 1e-6), 1.2), 4.0)
+            return min(grown, self.inside + LONGEST, farthest)
+        if self.high > JUMP:
+            return 0.5 * (self.inside + self.outside)
+        share = (1.0 - self.low) / (self.high - self.low)
+        return self.inside + min(max(share, 0.1), 0.9) * (self.outside - self.inside)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,39 +113,40 @@ class Profile:
         """Follow the profile to one side, +1 or -1, until the excess of chi-square is what is allowed."""
         bounds = bounds_of(self.misfit.model.unknowns)[1 if sign > 0 else 0]
         farthest = abs(float(bounds[self.place]) - self._centre)
-        inside, outside, near, excess = 0.0, math.inf, self.best, 0.0
-        distance = min(self._expected(), LONGEST, farthest)
+        known = _Bracket()
+        near, distance = self.best, min(self._expected(), LONGEST, farthest)
         for _ in range(MOST_TRIALS):
             fitted = self._at(sign * distance, near)
-            if fitted is None:
-                outside, beyond = distance, math.inf
-            else:
-                beyond = (fitted.chi_square - self.best.chi_square) / self.allowed
-                if fitted.chi_square < self.best.chi_square - BETTER:
-                    return Side(None, self._centre, better=fitted)
-                if abs(math.sqrt(max(beyond, 0.0)) - 1.0) < CLOSE:
-                    return Side(self._centre + sign * distance, self._centre + sign * distance)
-                if beyond < 1.0:
-                    inside, near, excess = distance, fitted, max(beyond, 0.0)
-                    if distance >= farthest:
-                        return Side(None, self._centre + sign * distance)
-                else:
-                    outside = distance
-            distance = self._next(inside, excess, outside, beyond, farthest)
-            if outside - inside < NARROW + 1e-3 * inside:
-                return self._narrowed(sign, inside, outside, beyond)
-        return self._narrowed(sign, inside, outside, beyond)
+            if fitted is not None and fitted.chi_square < self.best.chi_square - BETTER:
+                return Side(None, self._centre, better=fitted)
+            excess = math.inf if fitted is None else self._excess(fitted)
+            if abs(excess - 1.0) < CLOSE:
+                return Side(self._centre + sign * distance, self._centre + sign * distance)
+            known = known.narrowed(distance, excess)
+            if fitted is not None and excess < 1.0:
+                near = fitted
+                if distance >= farthest:
+                    break
+            if known.is_narrow:
+                break
+            distance = known.following(farthest)
+        return self._found(sign, known)
 
     @property
     def _centre(self) -> float:
         return float(self.best.coordinates[self.place])
 
-    def _narrowed(self, sign: float, inside: float, outside: float, beyond: float) -> Side:
-        reached = self._centre + sign * inside
-        if math.isinf(outside):
+    def _excess(self, fitted: Fitted) -> float:
+        """Return the root of the excess of chi-square over what is allowed."""
+        return math.sqrt(max(fitted.chi_square - self.best.chi_square, 0.0) / self.allowed)
+
+    def _found(self, sign: float, known: _Bracket) -> Side:
+        reached = self._centre + sign * known.inside
+        if math.isinf(known.outside):
             return Side(None, reached)
-        lost = math.isinf(beyond)
-        return Side(None if lost else self._centre + sign * outside, reached, lost)
+        if known.high > JUMP:
+            return Side(None, reached, lost=True)
+        return Side(self._centre + sign * known.outside, reached)
 
     def _expected(self) -> float:
         """Return where the end would be if the residual were linear."""
@@ -115,17 +157,6 @@ class Profile:
             rest = column - others @ np.linalg.lstsq(others, column, rcond=1e-9)[0]
         size = float(rest @ rest)
         return math.sqrt(self.allowed / size) if size > 0 else math.inf
-
-    def _next(self, inside: float, excess: float, outside: float, beyond: float, farthest: float) -> float:
-        """Return the next distance: where a parabola from the fit crosses, within what is known."""
-        if math.isinf(outside):
-            grown = inside * min(max(1.0 / math.sqrt(max(excess, 1e-12)), 1.2), 4.0)
-            return min(grown, inside + LONGEST, farthest)
-        if math.isinf(beyond):
-            return 0.5 * (inside + outside)
-        low, high = math.sqrt(excess), math.sqrt(beyond)
-        share = (1.0 - low) / max(high - low, 1e-12)
-        return inside + min(max(share, 0.1), 0.9) * (outside - inside)
 
     def _at(self, apart: float, near: Fitted) -> Fitted | None:
         """Return the least misfit with the number at a distance from its fit; None if no motion is there."""
@@ -138,7 +169,10 @@ class Profile:
         guess[free] += self._made_up(free) * change
         least, largest = bounds_of(self.misfit.model.unknowns)
         begun = self.misfit.continued(np.clip(guess, least, largest), near)
-        begun = begun or self.misfit.continued(coordinates, near)
+        if begun is None or self._excess(begun) > JUMP:
+            other = self.misfit.continued(coordinates, near)
+            if begun is None or (other is not None and other.chi_square < begun.chi_square):
+                begun = other
         return None if begun is None else nearby_minimum(self.misfit, begun, free, self.jacobian)
 
     def _made_up(self, free: Reals) -> Reals:

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Complexes, Reals
 
 MOST_PERIODS = 8
 """Largest number of drive periods after which a measured motion is taken to repeat."""
-NEAR = 1.5
+NEAR = 0.4
 """Distance in bins within which a line is that of a fraction."""
 LISTED = 5
 """Stray lines that are kept, the largest."""
@@ -48,8 +48,22 @@ def fraction_of(frequency: float, drive: float, bin_width: float) -> tuple[int, 
 
 def repeats_after(strays: tuple[StrayLine, ...]) -> int:
     """Return the number of drive periods after which a motion with such lines repeats, at most 8; else 1."""
-    periods = math.lcm(*(each.fraction[1] for each in strays if each.fraction is not None))
-    return periods if periods <= MOST_PERIODS else 1
+    periods = 1
+    for each in strays:
+        together = math.lcm(periods, each.fraction[1] if each.fraction else 1)
+        periods = together if together <= MOST_PERIODS else periods
+    return periods
+
+
+def place_of(amplitudes: Complexes, peak: int) -> float:
+    """Return the place of a line between bins, from its two largest bins with a Hann window.
+
+    Rife and Boorstyn (1974), Bell System Technical Journal 55, 197-228: a ratio r of them puts the line
+    (2 r - 1) / (r + 1) bins from the larger one.
+    """
+    sign = 1 if abs(amplitudes[peak + 1]) > abs(amplitudes[peak - 1]) else -1
+    ratio = float(abs(amplitudes[peak + sign]) / abs(amplitudes[peak]))
+    return peak + sign * (2.0 * ratio - 1.0) / (ratio + 1.0)
 
 
 def peaks_of(power: Reals, limit: float) -> list[int]:
