@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 UNLIKELY = 1e-3
 """Probability below which noise alone does not explain what is left."""
 NAMED = 6
-"""Harmonics that a sentence names at most, those with the largest excess."""
+"""Lines that a sentence names at most, the largest."""
 
 
 @dataclass(frozen=True)
@@ -129,19 +129,25 @@ def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> It
         )
     if judged.excesses:
         yield f"more than noise is left {_where(judged)}"
-    fractions = [each for each in measured.strays if each.fraction is not None]
-    named = dict.fromkeys(f"{p}/{q}" for p, q in (each.fraction for each in fractions if each.fraction))
+    named = dict.fromkeys("{}/{}".format(*each.fraction) for each in measured.strays if each.fraction)
     if measured.period_count > 1:
         yield f"the measured motion repeats after {measured.period_count} drive periods"
     if named:
         yield (
-            f"the measurement has lines at {listed(named)} of the drive, which a motion that repeats after "
+            f"the measurement has lines at {_first(named)} of the drive, which a motion that repeats after "
             f"{_periods(measured.period_count)} does not have"
         )
     others = [each for each in measured.strays if each.fraction is None]
     if others:
-        told = listed(dict.fromkeys(f"{each.frequency:.4g} Hz" for each in others))
+        told = _first(dict.fromkeys(f"{each.frequency:.4g} Hz" for each in others))
         yield f"the measurement has lines at {told}, which are no fraction of the drive; they are left out"
+
+
+def _first(names: Iterable[str]) -> str:
+    """List the first names, and say how many follow."""
+    every = list(names)
+    more = [] if len(every) <= NAMED else [f"{len(every) - NAMED} more places"]
+    return listed([*every[:NAMED], *more])
 
 
 def _periods(count: int) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
-from trimmer.fitting.stray import LISTED, StrayLine, fraction_of, peaks_of, place_of, repeats_after
+from trimmer.fitting.stray import StrayLine, fraction_of, peaks_of, place_of, repeats_after, tolerance
 from trimmer.signals.quantity import Quantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, found_frequency
@@ -213,10 +213,10 @@ class _Record:
             for peak in peaks_of(ratio, math.log(free.sum() / RARE)):
                 free[max(peak - 3, 0) : peak + 4] = False
                 at = place_of(rest, peak) * self.bin_width
-                fraction = fraction_of(at, self.frequency, self.bin_width)
+                within = tolerance(float(ratio[peak])) * self.bin_width
+                fraction = fraction_of(at, self.frequency, within)
                 strays.append(StrayLine(name, at, float(abs(rest[peak])), float(ratio[peak]), fraction))
-        largest = sorted(strays, key=lambda each: -each.ratio)
-        return free, tuple(largest[:LISTED])
+        return free, tuple(sorted(strays, key=lambda each: -each.ratio))
 
     def _noise(self, lines: Complexes, rests: Complexes, between: Flags) -> tuple[Complexes, float, bool]:
         """Return the covariance of each line's parts, its freedom, and whether it was too small."""

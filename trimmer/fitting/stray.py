@@ -11,10 +11,8 @@ from trimmer.arrays import Complexes, Reals
 
 MOST_PERIODS = 8
 """Largest number of drive periods after which a measured motion is taken to repeat."""
-NEAR = 0.4
-"""Distance in bins within which a line is that of a fraction."""
-LISTED = 5
-"""Stray lines that are kept, the largest."""
+NEAR, NEAREST = 0.4, 0.05
+"""Distances in bins within which a line is that of a fraction: of a faint one, and of a strong one."""
 
 
 @dataclass(frozen=True)
@@ -36,14 +34,25 @@ class StrayLine:
     fraction: tuple[int, int] | None
 
 
-def fraction_of(frequency: float, drive: float, bin_width: float) -> tuple[int, int] | None:
-    """Return the fraction of the drive at a frequency, Hz, with the smallest denominator; None if far off."""
+def fraction_of(frequency: float, drive: float, within: float) -> tuple[int, int] | None:
+    """Return the fraction of the drive at a frequency with the smallest denominator; None if there is none.
+
+    Args:
+        frequency: Hz.
+        drive: Frequency of the drive, Hz.
+        within: How far it may be off, Hz.
+    """
     for periods in range(2, MOST_PERIODS + 1):
         order = round(frequency * periods / drive)
-        near = abs(frequency - order * drive / periods) <= NEAR * bin_width
+        near = abs(frequency - order * drive / periods) <= within
         if near and order >= 1 and math.gcd(order, periods) == 1:
             return order, periods
     return None
+
+
+def tolerance(ratio: float) -> float:
+    """Return how far from its place a line may be found, in bins, by the ratio of its power to the noise."""
+    return min(NEAR, NEAREST + 2.0 / math.sqrt(ratio))
 
 
 def repeats_after(strays: tuple[StrayLine, ...]) -> int:

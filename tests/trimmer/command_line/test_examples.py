@@ -45,7 +45,8 @@ def given(option: str) -> list[Example]:
 
 def written_by_examples(example: Example) -> Iterator[Example]:
     """Find the examples that write what another one reads."""
-    for name, option in (("mine.toml", "--output"), ("vibration.csv", "--csv"), ("motion.csv", "--csv"), ("cells.map", "--output")):
+    recorded = (("vibration.csv", "--csv"), ("motion.csv", "--csv"))
+    for name, option in (("mine.toml", "--output"), *recorded, ("cells.map", "--output")):
         writes = [each for each in given(f"{option} {name}") if "--resume" not in each.words]
         reads = name in example.words and example not in writes
         yield from writes if reads else ()

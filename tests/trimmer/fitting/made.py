@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from trimmer import Mechanism, Signal, forced_orbit
+from trimmer import Mechanism, Signal, respond
 from trimmer.response.motion_signals import along, output_rows, rate, steady
 
 RATE = 10_000.0
@@ -20,15 +20,17 @@ def trimmer(**numbers: float) -> Mechanism:
     return mechanism
 
 
-def exact(mechanism: Mechanism, output: str, samples: int, derivatives: int = 0, periods: int = 1) -> np.ndarray:
+def exact(
+    mechanism: Mechanism, output: str, samples: int, derivatives: int = 0, sample_rate: float = RATE
+) -> np.ndarray:
     """Sample an output from the states of its orbit: no Fourier series, which the fit rests on."""
-    orbit = forced_orbit(mechanism, periods=periods)
-    assert orbit.stable or orbit.neutral
+    orbit = respond(mechanism).motion.orbit
+    assert orbit is not None
     course = orbit.course
     signal = steady(output_rows(mechanism, course.modes.layout)[output])
     for _ in range(derivatives):
         signal = rate(course.modes, signal)
-    times = (BEGIN + np.arange(samples) / RATE) % course.duration
+    times = (BEGIN + np.arange(samples) / sample_rate) % course.duration
     order = np.argsort(times)
     rows = np.searchsorted(course.log.start, times[order], side="right") - 1
     values = np.empty(samples)
@@ -44,8 +46,8 @@ def record(
     output: str = "stroke",
     samples: int = 4000,
     derivatives: int = 0,
-    periods: int = 1,
+    sample_rate: float = RATE,
 ) -> Signal:
-    values = exact(mechanism, output, samples, derivatives, periods)
+    values = exact(mechanism, output, samples, derivatives, sample_rate)
     values = values + noise * np.random.default_rng(seed).normal(size=samples)
-    return Signal(values, RATE, output, UNITS[derivatives])
+    return Signal(values, sample_rate, output, UNITS[derivatives])

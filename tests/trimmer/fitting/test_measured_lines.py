@@ -1,0 +1,116 @@
+"""Lines of records whose noise is known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from trimmer import Signal, SignalError
+from trimmer.fitting.measured import MeasuredLines, measure_lines
+from trimmer.fitting.stray import fraction_of
+from trimmer.fitting.unknowns import Unknown
+from trimmer.fitting.weak import weak_directions
+
+RATE, COUNT, DRIVE = 2000.0, 2000, 50.0
+TIMES = np.arange(COUNT) / RATE
+
+
+def lines(noise: np.ndarray, *more: np.ndarray, drive: float | None = DRIVE) -> MeasuredLines:
+    tone = np.cos(2 * np.pi * DRIVE * TIMES) + 0.1 * np.cos(2 * np.pi * 3 * DRIVE * TIMES)
+    signals = {f"s{i}": Signal(tone + each, RATE, f"s{i}", "m") for i, each in enumerate((noise, *more))}
+    return measure_lines(signals, DRIVE, drive)
+
+
+def test_the_noise_of_a_line_is_what_it_scatters_by() -> None:
+    rng = np.random.default_rng(5)
+    found = [lines(0.01 * rng.normal(size=COUNT)) for _ in range(40)]
+    errors = np.array([each.lines[[0, 2], 0] - [1.0, 0.1] for each in found])
+    parts = np.concatenate([errors.real, errors.imag]).ravel()
+    told = np.mean([each.deviations[[0, 2], 0] for each in found])
+    # Of white noise with a Hann window: sigma sqrt(2 * 1.5 / n).
+    assert told == pytest.approx(0.01 * np.sqrt(3 / COUNT), rel=0.03)
+    assert parts.std() == pytest.approx(told, rel=0.2)
+    assert abs(parts.mean()) < 4 * told / np.sqrt(parts.size)
+
+
+def test_noise_follows_its_colour() -> None:
+    from scipy.signal import lfilter
+
+    rng = np.random.default_rng(6)
+    found = lines(lfilter([0.01], [1, -0.9], rng.normal(size=COUNT)))
+    angles = 2 * np.pi * found.frequencies / RATE
+    wanted = 0.01 * np.sqrt(3 / COUNT) / abs(1 - 0.9 * np.exp(-1j * angles))
+    assert found.deviations[:, 0] == pytest.approx(wanted, rel=0.3)
+
+
+def test_noise_that_two_outputs_share_counts_once() -> None:
+    rng = np.random.default_rng(7)
+    shared, own = rng.normal(size=(2, COUNT))
+    found = lines(0.01 * shared, 0.01 * (shared + 0.1 * own))
+    apart = np.tile(np.array([[1.0, 1.0], [1.0, -1.0]])[:, None], (1, 1, 1)).reshape(2, 2)
+    together, against = (
+        abs(np.linalg.solve(found.factors[0], each)) ** 2 for each in apart / np.linalg.norm(apart[0])
+    )
+    assert against.sum() > 100 * together.sum()
+
+
+def test_the_drive_is_found() -> None:
+    noise = 0.01 * np.random.default_rng(8).normal(size=COUNT)
+    found = lines(noise, drive=None)
+    assert found.found and found.frequency == pytest.approx(DRIVE, abs=2e-3)
+
+
+def test_lines_between_the_harmonics_are_named() -> None:
+    noise = 0.01 * np.random.default_rng(9).normal(size=COUNT)
+    half = 0.05 * np.cos(2 * np.pi * 2.5 * DRIVE * TIMES)
+    hum = 0.03 * np.cos(2 * np.pi * 71.3 * TIMES)
+    found = lines(noise + half + hum)
+    assert found.period_count == 2
+    (stray,) = found.strays
+    assert stray.fraction is None and stray.frequency == pytest.approx(71.3, abs=0.1)
+    assert found.deviations[0, 0] == pytest.approx(0.01 * np.sqrt(3 / COUNT), rel=0.3)
+
+
+def test_fractions_have_the_smallest_denominator() -> None:
+    assert fraction_of(75.01, 50.0, 0.1) == (3, 2)
+    assert fraction_of(50.0 / 3, 50.0, 0.1) == (1, 3)
+    assert fraction_of(71.3, 50.0, 0.1) is None
+
+
+@pytest.mark.parametrize(
+    ("signals", "told"),
+    [
+        (
+            {"a": Signal(np.cos(2 * np.pi * 50 * TIMES[:300]), RATE, "a", "m")},
+            "7.5 periods of the drive.*measure",
+        ),
+        (
+            {"a": Signal(np.cos(2 * np.pi * 50 * TIMES), RATE, "a", "V")},
+            "does not tell whether it is a displ",
+        ),
+        ({"a": Signal(np.cos(2 * np.pi * 50 * TIMES), 80.0, "a", "m")}, "show no drive"),
+        (
+            {each: Signal(np.ones(100 * i), RATE, each, "m") for i, each in enumerate("ab", start=1)},
+            "unlike times",
+        ),
+        (
+            {"a": Signal(np.random.default_rng(1).normal(size=COUNT), RATE, "a", "m")},
+            "stands out of the noise",
+        ),
+    ],
+)
+def test_records_that_cannot_be_used(signals: dict[str, Signal], told: str) -> None:
+    with pytest.raises(SignalError, match=told):
+        measure_lines(signals, DRIVE, DRIVE)
+
+
+def test_weak_directions_are_those_of_small_singular_values() -> None:
+    unknowns = [Unknown(f"plays.p.{key}", "1", 1.0, True) for key in ("gap", "stiffness", "damping")]
+    jacobian = np.array([[50.0, 50.0, 0.0], [0.0, 0.0, 100.0], [1.0, -1.0, 0.0]])
+    (weak,) = weak_directions(unknowns, jacobian, 3.84)
+    assert weak.places == ("plays.p.gap", "plays.p.stiffness") or weak.places[::-1] == (
+        "plays.p.gap",
+        "plays.p.stiffness",
+    )
+    assert weak.chi_square == pytest.approx((2 * np.log(1.1)) ** 2)
+    assert "raising the" in weak.message and "by 10 %" in weak.message and "by 9.1 %" in weak.message
