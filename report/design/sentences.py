@@ -258,13 +258,15 @@ def _ended(side: Side) -> str:
 def branch_sentences(path: NumberPath) -> str:
     """Say where each side of a branch ends, and why."""
     told = []
-    for side, way in ((path.down, "smaller"), (path.up, "larger")):
+    for side, way, to in ((path.down, "smaller", "down"), (path.up, "larger", "up")):
         if side is None:
             continue
         reach = (
             "stays stable to the end of the range"
             if side.reaches is None
-            else (f"is stable up to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}")
+            else (
+                f"is stable {to} to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}"
+            )
         )
         told.append(f"Towards {way} values it {reach}; {len(side.values)} orbits were solved.")
         if not side.reason.is_success:
