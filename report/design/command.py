@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import webbrowser
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
-from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
 
@@ -106,6 +107,21 @@ def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> No
             check_replaceable(place.file(form), KINDS[form])
 
 
+def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], int]:
+    """Return a command's action that tells after an interrupt how to go on."""
+
+    def told(arguments: Namespace) -> int:
+        from report.design.building import DesignInterruptedError
+
+        try:
+            return run(arguments)
+        except DesignInterruptedError as interruption:
+            tell(str(interruption))
+            return INTERRUPTED
+
+    return told
+
+
 def _run(arguments: Namespace) -> int:
     from report.design.building import Place
     from trimmer.design.design_file import read_design_file
@@ -150,7 +166,7 @@ COMMAND = Command(
     "design",
     "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
     _configure,
-    _run,
+    told_how_to_go_on(_run),
     examples=(
         Example(
             "trimmer design examples/den-hartog.toml --format html",

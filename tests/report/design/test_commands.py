@@ -156,10 +156,10 @@ def test_an_interrupted_design_leaves_nothing_half_written(
     monkeypatch.setattr(Keeper, "made", interrupt)
     arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
     assert main(arguments) == 130
+    assert "what is done is kept in out/.kept" in capsys.readouterr().err
     assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
     assert not list((folder / "out" / CACHE).glob("*.part"))
     monkeypatch.setattr(Keeper, "made", whole)
-    capsys.readouterr()
     assert main(arguments) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
 
