@@ -7,8 +7,16 @@ from collections.abc import Iterable, Mapping
 from scripts.site.example_scripts import ExampleScript
 
 SECTIONS: Mapping[str, tuple[str, ...]] = {
-    "Describing functions and loops": ("describing_functions", "textbook_elements", "certificate"),
-    "Mechanisms": ("den_hartog", "energy"),
+    "Linear models and describing functions": (
+        "linear_model",
+        "describing_functions",
+        "textbook_elements",
+        "own_element",
+    ),
+    "Loops": ("limit_cycles", "certificate", "exact_orbits"),
+    "Mechanisms": ("play_map", "branch", "basin", "chaos", "energy"),
+    "Classics": ("servo", "den_hartog", "stick_slip"),
+    "Measured": ("measured_signal",),
 }
 """Scripts by subject, in the order of the gallery."""
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import re
+import zipfile
 from collections.abc import Iterator, Mapping
 from functools import partial
 from pathlib import Path, PurePosixPath
@@ -19,21 +21,27 @@ from scripts.site.example_scripts import ExampleScript, ScriptError, example_scr
 from scripts.site.gallery import gallery_pages
 from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import with_mathml
+from scripts.site.notebooks import notebooks, write_page
 from scripts.site.pictures import kept, own_pictures
 from scripts.site.running import PageError, run_page
 from scripts.site.schema_tables import mechanism_keys, parameter_page
 
 PROJECT = Path(__file__).resolve().parents[2]
-LIBRARY, COMMANDS, GALLERY = "reference/library", "reference/command-line", "gallery"
+LIBRARY, COMMANDS = "reference/library", "reference/command-line"
+GALLERY, NOTEBOOKS = "gallery", "notebooks"
+MACHINES = "examples/mechanisms.md"
 MECHANISM, PARAMETERS = "mechanism.md", "reference/parameters.md"
 COPIED = {
     "report/fonts/stix-two-math.woff2": "fonts/stix-two-math.woff2",
     "report/fonts/STIX-Two-Math-LICENSE.txt": "fonts/STIX-Two-Math-LICENSE.txt",
-    "examples/README.md": "examples/README.md",
+    "examples/README.md": MACHINES,
 }
 """Files that stand elsewhere, and where they are in the site."""
 DOWNLOADS = {".toml", ".py", ".ipynb"}
 """Endings of the files in ``examples`` that the site offers."""
+ARCHIVE = "examples.zip"
+"""All of them in one file."""
+NEEDS_EXAMPLES = re.compile(r"^(?!from|import).*(?<![/\w])examples/[\w-]+\.toml", re.MULTILINE)
 OUTSIDE = re.compile(r"\]\((?:\.\./)+(examples/|docs/)")
 
 _pages: dict[str, dict[str, tuple[str, str]]] = {}
@@ -58,7 +66,8 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     files.append(File.generated(config, PARAMETERS, content=parameter_page()))
     for source, target in {**COPIED, **_downloads()}.items():
         files.append(File.generated(config, target, abs_src_path=str(PROJECT / source)))
-    for target, source in [*_pictures(files), *_gallery()]:
+    files.append(File.generated(config, ARCHIVE, content=_archive()))
+    for target, source in [*_pictures(files), *_gallery(), *_notebooks()]:
         files.append(File.generated(config, target, abs_src_path=str(source)))
     return files
 
@@ -67,7 +76,15 @@ def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
     """Let links between ``docs`` and ``examples`` lead to where these are in the site, and add tables."""
     if page.file.src_uri == MECHANISM:
         markdown = f"{markdown}\n{mechanism_keys()}"
-    return OUTSIDE.sub(lambda match: f"]({_inside(match[1], page)}", markdown)
+    if NEEDS_EXAMPLES.search(markdown):
+        title, _, rest = markdown.partition("\n\n")
+        there = f"{_up(page)}{ARCHIVE}"
+        told = (
+            f"*The files in `examples/` are in [{ARCHIVE}]({there}); unpack it in the folder where you work.*"
+        )
+        markdown = f"{title}\n\n{told}\n\n{rest}"
+    inside = OUTSIDE.sub(lambda match: f"]({_inside(match[1], page)}", markdown)
+    return inside.replace("examples/README.md", MACHINES)
 
 
 def on_page_content(html: str, **_: Any) -> str:
@@ -96,6 +113,17 @@ def _downloads() -> dict[str, str]:
     return {name: name for name in names}
 
 
+def _archive() -> bytes:
+    """Return ``examples`` as a ZIP file, whose bytes depend on the files alone."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in _downloads():
+            entry = zipfile.ZipInfo(name)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, (PROJECT / name).read_bytes())
+    return content.getvalue()
+
+
 def _pictures(files: Files) -> Iterator[tuple[str, Path]]:
     """Run the pages that show pictures of their own; yield where these go in the site, and where they are."""
     for page in files.documentation_pages():
@@ -114,6 +142,14 @@ def _gallery() -> Iterator[tuple[str, Path]]:
         yield f"{GALLERY}/{script.name}.svg", folder / f"{script.name}.svg"
 
 
+def _notebooks() -> Iterator[tuple[str, Path]]:
+    for path in notebooks():
+        folder = kept(f"{NOTEBOOKS}/{path.stem}", path, partial(write_page, path))
+        yield f"{NOTEBOOKS}/{path.stem}.md", folder / "page.md"
+        for picture in sorted(folder.glob("*.png")):
+            yield f"{NOTEBOOKS}/{picture.name}", picture
+
+
 def _run_page(page: Path, folder: Path) -> None:
     try:
         run_page(page, folder, slow=True)
@@ -130,5 +166,8 @@ def _run_script(script: ExampleScript, folder: Path) -> None:
 
 def _inside(folder: str, page: Page) -> str:
     """Return the way from a page to a folder beside ``docs``, which the site has among its pages."""
-    depth = page.file.src_uri.count("/")
-    return "../" * depth + ("" if folder == "docs/" else folder)
+    return _up(page) + ("" if folder == "docs/" else folder)
+
+
+def _up(page: Page) -> str:
+    return "../" * page.file.src_uri.count("/")

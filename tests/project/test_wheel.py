@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -76,3 +77,20 @@ def test_installed_command_works_from_another_folder(
     command = [sys.executable, str(installed / "bin" / "trimmer"), "--help"]
     ended = subprocess.run(command, cwd=tmp_path, env=variables, capture_output=True, text=True, check=True)
     assert "report" in ended.stdout
+
+
+def test_source_distribution_holds_what_the_site_is_made_from(tmp_path: Path, project_folder: Path) -> None:
+    """Built by the backend itself, since pip builds none; nothing that a build has written is in it."""
+    made = (
+        f"import os, hatchling.build; os.chdir({str(project_folder)!r}); "
+        f"print(hatchling.build.build_sdist({str(tmp_path)!r}))"
+    )
+    subprocess.run([sys.executable, "-c", made], check=True, capture_output=True)
+    (built,) = tmp_path.glob("*.tar.gz")
+    with tarfile.open(built) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    pages = {path.relative_to(project_folder).as_posix() for path in (project_folder / "docs").rglob("*.*")}
+    scripts = {path.relative_to(project_folder).as_posix() for path in project_folder.glob("scripts/*/*.py")}
+    assert pages | scripts | {"mkdocs.yml", "CITATION.cff", "Makefile"} <= names
+    assert any(name.startswith("examples/scripts/") for name in names)
+    assert not any(name.startswith(("build/", ".venv/")) for name in names)
