@@ -48,6 +48,6 @@ COMMAND = Command(
     _run,
     examples=(
         Example("trimmer init machine.toml", "a hair trimmer with play and friction, to change its numbers"),
-        Example("trimmer init my-shaver.toml --example foil-shaver", "two cutters that move against each other"),
+        Example("trimmer init shaver.toml --example foil-shaver", "two cutters that move against each other"),
     ),
 )
