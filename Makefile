@@ -12,7 +12,7 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report docs maps test test-all lint format derive lock benchmark check-install clean
+.PHONY: help report docs maps test test-all lint format derive lock mutate benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -52,6 +52,9 @@ derive: .venv/for-use ## write trimmer/generated again from the derivation
 lock: .venv/for-development ## write both lock files again, keeping versions that still fit; ARGS=--upgrade takes the newest
 	@$(COMPILE) $(ARGS) --group build -o requirements.lock
 	@$(COMPILE) $(ARGS) --all-extras --group dev -c requirements.lock -o requirements-dev.lock
+
+mutate: .venv/for-development ## change the sources at random in a copy, and count what tests and claims notice; goes on where it was; an hour or two
+	@OPENBLAS_NUM_THREADS=1 python -m scripts.mutation all $(ARGS)
 
 benchmark: .venv/for-development ## measure the build and the start, each beside a peer in the same run
 	@python benchmarks/run.py

@@ -45,7 +45,7 @@
   // Contents and filter are open beside the report, closed where they would push it off a narrow screen.
   const wide = matchMedia("(min-width: 64rem)");
   const filters = document.querySelector("details.filters");
-  const fold = () => { details.open = filters.open = wide.matches; };
+  const fold = () => { for (const each of [details, filters]) if (each) each.open = wide.matches; };
   wide.addEventListener("change", fold);
   fold();
   if (entries.length > 0) follow();

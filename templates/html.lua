@@ -251,6 +251,7 @@ local converters = {
     return wrapped(opening, div.content, "</details>")
   end,
   outline = nothing,
+  ["end-of-report"] = nothing,
   explorable = function()
     return raw('<div class="explorable"></div>')
   end,
@@ -270,6 +271,14 @@ function Div(div)
       return convert(div)
     end
   end
+end
+
+-- How a heading stands on a page concerns print alone.
+function Header(header)
+  header.classes = header.classes:filter(function(class)
+    return class ~= "flowing"
+  end)
+  return header
 end
 
 function Span(span)

@@ -167,6 +167,9 @@ local converters = {
   outline = function()
     return raw("#contents")
   end,
+  ["end-of-report"] = function()
+    return raw('#[#metadata("end of report") <end-of-report>]')
+  end,
   comparison = function(div)
     local result = pandoc.List({ raw("#comparison(") })
     for _, side in ipairs(div.content) do
@@ -215,7 +218,7 @@ end
 local without_break = { summary = true, spread = true, parameters = true, provenance = true, errata = true }
 
 function Header(header)
-  if header.level == 2 and not without_break[header.identifier] then
+  if header.level == 2 and not (without_break[header.identifier] or header.classes:includes("flowing")) then
     return { raw("#place.flush()"), raw("#pagebreak(weak: true)"), header }
   end
 end

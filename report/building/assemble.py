@@ -22,6 +22,7 @@ from report.document.thesis import Chapter
 from report.document.twin import TwinChapter
 from report.finding import Finding
 from report.inventory import FURTHER, read_inventory
+from report.mutation import read_mutation
 from report.provenance import provenance
 from report.sections import read_sections
 from report.spread import read_follows
@@ -107,6 +108,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         answers=parts.answers,
         corrected=parts.corrected,
         robustness=parts.robustness,
+        mutation=read_mutation(),
         twin=parts.twin,
         sections=read_sections(),
         further_statements=len(read_inventory(FURTHER)),

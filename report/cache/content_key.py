@@ -7,6 +7,7 @@ Python. With it a build that has nothing to do need not import SymPy to find tha
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
@@ -19,16 +20,30 @@ SUFFIXES = (".py", ".pyi", ".csv", ".json", ".toml")
 
 def content_key() -> str:
     """Return the digest of all that the content depends on."""
+    return _digest(_sources(), repr((libraries(), version("trimmer"))))
+
+
+def digest_of_packages(packages: Iterable[str]) -> str:
+    """Return the digest of all sources and data files of some of the packages."""
+    return _digest(_sources_of(packages))
+
+
+def _digest(sources: Mapping[str, Path], more: str = "") -> str:
     digest = hashlib.sha256()
-    for name, path in _sources().items():
+    for name, path in sources.items():
         digest.update(f"{name}\0".encode())
         digest.update(path.read_bytes())
-    digest.update(repr((libraries(), version("trimmer"))).encode())
+    digest.update(more.encode())
     return digest.hexdigest()
 
 
+def _sources_of(packages: Iterable[str]) -> dict[str, Path]:
+    paths = (path for package in packages for path in (ROOT / package).rglob("*"))
+    return dict(
+        sorted((path.relative_to(ROOT).as_posix(), path) for path in paths if path.name.endswith(SUFFIXES))
+    )
+
+
 def _sources() -> dict[str, Path]:
-    packages = (path for package in PACKAGES for path in (ROOT / package).rglob("*"))
-    sources = {path.relative_to(ROOT).as_posix(): path for path in packages if path.name.endswith(SUFFIXES)}
     listings = {f"templates/octave/{path.name}": path for path in (templates() / "octave").iterdir()}
-    return dict(sorted({**sources, **listings}.items()))
+    return dict(sorted({**_sources_of(PACKAGES), **listings}.items()))

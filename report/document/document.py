@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
 from report.document.explorable import Explorable
 from report.document.figure import Figure
+from report.document.mutation import MutationMeasurement
 from report.document.overview import Answer, CorrectedResult, Follows, Opening
 from report.document.robustness import Robustness
 from report.document.thesis import Chapter, Provenance, Section
@@ -43,10 +44,16 @@ class Document:
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     robustness: Robustness | None = None
+    mutation: MutationMeasurement | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
     twin: TwinChapter | None = None
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        return self.provenance.line
 
     @property
     def steps(self) -> tuple[DerivationStep, ...]:

@@ -39,3 +39,8 @@ class Provenance:
     date: str
     libraries: tuple[tuple[str, str], ...]
     build_time: BuildTime | None = None
+
+    @property
+    def line(self) -> str:
+        """The line below a report's title."""
+        return f"trimmer {self.version}, commit {self.commit}, {self.date[:10]}"

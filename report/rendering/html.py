@@ -65,18 +65,47 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
     """
     figures = {figure.id: figure.svg for figure in document.drawings}
     svg = drawings(document) | {id: with_variables(each) for id, each in figures.items()}
-    template = _environment().get_template
-    code = template("sources.html.j2").render(sources=sources(document))
-    return template("page.html.j2").render(
+    code = _environment().get_template("sources.html.j2").render(sources=sources(document))
+    return page(
+        "page.html.j2",
+        Look(STYLES, SCRIPTS, figures.values()),
+        _with_copy(_with_programs(with_drawings(body, svg), document), document, copy) + code,
         document=document,
         symbols=SYMBOLS,
         grades={grade(finding) for finding in document.findings},
         grade_words=GRADES,
-        contents=contents(body + code),
-        body=_with_copy(_with_programs(_with_drawings(body, svg), document), document, copy) + code,
-        styles=[*_templates(STYLES), variables(figures.values())],
-        scripts=_templates(SCRIPTS),
-        font=_base64(FONT.read_bytes()),
+    )
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a page is dressed in: styles, scripts, and the drawings that follow its colours."""
+
+    styles: tuple[str, ...]
+    scripts: tuple[str, ...]
+    drawings: Iterable[str]
+
+
+def page(template: str, look: Look, body: str, **values: object) -> str:
+    """Return one page with its styles, scripts and font inside.
+
+    Args:
+        template: name of the template; it extends ``frame.html.j2``.
+        look: what the page is dressed in.
+        body: the inside of the page.
+        values: what the template asks for, the ``document`` with its title and subtitle among it.
+    """
+    return (
+        _environment()
+        .get_template(template)
+        .render(
+            values,
+            contents=contents(body),
+            body=body,
+            styles=[*_templates(look.styles), variables(look.drawings)],
+            scripts=_templates(look.scripts),
+            font=_base64(FONT.read_bytes()),
+        )
     )
 
 
@@ -97,7 +126,7 @@ def contents(body: str) -> tuple[ContentsEntry, ...]:
     return tuple(entries)
 
 
-def _with_drawings(body: str, svg: dict[str, str]) -> str:
+def with_drawings(body: str, svg: dict[str, str]) -> str:
     """Put each drawing in the place of the image that names it."""
     return _DRAWING.sub(lambda match: svg[match["id"]], body)
 

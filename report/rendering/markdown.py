@@ -149,8 +149,8 @@ def _fits_half_a_line(side: Shown, most_characters: int) -> bool:
             return True
 
 
-@functools.cache
-def _environment() -> Environment:
+def plain_environment() -> Environment:
+    """Return the environment of all templates that give Markdown, with the filters that escape."""
     environment = Environment(
         loader=FileSystemLoader(TEMPLATES),
         undefined=StrictUndefined,
@@ -167,6 +167,14 @@ def _environment() -> Environment:
         attribute=escaping.attribute,
         mathematics=escaping.inline_mathematics,
         digits=escaping.digits,
+    )
+    return environment
+
+
+@functools.cache
+def _environment() -> Environment:
+    environment = plain_environment()
+    environment.filters.update(
         code_block=code_block,
         code_identifier=identifier,
         grade=grade,

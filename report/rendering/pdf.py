@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from functools import partial
 from importlib.metadata import version
@@ -35,12 +36,39 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
         FileWriteError: if the PDF cannot be kept.
     """
-    source = {
-        "main": _source(document, body, paper).encode(),
+    more = {
         **{f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()},
         **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
     }
-    timestamp = _timestamp(document.provenance.date)
+    return typeset(document.title, document.subtitle, document.provenance.date, body, more, paper, store)
+
+
+def typeset(
+    title: str,
+    subtitle: str,
+    date: str,
+    body: str,
+    more: Mapping[str, bytes],
+    paper: Paper = Paper.A4,
+    store: StageStore | None = None,
+) -> bytes:
+    """Return Typst source as PDF, below the head that all reports share.
+
+    Args:
+        title: of the document.
+        subtitle: the line below it.
+        date: ISO date of what it was made from.
+        body: Typst source; it holds the label ``end-of-report``.
+        more: files that it names.
+        paper: size of the pages.
+        store: where the PDF is kept, and taken from if nothing has changed.
+
+    Raises:
+        TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
+        FileWriteError: if the PDF cannot be kept.
+    """
+    source = {"main": _source(title, subtitle, body, paper).encode(), **more}
+    timestamp = _timestamp(date)
     make = partial(_set, source, timestamp)
     if store is None:
         return make()
@@ -48,13 +76,8 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
     return store.made(f"pdf-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
 
 
-def _source(document: Document, body: str, paper: Paper) -> str:
-    provenance = document.provenance
-    settings = {
-        "title": document.title,
-        "version": f"trimmer {provenance.version}, commit {provenance.commit}, {provenance.date[:10]}",
-        "paper": _PAPERS[paper],
-    }
+def _source(title: str, subtitle: str, body: str, paper: Paper) -> str:
+    settings = {"title": title, "version": subtitle, "paper": _PAPERS[paper]}
     defined = "".join(f"#let {name} = {_string(value)}\n" for name, value in settings.items())
     return f"{defined}{(TEMPLATES / 'report.typ').read_text(encoding='utf-8')}\n{body}"
 

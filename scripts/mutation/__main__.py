@@ -25,6 +25,8 @@ from scripts.mutation.tree import Tree, copied
 PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / "build" / "mutation"
 CLAIMS = "claims.pickle"
+MAPPED = "0"
+"""Folder of the copy in which tests are recorded; those in which mutants are made have the next numbers."""
 MEASURED = PROJECT / "report" / "data" / "mutation.json"
 """What the report's chapter on the method prints."""
 
@@ -44,13 +46,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def record_map(processes: int, tests: str) -> None:
     """Record which test file runs which line, where that is not known."""
-    for file in record(copied(PROJECT, FOLDER / "0"), FOLDER, processes, tests):
+    for file in record(copied(PROJECT, FOLDER / MAPPED), FOLDER, processes, tests):
         print(f"{file.seconds:6.1f} s  {file.path}  {file.failed and 'FAILS: ' + file.failed}", flush=True)
 
 
 def judge_mutants(wanted: argparse.Namespace) -> None:
     """Judge what has no outcome yet, in as many copies of the project as there are processes."""
-    trees = [copied(PROJECT, FOLDER / str(number)) for number in range(wanted.processes)]
+    trees = [copied(PROJECT, FOLDER / str(number)) for number in range(1, wanted.processes + 1)]
     line_map = read_map(trees[0].root, FOLDER)
     for failed in line_map.unusable:
         print(f"not used, it fails in the unaltered copy: {failed}", flush=True)
@@ -72,7 +74,9 @@ def judge_mutants(wanted: argparse.Namespace) -> None:
 
     pool = ThreadPoolExecutor(wanted.processes)
     try:
-        for done, finished in enumerate(as_completed([pool.submit(judge, each) for each in missing]), start=1):
+        for done, finished in enumerate(
+            as_completed([pool.submit(judge, each) for each in missing]), start=1
+        ):
             mutant, outcome = finished.result()
             records.add(mutant, outcome)
             print(f"{done}/{len(missing)} {_line(mutant, outcome)}", flush=True)
@@ -81,7 +85,7 @@ def judge_mutants(wanted: argparse.Namespace) -> None:
 
 
 def _line(mutant: Mutant, outcome: Outcome) -> str:
-    how = outcome.claims or outcome.tests or outcome.text and f"shown otherwise in {outcome.text}"
+    how = outcome.claims or outcome.tests or (outcome.text and f"shown otherwise in {outcome.text}")
     return f"{outcome.noticed.value:8}{outcome.seconds:6.0f} s  {one_line(mutant)}  [{one_line(how)[:120]}]"
 
 
@@ -101,14 +105,17 @@ def summarise(wanted: argparse.Namespace) -> None:
         content = {
             "date": date.today().isoformat(),
             "command": f"make mutate ARGS='--seed {wanted.seed} --count {wanted.count}'",
-            **{name: getattr(counts, name) for name in ("drawn", "equivalent", "claims", "tests", "nothing", "texts")},
+            **{
+                name: getattr(counts, name)
+                for name in ("drawn", "equivalent", "claims", "tests", "nothing", "texts")
+            },
             "interval": [round(end, 4) for end in counts.interval],
         }
         MEASURED.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def _claims(trees: Sequence[Tree]) -> list[Judged]:
-    """Return the claims of the unaltered project; they are judged again when a source or datum has changed."""
+    """Return the claims of the unaltered project, judged again if a source or datum has changed."""
     key = tuple(_digests(trees[0].root))
     path = FOLDER / CLAIMS
     if path.exists():
@@ -139,17 +146,25 @@ def _records(wanted: argparse.Namespace) -> Records:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="python -m scripts.mutation", description=description, formatter_class=argparse.RawTextHelpFormatter
+        prog="python -m scripts.mutation",
+        description=description,
+        formatter_class=argparse.RawTextHelpFormatter,
     )
     parser.add_argument("action", choices=("map", "run", "summary", "all"))
     parser.add_argument("--seed", type=int, default=1, help="of the choice of places and changes (1)")
     parser.add_argument("--count", type=int, default=150, help="how many; a larger number goes on (150)")
-    parser.add_argument("--only", default="", metavar="PATH", help="a folder or source, such as trimmer/balance")
+    parser.add_argument(
+        "--only", default="", metavar="PATH", help="a folder or source, such as trimmer/balance"
+    )
     parser.add_argument("--tests", default="", metavar="PATH", help="map only: a folder of tests, or a file")
     parser.add_argument("--processes", type=int, default=2, help="how many at a time (2)")
-    parser.add_argument("--both", action="store_true", help="ask tests and claims, even if the first notices it")
+    parser.add_argument(
+        "--both", action="store_true", help="ask tests and claims, even if the first notices it"
+    )
     parser.add_argument("--again", action="store_true", help="judge those again that nothing has noticed")
-    parser.add_argument("--write", action="store_true", help=f"write the counts to {MEASURED.relative_to(PROJECT)}")
+    parser.add_argument(
+        "--write", action="store_true", help=f"write the counts to {MEASURED.relative_to(PROJECT)}"
+    )
     return parser
 
 

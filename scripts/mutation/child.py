@@ -10,13 +10,23 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Any
 
 LIBRARIES = (
-    *("numpy", "scipy.linalg", "scipy.optimize", "scipy.signal", "scipy.integrate", "scipy.special", "mpmath", "sympy"),
+    *(
+        "numpy",
+        "scipy.linalg",
+        "scipy.optimize",
+        "scipy.signal",
+        "scipy.integrate",
+        "scipy.special",
+        "mpmath",
+        "sympy",
+    ),
     *("numba", "control", "matplotlib.figure", "hypothesis", "coverage"),
 )
 MEMORY = 8 * 2**30
@@ -82,12 +92,9 @@ def run(work: Callable[..., Any], arguments: tuple[Any, ...], place: Place, limi
     process.start()
     there.close()
     received: tuple[str, Any, float] | None = None
-    try:
-        if here.poll(PATIENCE * limit):
-            received = here.recv()
-    except EOFError:
-        pass
-    out_of_time = received is None and process.is_alive()
+    out_of_time = not here.poll(PATIENCE * limit)
+    with suppress(EOFError):
+        received = None if out_of_time else here.recv()
     _end_group(process)
     last = place.printed.read_text("utf-8", "replace")[-4000:] if place.printed.exists() else ""
     if received is not None:
@@ -107,7 +114,9 @@ def _end_group(process: Any) -> None:
     process.join()
 
 
-def _main(there: Any, work: Callable[..., Any], arguments: tuple[Any, ...], place: Place, limit: float) -> None:
+def _main(
+    there: Any, work: Callable[..., Any], arguments: tuple[Any, ...], place: Place, limit: float
+) -> None:
     os.setpgid(0, 0)
     _end_with_parent()
     resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 5))
@@ -144,9 +153,8 @@ def _move(place: Place) -> None:
     os.environ.update(paths)
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(place.root))
-    import numba.core.config
-
-    numba.core.config.CACHE_DIR = str(place.numba)
+    if "numba" in sys.modules:  # It has read the environment already.
+        sys.modules["numba"].core.config.CACHE_DIR = str(place.numba)
 
 
 def _used() -> float:

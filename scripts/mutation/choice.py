@@ -20,9 +20,9 @@ LISTED = re.compile(r"SOURCES = \(([^)]*)\)")
 def chosen(mutant: Mutant, known: LineMap, root: Path) -> list[TestFile]:
     """Return the test files that may notice a mutant, the fastest first.
 
-    Those that run one of its lines; for compiled code, which is not seen line by line, those that enter compiled code
-    made of its source or that name its module. If there is none, those that import the source: code may have run in
-    another process.
+    Those that run one of its lines; for compiled code, which is not seen line by line, those that enter
+    compiled code made of its source or that name its module. If there is none, those that import the source:
+    code may have run in another process.
     """
     lines = range(mutant.lines[0], mutant.lines[1] + 1)
     found = [file for file in known.usable if not file.lines.get(mutant.path, frozenset()).isdisjoint(lines)]
@@ -55,7 +55,7 @@ def batches(files: Sequence[TestFile]) -> Iterator[list[TestFile]]:
 
 @cache
 def compiled_sources(root: Path) -> frozenset[str]:
-    """Return the sources that compiled code is made of, as the modules ``compilation`` and the entries say."""
+    """Return the sources that compiled code is made of: listed, or with a function that Numba compiles."""
     found = {"trimmer/arrays.py"}
     for path in (root / "trimmer").rglob("*.py"):
         text, name = path.read_text("utf-8"), path.relative_to(root).as_posix()

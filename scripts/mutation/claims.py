@@ -1,7 +1,8 @@
 """What goes on in the process that judges the claims: they are judged without being shown, and compared.
 
-Beside the claims these are all things of a report whose checks can stop its build: the proofs of the derivation, the
-answers, how far the results hold, and the observations on the twin. Figures and pages are left out.
+Beside the claims these are all things of a report whose checks can stop its build: the proofs of the
+derivation, the answers, how far the results hold, and the observations on the twin. Figures and pages are
+left out.
 """
 
 from __future__ import annotations
@@ -105,7 +106,8 @@ def _touched(path: str, expected: Mapping[str, Judged]) -> list[Judged]:
     touched = [
         each
         for each in expected.values()
-        if path in tree.closure(each.name.partition(":")[0]) or any(path in closures[part] for part in each.needs)
+        if path in tree.closure(each.name.partition(":")[0])
+        or any(path in closures[part] for part in each.needs)
     ]
     return sorted(touched, key=lambda each: (any(part in DEAR for part in each.needs), each.seconds))
 

@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterator
 
 EXCLUDED = (
-    "docstrings, annotations, decorators, assertions, `__all__`, `if TYPE_CHECKING`, `__repr__` and `__str__`",
+    "docstrings, annotations, decorators, assertions, `__all__`, `if TYPE_CHECKING`, `__repr__`, `__str__`",
     "the wording of errors and warnings (but not whether they are raised)",
     "strings",
-    "settings: a module's constants that are plain numbers (tolerances, limits, sizes), arguments and fields of such "
-    "names (tolerance, points, steps and the like), numbers of 1e-5 and less, and whether a setting itself is included",
+    "settings: a module's constants that are plain numbers (tolerances, limits, sizes); arguments and fields "
+    "of such names (tolerance, points, steps); numbers of 1e-5 and less; and whether a setting is included",
     "looks of pictures: line widths, sizes, colours",
     "trimmer/generated, which a test derives again",
 )
@@ -40,12 +40,35 @@ def _live(node: ast.AST, outer: tuple[ast.AST, ...]) -> Iterator[tuple[ast.AST, 
 
 
 def _living_children(node: ast.AST) -> Iterator[ast.AST]:
+    if isinstance(node, ast.arguments):
+        yield from _living_defaults(node)
+        return
     for name, value in ast.iter_fields(node):
-        if name in ("annotation", "returns", "decorator_list", "type_comment", "type_params", "bases", "format_spec"):
+        if name in (
+            "annotation",
+            "returns",
+            "decorator_list",
+            "type_comment",
+            "type_params",
+            "bases",
+            "format_spec",
+        ):
             continue
         for child in value if isinstance(value, list) else [value]:
             if isinstance(child, ast.AST) and not is_dead(child, node):
                 yield child
+
+
+def _living_defaults(node: ast.arguments) -> Iterator[ast.AST]:
+    positional = [*node.posonlyargs, *node.args]
+    pairs = zip(
+        [*positional[len(positional) - len(node.defaults) :], *node.kwonlyargs],
+        [*node.defaults, *node.kw_defaults],
+        strict=True,
+    )
+    for argument, default in pairs:
+        if default is not None and not (SETTING.search(argument.arg) and is_plain_number(default)):
+            yield default
 
 
 def is_dead(node: ast.AST, parent: ast.AST) -> bool:
@@ -103,4 +126,8 @@ def is_extreme(value: object) -> bool:
 
 
 def _named(node: ast.AST) -> str:
-    return getattr(node, "attr", getattr(node, "id", getattr(node.left, "id", "") if isinstance(node, ast.Compare) else ""))
+    return getattr(
+        node,
+        "attr",
+        getattr(node, "id", getattr(node.left, "id", "") if isinstance(node, ast.Compare) else ""),
+    )

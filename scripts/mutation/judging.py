@@ -92,7 +92,9 @@ def unaltered(trees: Sequence[Tree]) -> list[Judged]:
         if any(each.stopped or each.verdicts != first.verdicts for each in groups):
             raise RuntimeError(f"{first.name}: not the same in two runs, or stopped: {first.stopped}")
         texts = {
-            claim: text for claim, text in first.texts.items() if all(each.texts[claim] == text for each in groups)
+            claim: text
+            for claim, text in first.texts.items()
+            if all(each.texts[claim] == text for each in groups)
         }
         same.append(replace(first, texts=texts))
     return same
@@ -102,7 +104,9 @@ def _judged(tree: Tree) -> list[Judged]:
     place = Place(tree.root, tree.numba, tree.root.with_name("printed.txt"))
     ended = run(judge_all, (), place, CLAIMS_LIMIT + COMPILING)
     if ended.end is not End.DONE:
-        raise RuntimeError(f"the claims of the unaltered project were not judged: {ended.value}\n{ended.printed}")
+        raise RuntimeError(
+            f"the claims of the unaltered project were not judged: {ended.value}\n{ended.printed}"
+        )
     groups: list[Judged] = ended.value
     return groups
 

@@ -79,7 +79,7 @@ def read_map(root: Path, folder: Path) -> LineMap:
 
 
 def record(tree: Tree, folder: Path, processes: int, only: str = "") -> Iterator[TestFile]:
-    """Run each test file, or those of a folder, without a record or with an old one; yield it when it is recorded."""
+    """Run each test file that has no true record, or those of a folder; yield it when it is recorded."""
     known = {file.path for file in read_map(tree.root, folder).files}
     missing = [path for path in test_files(tree.root) if path not in known and path.startswith(only)]
     with ThreadPoolExecutor(processes) as pool:

@@ -143,7 +143,9 @@ def _mutants(place: Place) -> Iterator[Mutant]:
 
 def _text(node: ast.AST) -> str:
     text = ast.unparse(ast.fix_missing_locations(node))
-    return f"({text})" if isinstance(node, ast.expr) and not isinstance(node, ast.Name | ast.Attribute) else text
+    return (
+        f"({text})" if isinstance(node, ast.expr) and not isinstance(node, ast.Name | ast.Attribute) else text
+    )
 
 
 def _lines(node: ast.AST, outer: tuple[ast.AST, ...]) -> tuple[int, int]:

@@ -52,18 +52,58 @@ COMPARISON: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
     ast.IsNot: (ast.Is,),
 }
 PAIRS = (
-    *(("sin", "cos"), ("sinh", "cosh"), ("asin", "acos"), ("arcsin", "arccos"), ("real", "imag"), ("re", "im")),
+    *(
+        ("sin", "cos"),
+        ("sinh", "cosh"),
+        ("asin", "acos"),
+        ("arcsin", "arccos"),
+        ("real", "imag"),
+        ("re", "im"),
+    ),
     *(("min", "max"), ("minimum", "maximum"), ("argmin", "argmax"), ("floor", "ceil"), ("any", "all")),
     *(("zeros", "ones"), ("vstack", "hstack"), ("hypot", "arctan2"), ("diff", "cumsum"), ("sum", "prod")),
-    *(("amplitude", "omega"), ("period", "frequency"), ("tan", "sin"), ("tanh", "sinh"), ("append", "remove")),
+    *(("amplitude", "omega"), ("period", "frequency"), ("append", "remove")),
 )
-FUNCTIONS = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
+FUNCTIONS = {"tan": "sin", "tanh": "sinh", **dict(PAIRS), **{other: one for one, other in PAIRS}}
 WRAPPERS = frozenset(
-    "abs sqrt conj conjugate real imag sorted reversed exp log log1p expm1 round floor ceil sign unwrap radians degrees "
-    "transpose cumsum diff simplify expand factor cancel together trigsimp unique fabs flip sum mean".split()
+    [
+        "abs",
+        "sqrt",
+        "conj",
+        "conjugate",
+        "real",
+        "imag",
+        "sorted",
+        "reversed",
+        "exp",
+        "log",
+        "log1p",
+        "expm1",
+        "round",
+        "floor",
+        "ceil",
+        "sign",
+        "unwrap",
+        "radians",
+        "degrees",
+        "transpose",
+        "cumsum",
+        "diff",
+        "simplify",
+        "expand",
+        "factor",
+        "cancel",
+        "together",
+        "trigsimp",
+        "unique",
+        "fabs",
+        "flip",
+        "sum",
+        "mean",
+    ]
 )
 """Functions of one argument that can be left out without an error at once."""
-UNORDERED = frozenset("range min max hypot isclose zip map next filter print".split())
+UNORDERED = frozenset(["range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print"])
 """Functions whose arguments, when swapped, give the same or an error at once."""
 
 
@@ -152,7 +192,11 @@ def _call(node: ast.Call, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
         yield Kind.CALL, plain[0]
     for place in range(len(plain) - 1):
         first, second = plain[place : place + 2]
-        if name not in UNORDERED and not _differ_in_type(first, second) and ast.dump(first) != ast.dump(second):
+        if (
+            name not in UNORDERED
+            and not _differ_in_type(first, second)
+            and ast.dump(first) != ast.dump(second)
+        ):
             yield Kind.ARGUMENTS, _with(node, args=[*plain[:place], second, first, *plain[place + 2 :]])
 
 
@@ -179,8 +223,12 @@ def _return(node: ast.Return, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
 
 
 def _local_names(function: ast.FunctionDef, before: int) -> set[str]:
-    arguments = {each.arg for each in (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)}
-    stored = (each for each in ast.walk(function) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store))
+    arguments = {
+        each.arg for each in (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs)
+    }
+    stored = (
+        each for each in ast.walk(function) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+    )
     return arguments | {each.id for each in stored if each.lineno < before}
 
 

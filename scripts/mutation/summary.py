@@ -14,6 +14,7 @@ from scripts.mutation.records import Noticed, Outcome
 
 EQUIVALENT = Path(__file__).with_name("equivalent.csv")
 """Mutants that change nothing that can be observed, each with the reason; found by reading them."""
+LISTED = f"scripts/mutation/{EQUIVALENT.name}"
 CONFIDENCE = 0.95
 Judged = tuple[Mutant, Outcome]
 
@@ -92,30 +93,37 @@ def read_equivalent(path: Path = EQUIVALENT) -> frozenset[tuple[str, ...]]:
         rows = list(csv.DictReader(file))
     if lacking := [row["path"] for row in rows if not row["reason"]]:
         raise ValueError(f"{path.name}: no reason is given for a mutant of {lacking[0]}")
-    return frozenset((row["path"], row["function"], row["context"], row["before"], row["after"]) for row in rows)
+    return frozenset(
+        (row["path"], row["function"], row["context"], row["before"], row["after"]) for row in rows
+    )
 
 
 def lines(judged: Sequence[Judged], equivalent: frozenset[tuple[str, ...]]) -> Iterator[str]:
     """Yield what the summary prints."""
     counts = count(judged, equivalent)
     low, high = counts.interval
-    yield f"{counts.drawn} changes, {counts.equivalent} of them without an effect (scripts/mutation/{EQUIVALENT.name})"
+    yield f"{counts.drawn} changes, {counts.equivalent} of them without an effect ({LISTED})"
     yield f"  {counts.claims:4} noticed by claims: another verdict, or a check or derivation that stops"
     yield f"  {counts.tests:4} noticed by tests"
-    yield f"  {counts.nothing:4} noticed by neither; {counts.texts} of them would show in the report with the same verdict"
-    yield f"{counts.share:.1%} of those with an effect are noticed; 95 % interval (Wilson) {low:.1%} to {high:.1%}"
-    yield "Tests were asked first and claims only if they noticed nothing, for derivations the other way round."
+    yield f"  {counts.nothing:4} noticed by neither; {counts.texts} of them change what the report shows"
+    yield f"{counts.share:.1%} of those with an effect are noticed"
+    yield f"95 % interval (Wilson): {low:.1%} to {high:.1%}"
+    yield "Tests were asked first, and claims if they noticed nothing; for derivations the other way round."
     yield f"Processor time {sum(outcome.seconds for _, outcome in judged):.0f} s. Not drawn:"
     yield from (f"  - {each}" for each in EXCLUDED)
     yield from _table("package", judged, equivalent, lambda mutant: _package(mutant.path))
     yield from _table("kind", judged, equivalent, lambda mutant: mutant.kind.value)
-    missed = [pair for pair in judged if pair[1].noticed is Noticed.NOTHING and identity(pair[0]) not in equivalent]
+    missed = [
+        pair for pair in judged if pair[1].noticed is Noticed.NOTHING and identity(pair[0]) not in equivalent
+    ]
     if missed:
         yield "Noticed by neither:"
         yield from (f"  {one_line(mutant)} ({outcome.files} test files)" for mutant, outcome in missed)
 
 
-def _table(title: str, judged: Sequence[Judged], equivalent: frozenset[tuple[str, ...]], name: object) -> Iterator[str]:
+def _table(
+    title: str, judged: Sequence[Judged], equivalent: frozenset[tuple[str, ...]], name: object
+) -> Iterator[str]:
     assert callable(name)
     yield f"{title:28} drawn  claims  tests  neither"
     for each in sorted({name(mutant) for mutant, _ in judged}):

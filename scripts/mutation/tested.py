@@ -22,9 +22,10 @@ def failure(files: Sequence[str]) -> str:
 
 
 def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
-    """Run a test file; return what failed, the lines that were run by source, and the modules of the compiled entries.
+    """Run a test file; return what failed, the lines that it ran by source, and which compiled code.
 
-    Compiled functions are not seen line by line; instead it is written down which entry of compiled code was called.
+    Compiled functions are not seen line by line; instead it is written down which entry of compiled code was
+    called.
     """
     import coverage
 

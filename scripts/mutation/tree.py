@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import compileall
+import fcntl
 import os
 import shutil
 import subprocess
@@ -14,8 +15,8 @@ from pathlib import Path
 from scripts.mutation.mutants import Mutant
 
 LATER = 1000.0
-"""How much later, s, than its original a changed source says that it was written: what Python has compiled from the
-original is not taken for it, even if both have the same length."""
+"""How much later, s, than its original a changed source says that it was written: what Python has compiled
+from the original is not taken for it, even if both have the same length."""
 PACKAGES = ("derivations", "trimmer", "report", "tests", "scripts")
 
 
@@ -37,7 +38,8 @@ class Tree:
 
         Args:
             mutant: The change.
-            compiled: Whether compiled code is made of the source. It then gets an empty folder, since Numba does not
+            compiled: Whether compiled code is made of the source. It then gets an empty folder, since Numba
+            does not
                 see a change in what a function calls.
 
         Raises:
@@ -61,8 +63,15 @@ class Tree:
 def copied(project: Path, folder: Path) -> Tree:
     """Bring a copy of the working tree up to date: every file that git tracks or would track.
 
-    Files of an unchanged content stay as they are, so that what was compiled from them is used again.
+    Files of an unchanged content stay as they are, so that what was compiled from them is used again. The
+    copy belongs to this process until it ends.
+
+    Raises:
+        BlockingIOError: if another process has the copy.
     """
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = os.open(folder / "lock", os.O_RDWR | os.O_CREAT)
+    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     output = subprocess.run(listed, cwd=project, capture_output=True, check=True).stdout
     names = {name for name in output.decode().split("\0") if name and (project / name).is_file()}

@@ -1,4 +1,4 @@
-"""The common base of ideal relay and Coulomb friction: an output that switches between two values."""
+"""The common base of relay, preload and Coulomb friction: an output that switches between two values."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FUNDAMENTAL = 4.0 / np.pi
 
 
 class SquareWaveElement(Element):
-    """An element whose output is a square wave of the same height for any input A sin θ.
+    """An element whose output is a square wave of one height for any input A sin θ; a gain may be beside it.
 
     With u = height / A and the lead φ of the output, N_n = (4/(π n)) exp(jnφ) u for odd n.
     """
@@ -52,11 +52,11 @@ class SquareWaveElement(Element):
         return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
-        """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is proportional to u."""
+        """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is linear in u."""
         return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
 
     def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
-        """Return zeros: N is proportional to u."""
+        """Return zeros: N is linear in u."""
         return no_variation(u_range, omega_range)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:

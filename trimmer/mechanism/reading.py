@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, fields
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism, problems_with
+from trimmer.mechanism.open_values import open_values, replaced
 from trimmer.mechanism.parts import Output
+from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
 from trimmer.mechanism.quantities import (
     DISPLACEMENT,
@@ -27,26 +30,53 @@ from trimmer.messages import listed, near_match
 from trimmer.toml_files import is_parameter_file, parsed, read_text
 
 SECTIONS = (*PARTS, "outputs", "start")
-KEYS = ("title", "frequency", *SECTIONS)
+FOR_OTHERS = ("held", "targets")
+"""Keys that are no part of the mechanism: ``trimmer design`` reads them."""
+KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
+NO_VALUES: Mapping[str, float | str] = MappingProxyType({})
 
 
-def read_mechanism(path: Path) -> Mechanism:
+def read_mechanism(path: Path, values: Mapping[str, float | str] = NO_VALUES) -> Mechanism:
     """Read a mechanism from a file, or from standard input if the path is ``-``.
 
+    Args:
+        path: The file.
+        values: Numbers, in SI units or as text with a unit, for what the file leaves open, by dotted places;
+            others are passed over.
+
     Raises:
         MechanismError: see ``Mechanism.from_toml``.
     """
-    advice = "examples/thesis-play.toml is one to start from"
-    return mechanism_of_text(read_text(path, MechanismError, advice), str(path))
+    return mechanism_of_text(text_of_file(path), str(path), values)
 
 
-def mechanism_of_text(text: str, name: str) -> Mechanism:
+def text_of_file(path: Path) -> str:
+    """Read the text of a mechanism file.
+
+    Raises:
+        MechanismError: if it cannot be read.
+    """
+    return read_text(path, MechanismError, "'trimmer init FILE' writes one to start from")
+
+
+def mechanism_of_text(text: str, name: str, values: Mapping[str, float | str] = NO_VALUES) -> Mechanism:
     """Read a mechanism from the text of a file that messages call by a name.
 
+    Args:
+        text: The text.
+        name: What messages call the file.
+        values: Numbers for what the file leaves open, as ``read_mechanism`` takes them.
+
     Raises:
         MechanismError: see ``Mechanism.from_toml``.
     """
-    content = _parsed(text, name)
+    content = content_of_text(text, name)
+    left_open = {place_text(each.place): each for each in open_values(content)}
+    lacking = [each.problem() for place, each in left_open.items() if place not in values]
+    if lacking:
+        raise MechanismError(as_message_of_file(name, lacking, content, lines_of_keys(text)))
+    given = {each.place: values[place] for place, each in left_open.items()}
+    content = replaced(content, given)
     problems = list(_problems_of_form(content))
     if not problems:
         arguments = _arguments(content, problems)
@@ -56,13 +86,18 @@ def mechanism_of_text(text: str, name: str) -> Mechanism:
     raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
 
 
-def _parsed(text: str, name: str) -> dict[str, Any]:
+def content_of_text(text: str, name: str) -> dict[str, Any]:
+    """Return the text of a mechanism file as nested dictionaries, before any of it is checked.
+
+    Raises:
+        MechanismError: if it is no TOML, or a file of another kind.
+    """
     advice = "a part is written as in 'motor = { mass = 0.035 }' below [bodies]"
     content = parsed(text, name, MechanismError, advice)
     if is_parameter_file(content):
         raise MechanismError(
             f"{name}: this is a parameter file, for 'trimmer linear --parameters FILE' and other commands "
-            "for the thesis's loop; a mechanism has [bodies], as in examples/thesis.toml"
+            "for the thesis's loop; a mechanism has [bodies], as 'trimmer init' writes one"
         )
     return content
 

@@ -12,10 +12,10 @@ from typing import Any, TypeVar
 import numba
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
-_LEAN: dict[str, Any] = {"_nrt": False, "error_model": "numpy"}
+_LEAN: dict[str, Any] = {"_nrt": False, "error_model": "numpy", "no_cfunc_wrapper": True}
 # Compiled code makes no arrays: it is given them. So it need not count references to those that it passes on,
 # which would take most of the time where there are many.
-_INSIDE: dict[str, Any] = {**_LEAN, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+_INSIDE: dict[str, Any] = {**_LEAN, "no_cpython_wrapper": True}
 compiled: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, **_INSIDE)
 """Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
 inlined = numba.njit(inline="always")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -36,7 +37,7 @@ class Plant:
         return InverseResponse(reference**degree / self.gain, *scaled, reference)
 
     def crossings(self, turn: complex) -> list[tuple[float, float]]:
-        """Return omega and -turn * G there, where that is real and positive, from real polynomials in omega."""
+        """Return omega and -turn * G where that is real and positive, from polynomials in omega."""
         rotated = (
             np.poly1d(self.gain * turn) * _of_omega(self.zeros) * np.poly1d(np.conj(_of_omega(self.poles).c))
         )
@@ -105,10 +106,10 @@ def test_all_crossings_of_random_plants_are_found(element: Element, turn: comple
 
 
 def test_a_range_leaves_out_what_is_beyond_it() -> None:
-    # Six poles and two zeros between them: the phase of G falls below -180 degrees, rises above, and falls again.
+    # Six poles and two zeros between them: the phase falls below -180 degrees, rises, and falls again.
     plant = Plant(1.0, (-0.1, -0.1, -0.1, -40.0, -40.0, -40.0), (-2.0, -2.0))
     crossings = plant.crossings(1.0)
-    middle = [math.sqrt(one[0] * other[0]) for one, other in zip(crossings[:-1], crossings[1:], strict=True)]
+    middle = [math.sqrt(one[0] * other[0]) for one, other in pairwise(crossings)]
     assert len(crossings) > 1
     for omegas in ((crossings[0][0] / 2, middle[0]), (middle[-1], crossings[-1][0] * 2)):
         searched = solve_proportional(plant.inverse(), ElementCurve(Relay(1.0)), omegas)
@@ -124,7 +125,7 @@ def test_ends_of_the_range_are_those_of_the_bound(size: float) -> None:
 
     Where f starts out real and positive, as for 1/(s+1)**3 with a relay, it is enough that this is below 1:
     t = 1/8 is the first such. At high frequency the same holds by symmetry, as f is then imaginary. Where it
-    starts out real and negative, as for -1/(s+1)**2, the phase 2t has to exceed its bound 2 t**2/(2-2t): so it
+    starts out real and negative, as for -1/(s+1)**2, the phase 2t exceeds its bound 2 t**2/(2-2t), as it
     does at t = 1/2; at high frequency f is positive there, and (1 - t)**-2 - 1 is below 1 first at t = 1/4.
     """
     third = Plant(1.0, (-size, -size, -size)).inverse(size)
@@ -134,7 +135,7 @@ def test_ends_of_the_range_are_those_of_the_bound(size: float) -> None:
 
 
 def test_without_damping_nothing_beyond_the_range_is_proven() -> None:
-    """f = -(4 - omega**2) for -1/(s**2 + 4): real and negative at all low frequencies; for 1/(s**2 + 4) at high."""
+    """f = -(4 - omega**2) for -1/(s**2 + 4): real and negative for low frequencies; 1/(s**2 + 4) for high."""
     lowest, _, proven = proportional_range(Plant(-1.0, (2j, -2j)).inverse(2.0), FACTOR)
     assert lowest == pytest.approx(2.0 / FALLBACK_REACH)
     assert not proven
@@ -164,7 +165,7 @@ def _least_heading(f: Complexes) -> float:
 
 @pytest.mark.parametrize("omega", [1.0, 0.37, 12.0])
 def test_a_pole_or_zero_on_the_axis_is_no_solution_and_leaves_nothing_undecided(omega: float) -> None:
-    """There f = (omega**2 - w**2)(...) changes its sign through zero or infinity, and the phase jumps by pi."""
+    """There f = (omega**2 - w**2)(...) goes through zero or infinity, and its phase jumps by pi."""
     on_axis = (1j * omega, -1j * omega)
     for plant in (
         Plant(1.0, (*on_axis, -1.0)),

@@ -1,4 +1,5 @@
-"""The test of cells: exact where F = N + 1/G is linear, and never sharper than the disks of its slopes allow."""
+"""The test of cells: exact where F = N + 1/G is linear, and never sharper than the disks of its slopes
+allow."""
 
 from __future__ import annotations
 
@@ -85,7 +86,8 @@ def test_the_cross_product_is_the_area_between_two_arrows() -> None:
 
 
 def test_a_linear_f_is_decided_exactly() -> None:
-    """A box is empty if and only if the one solution lies outside of it as far as from the region's middle."""
+    """A box is empty if and only if the one solution lies outside of it as far as from the region's
+    middle."""
     random = np.random.default_rng(11)
     for _ in range(30):
         p, q = slopes(random)
@@ -119,8 +121,9 @@ def test_uniqueness_is_claimed_up_to_where_slopes_can_be_parallel(
 ) -> None:
     """With p = 3 and q = 2j and disks of radius r_u and r_x, 6 > 2 r_u + 3 r_x + r_u r_x decides.
 
-    By a and b in the disks the cross product changes by cross(a, q) + cross(p, b) + cross(a, b), in size at most
-    the right side. With one disk alone that is reached, so the slopes can then be parallel just beyond it.
+    By a and b in the disks the cross product changes by cross(a, q) + cross(p, b) + cross(a, b), in size at
+    most the right side. With one disk alone that is reached, so the slopes can then be parallel just beyond
+    it.
     """
     square, linear = u_radius * x_radius, 2.0 * u_radius + 3.0 * x_radius
     r = 6.0 / linear if square == 0.0 else (np.sqrt(linear**2 + 24.0 * square) - linear) / (2.0 * square)
@@ -135,9 +138,11 @@ def test_uniqueness_is_claimed_up_to_where_slopes_can_be_parallel(
 def test_emptiness_is_claimed_up_to_what_the_disks_can_make_up_for(
     share: float, turn: complex, sign: float
 ) -> None:
-    """With p = 3 and q = 2j and the box |u| <= 0.2, |x| <= 0.4 the two parts of F are 3 (u - u0) and 2 (x - x0).
+    """With p = 3 and q = 2j and the box |u| <= 0.2, |x| <= 0.4 the two parts of F are 3 (u - u0) and 2 (x -
+    x0).
 
-    Both may be off by 0.2 r_u + 0.4 r_x = 0.18. So u0 has to be beyond 0.2 + 0.18/3, or x0 beyond 0.4 + 0.18/2.
+    Both may be off by 0.2 r_u + 0.4 r_x = 0.18. So u0 has to be beyond 0.2 + 0.18/3, or x0 beyond 0.4 +
+    0.18/2.
     """
     box = cells(-0.2, 0.2, -0.4, 0.4)
     for factor, empty in ((1.001, True), (0.999, False)):
@@ -147,7 +152,8 @@ def test_emptiness_is_claimed_up_to_what_the_disks_can_make_up_for(
 
 
 def test_the_middle_of_the_region_counts_and_the_far_side_of_the_box() -> None:
-    """The region of u from -1 to 1 has its middle at 0; the box from -0.1 to 0.6 reaches 0.6 to both sides."""
+    """The region of u from -1 to 1 has its middle at 0; the box from -0.1 to 0.6 reaches 0.6 to both
+    sides."""
     box, region = cells(-0.1, 0.6, -0.2, 0.3), cells(-1.0, 1.0, -1.0, 1.0)
     for u, x, empty in ((-0.59, 0.0, False), (-0.61, 0.0, True), (0.0, -0.29, False), (0.0, -0.31, True)):
         assert Plane(1.0, 1.0j, u, x).test(box, region).empty[0] == empty
@@ -172,7 +178,8 @@ def test_newtons_step_solves_a_linear_f_at_once() -> None:
 
 
 def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> None:
-    """Of three boxes one holds the solution of a bent F, one is empty, one holds it too and need not go on."""
+    """Of three boxes one holds the solution of a bent F, one is empty, one holds it too and need not go
+    on."""
     plane = Plane(1.0 + 0.5j, -0.3 + 1.0j, 1.0, 2.0, bent=0.2)
     boxes = Cells(
         np.array([0.8, 3.0, 0.99]),

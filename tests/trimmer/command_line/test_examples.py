@@ -18,6 +18,9 @@ FIRST = ("parameters", "simulate")
 TAKES_LONG = (
     "trimmer derive",
     "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
+    "trimmer design examples/den-hartog.toml --format html",
+    "trimmer design examples/thesis.toml --format html --processes 1",
+    "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
 )
 OF_THE_REPORT = "trimmer report"
 """Lines that begin so take minutes, open a browser, or read a file that a report has written."""

@@ -67,13 +67,12 @@ def test_all_public_results_with_a_plot_are_tried() -> None:
 @pytest.mark.parametrize("plot", PLOTS.values(), ids=PLOTS)
 def test_axes_that_are_given_are_drawn_into_and_returned(plot: Callable[..., Axes]) -> None:
     settings = dict(matplotlib.rcParams)
-    for size in ((7.2, 4.6), (3.5, 3.2)):
-        axes = Figure(figsize=size, layout="constrained").add_subplot()
-        assert plot(axes) is axes
-        assert axes.has_data()
-        assert axes.get_xlabel()
-        assert axes.get_ylabel()
-        assert_all_is_seen(axes)
+    axes = Figure(figsize=(3.5, 3.2), layout="constrained").add_subplot()
+    assert plot(axes) is axes
+    assert axes.has_data()
+    assert axes.get_xlabel()
+    assert axes.get_ylabel()
+    assert_all_is_seen(axes)
     assert dict(matplotlib.rcParams) == settings
     assert not pyplot.get_fignums()
 
@@ -90,6 +89,17 @@ def assert_all_is_seen(axes: Axes) -> None:
         box = text.get_window_extent()
         assert paper.contains(box.x0, box.y0)
         assert paper.contains(box.x1, box.y1)
+
+
+@pytest.mark.parametrize(("size", "beside"), [((7.2, 4.6), True), ((3.5, 3.2), False)])
+def test_a_legend_stands_beside_wide_axes_and_under_narrow_ones(
+    size: tuple[float, float], beside: bool
+) -> None:
+    axes = results.balance().plot(Figure(figsize=size, layout="constrained").add_subplot())
+    assert_all_is_seen(axes)
+    data, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
+    assert (legend.x0 > data.x1) == beside
+    assert (legend.y1 < data.y0) != beside
 
 
 def test_new_axes_are_of_pyplot_and_are_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -155,6 +155,7 @@ def test_limit_cycles_are_those_with_the_closed_form_but_not_certain(function, k
     )
 
 
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
 def test_limit_cycles_warn_that_nothing_is_proven() -> None:
     with pytest.warns(UndecidedWarning, match="has no bounds of its describing function"):
         (cycle,) = limit_cycles(PLANT, Cubic())

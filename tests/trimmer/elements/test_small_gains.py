@@ -7,6 +7,7 @@ import pytest
 
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.relay import Relay
 from trimmer.elements.small_gains import BACKLASH_LARGEST, COASTING, GENTLEST, LEAST, STEEPEST
 from trimmer.elements.viscous_backlash import ViscousBacklash
 
@@ -66,3 +67,28 @@ def test_nothing_is_said_of_other_elements() -> None:
     assert (FrictionBacklash(1.0) + FrictionBacklash(1.0)).small_gains() is None
     assert ViscousBacklash(1.0, 0.5).at(2.0).small_gains() is None
     assert FrictionBacklash(1.0).at(2.0).small_gains() == FrictionBacklash(1.0).small_gains()
+
+
+@pytest.mark.parametrize(
+    "relay",
+    [
+        Relay(2.0, 0.5),
+        Relay(2.0, 0.3, 0.2),
+        Relay(2.0, 0.2, 0.3),
+        Relay(2.0, 1e-3, 0.5),
+        Relay(2.0, 0.0, 0.5),
+    ],
+    ids=repr,
+)
+def test_a_relay_with_thresholds_lags_by_no_more_than_is_told(relay: Relay) -> None:
+    u = np.concatenate([np.geomspace(1e-9, 0.5, 4000), 1.0 - np.geomspace(0.5, 1e-9, 4000)])
+    gain, small = relay.describing_function(relay.amplitude_scale / u), relay.small_gains()
+    assert small is not None
+    known = (np.abs(gain) <= small.largest) & (gain != 0)
+    assert known.sum() > 1000
+    ahead = np.angle(gain[known] / small.direction)
+    assert np.all(ahead <= 1e-12)
+    assert np.all(ahead >= -small.behind * np.abs(gain[known]) / small.scale - 1e-12)
+    if relay.dead_zone == 0:
+        # Without a dead zone the bound is of the size of the lag; else it is a rough one.
+        assert ahead.min() < -0.4 * small.behind * np.abs(gain[known]).max() / small.scale

@@ -32,7 +32,7 @@ def output_of_signals(motion: Motion, loop: Loop) -> np.ndarray:
 
 @pytest.mark.parametrize("element", [2.0 * FrictionBacklash(GAP), ViscousBacklash(GAP, 0.05)])
 def test_a_driven_system_adds_the_element_output_times_d(element: Element) -> None:
-    """The element follows the drive alone, so that systems which differ in D only differ by D times its output."""
+    """The element follows the drive alone, so the outputs differ by D times its output."""
     without, direct = (OpenLoop(system(d), element, DRIVE) for d in (0.0, 0.7))
     motions = [simulate(loop, 3.0) for loop in (without, direct)]
     added = motions[1].output(TIMES) - motions[0].output(TIMES)
@@ -46,5 +46,5 @@ def test_a_driven_system_adds_the_element_output_times_d(element: Element) -> No
 @pytest.mark.parametrize("direct", [0.4, -0.3])
 def test_in_feedback_it_is_refused(direct: float) -> None:
     """The output of the element would act on its own input at the same instant."""
-    with pytest.raises(IllPosedLoopError, match="backlash: .* strictly proper"):
+    with pytest.raises(IllPosedLoopError, match=r"backlash: .* strictly proper"):
         simulate(ClosedLoop(system(direct), FrictionBacklash(GAP)), 1.0)

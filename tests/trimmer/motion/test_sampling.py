@@ -61,7 +61,7 @@ def test_times_that_are_far_apart_or_all_the_same(free: Motion) -> None:
 
 
 def test_several_modes_each_from_its_own_start() -> None:
-    """Between two events the output of the play is at rest or follows; the flow from each event is that of its mode."""
+    """Between two events the play rests or follows; the flow is that of its mode."""
     motion = simulate(ClosedLoop(PLANT, FrictionBacklash(0.05)), 4.0, initial_state=START)
     starts = np.unique([0.0, *motion.event_times])
     assert len(starts) > 8

@@ -52,10 +52,11 @@ def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:
     Raises:
         MechanismError: if the file or a number cannot be used.
     """
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.places import assignment
+    from trimmer.mechanism.reading import read_mechanism
 
-    mechanism = Mechanism.from_toml(file)
-    for text in assignments:
-        mechanism = mechanism.with_value(*assignment(text))
+    values = [assignment(text) for text in assignments]
+    mechanism = read_mechanism(file, dict(values))
+    for place, value in values:
+        mechanism = mechanism.with_value(place, value)
     return mechanism

@@ -1,0 +1,1 @@
+"""The report on a design: what ``trimmer.design`` computed, as pages."""

@@ -1,0 +1,93 @@
+"""Making the report on a design: look at it, draw, render, write."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from report.cache.content_key import digest_of_packages
+from report.cache.stage_store import StageStore
+from report.provenance import libraries
+from report.rendering.request import Format, Paper
+from trimmer.design.design import Design, Study
+from trimmer.design.keeping import Keeper
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from report.design.report import DesignReport
+    from trimmer.design.design import Told
+    from trimmer.design.design_file import DesignFile
+    from trimmer.design.settings import DesignSettings
+    from trimmer.runners.runner import Runner
+
+CACHE = ".kept"
+"""Folder beside the report in which each step is kept as soon as it is done."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a report is written.
+
+    Attributes:
+        directory: Its folder.
+        stem: Name of its files without their ends.
+    """
+
+    directory: Path
+    stem: str
+
+    @property
+    def store(self) -> StageStore:
+        """Where steps are kept."""
+        return StageStore(self.directory / CACHE)
+
+    def file(self, form: Format) -> Path:
+        """Return the file of a form."""
+        return self.directory / f"{self.stem}.{form.value}"
+
+
+def keeper_of(file: DesignFile, store: StageStore) -> Keeper:
+    """Return who keeps the steps of a design: by program, libraries, mechanism and how it begins."""
+    depends = (digest_of_packages(("derivations", "trimmer")), libraries(), file.mechanism.to_toml())
+    return Keeper(store, hashlib.sha256(repr(depends).encode()).hexdigest())
+
+
+def looked_at(
+    file: DesignFile,
+    settings: DesignSettings,
+    runner: Runner,
+    store: StageStore,
+    told: Told,
+    *,
+    short: bool = False,
+) -> Design:
+    """Look at a design, from what is kept of it on."""
+    study = Study(file, settings, runner, keeper_of(file, store), told)
+    return study.short() if short else study.whole()
+
+
+def report_on(design: Design, store: StageStore) -> DesignReport:
+    """Return the report on a design, with its equations and pictures."""
+    from report.design.equations import equations_of
+    from report.design.pictures import pictures
+    from report.design.report import DesignReport
+    from report.provenance import provenance
+
+    mechanism = design.file.mechanism
+    keeper = keeper_of(design.file, store)
+    equations = keeper.made("equations", (), lambda: equations_of(mechanism))
+    title = mechanism.title or design.file.name
+    return DesignReport(title, design, equations, pictures(design), provenance())
+
+
+def files_of(
+    report: DesignReport, formats: frozenset[Format], paper: Paper, store: StageStore
+) -> Mapping[Format, str | bytes]:
+    """Return the contents of the files of a report."""
+    from report.design.markdown import to_markdown
+    from report.design.render import rendered
+
+    return rendered(report, to_markdown(report), formats, paper, None)

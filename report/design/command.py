@@ -1,0 +1,168 @@
+"""``trimmer design FILE``: the report on a mechanism."""
+
+from __future__ import annotations
+
+import webbrowser
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from report.rendering.request import Format, Paper
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import add_overwrite_option, file_to_read
+from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
+
+if TYPE_CHECKING:
+    from report.design.building import Place
+    from trimmer.design.design_file import DesignFile
+    from trimmer.runners.runner import Runner
+
+KINDS = {Format.HTML: HTML, Format.PDF: PDF}
+DIRECTORY = Path("build") / "design"
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
+    )
+    add_report_options(parser)
+    parser.add_argument(
+        "--full",
+        action="store_true",
+        help="refine the maps from 24 x 24 cells to 96 x 96; can be interrupted and resumed",
+    )
+    parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
+
+
+def add_report_options(parser: ArgumentParser) -> None:
+    """Add the options on where and how reports on designs are written."""
+    parser.add_argument(
+        "--directory",
+        type=Path,
+        metavar="DIR",
+        default=DIRECTORY,
+        help="folder of the report, NAME.html and NAME.pdf, and of what is kept for the next run "
+        "(default: %(default)s)",
+    )
+    parser.add_argument(
+        "--format",
+        action="extend",
+        nargs="+",
+        choices=[form.word for form in KINDS],
+        default=[],
+        help="forms to write (default: both)",
+    )
+    parser.add_argument(
+        "--paper",
+        choices=[paper.word for paper in Paper],
+        default=Paper.A4.word,
+        help="size of the pages of the PDF (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--processes",
+        type=int,
+        metavar="N",
+        help="how many processes do the work (default: one for each core)",
+    )
+    add_overwrite_option(parser)
+
+
+def formats_of(arguments: Namespace) -> frozenset[Format]:
+    """Return the forms that are wanted.
+
+    Raises:
+        OptionError: if an option would have no effect.
+    """
+    formats = frozenset(map(Format, arguments.format)) or frozenset(KINDS)
+    if Format.PDF not in formats:
+        refuse_unused(arguments, ["paper"], "pdf among --format")
+    return formats
+
+
+def runner_of(arguments: Namespace) -> Runner:
+    """Return who does the work.
+
+    Raises:
+        OptionError: if the number of processes cannot be used.
+    """
+    from trimmer.runners.processes import ProcessRunner
+    from trimmer.runners.runner import SerialRunner
+
+    if arguments.processes is not None and arguments.processes < 1:
+        raise OptionError(f"--processes {arguments.processes}: give a whole number from 1 on")
+    return SerialRunner() if arguments.processes == 1 else ProcessRunner(arguments.processes)
+
+
+def stem_of(path: Path) -> str:
+    """Return the name of the report on a file."""
+    return "design" if path == STANDARD_INPUT else path.stem
+
+
+def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> None:
+    """Check that the files of a report may be written, before any work is done.
+
+    Raises:
+        FileWriteError: if one is there and of another kind.
+    """
+    for form in formats:
+        if not overwrite:
+            check_replaceable(place.file(form), KINDS[form])
+
+
+def _run(arguments: Namespace) -> int:
+    from report.design.building import Place
+    from trimmer.design.design_file import read_design_file
+
+    formats = formats_of(arguments)
+    if arguments.open and Format.HTML not in formats:
+        raise OptionError("--open shows the HTML: add html to --format, or leave one of the two out")
+    runner = runner_of(arguments)
+    file = read_design_file(arguments.file)
+    place = Place(arguments.directory, stem_of(arguments.file))
+    check_files(place, formats, arguments.overwrite)
+    _make(arguments, file, place, formats, runner)
+    if arguments.open:
+        webbrowser.open(place.file(Format.HTML).resolve().as_uri())
+    return 0
+
+
+def _make(
+    arguments: Namespace, file: DesignFile, place: Place, formats: frozenset[Format], runner: Runner
+) -> None:
+    from report.design.building import files_of, looked_at, report_on
+    from report.design.progress import ProgressLines
+    from report.design.words import verdict_sentence
+    from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
+
+    told = ProgressLines()
+    settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
+    design = looked_at(file, settings, runner, place.store, told)
+    told.say("equations, pictures and pages ...")
+    contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
+    for form, content in contents.items():
+        write_atomically(place.file(form), content, overwrite=arguments.overwrite)
+    print("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
+
+
+def plain_text(markdown: str) -> str:
+    """Return a sentence of the report for the terminal: without marks of Markdown."""
+    return markdown.replace("**", "").replace("\\", "")
+
+
+COMMAND = Command(
+    "design",
+    "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer design examples/den-hartog.toml --format html",
+            "all that is known of an oscillator with dry friction, as build/design/den-hartog.html",
+        ),
+        Example(
+            "trimmer design examples/thesis.toml --format html --processes 1",
+            "the same of a trimmer without play, on one core",
+        ),
+    ),
+)

@@ -1,0 +1,88 @@
+"""``trimmer compare A B``: two mechanisms side by side, before and after a change."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from report.design.command import (
+    add_report_options,
+    check_files,
+    formats_of,
+    plain_text,
+    runner_of,
+    stem_of,
+)
+from report.rendering.request import Format, Paper
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.parser import OptionError
+from trimmer.files import STANDARD_INPUT, write_atomically
+
+if TYPE_CHECKING:
+    from trimmer.design.comparison import Comparison
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument("before", type=file_to_read, metavar="A", help="mechanism before, a TOML file")
+    parser.add_argument("after", type=file_to_read, metavar="B", help="mechanism after, a TOML file")
+    add_report_options(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    if arguments.before == arguments.after == STANDARD_INPUT:
+        raise OptionError("both files are standard input: name a file for one of them")
+    formats, runner = formats_of(arguments), runner_of(arguments)
+    from report.design.building import Place, looked_at
+    from report.design.comparison import comparison_sentence
+    from report.design.progress import ProgressLines
+    from trimmer.design.comparison import compared
+    from trimmer.design.design_file import read_design_file
+    from trimmer.design.settings import USUAL
+
+    files = [read_design_file(path) for path in (arguments.before, arguments.after)]
+    names = _names(arguments.before, arguments.after)
+    place = Place(arguments.directory, "-".join(names))
+    check_files(place, formats, arguments.overwrite)
+    told = ProgressLines()
+    before, after = (looked_at(file, USUAL, runner, place.store, told, short=True) for file in files)
+    comparison = compared(before, after)
+    for form, content in _contents(comparison, names, formats, Paper(arguments.paper)).items():
+        write_atomically(place.file(form), content, overwrite=arguments.overwrite)
+    print(plain_text(comparison_sentence(comparison, names)))
+    print("\n".join(f"  {place.file(form)}" for form in formats))
+    return 0
+
+
+def _names(before: Path, after: Path) -> tuple[str, str]:
+    """Return what the two are called: their files' names, or before and after if these are the same."""
+    first, second = stem_of(before), stem_of(after)
+    return (first, second) if first != second else ("before", "after")
+
+
+def _contents(
+    comparison: Comparison, names: tuple[str, str], formats: frozenset[Format], paper: Paper
+) -> dict[Format, str | bytes]:
+    from report.design.comparison import ComparisonReport, spectra_overlaid
+    from report.design.markdown import comparison_to_markdown
+    from report.design.render import rendered
+    from report.provenance import provenance
+
+    figures = spectra_overlaid(comparison, names)
+    document = ComparisonReport(f"{names[0]} and {names[1]}", comparison, names, figures, provenance())
+    return rendered(document, comparison_to_markdown(document), formats, paper, None)
+
+
+COMMAND = Command(
+    "compare",
+    "report on two mechanisms side by side, before and after a change; HTML and PDF",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
+            "a page on both: what changed in the file, verdicts, measures side by side, spectra",
+        ),
+    ),
+)

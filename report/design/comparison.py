@@ -1,0 +1,136 @@
+"""The report on two designs side by side, finished and frozen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from report.design.figures.drawn import drawn
+from report.design.figures.lines import line_spectrum
+from report.design.quantities import percent, place_words, shown
+from report.design.words import OUTCOMES, capital, kind_words, measure_value, measure_words
+from report.document.figure import Figure
+from report.document.thesis import Provenance
+from report.rendering.escaping import plain
+from trimmer.design.comparison import Comparison
+from trimmer.design.targets import Measure
+
+if TYPE_CHECKING:
+    from trimmer.design.design import Design
+
+NEITHER = "—"
+
+
+@dataclass(frozen=True)
+class ComparisonReport:
+    """The report.
+
+    Attributes:
+        title: Its title, plain text.
+        comparison: What was computed.
+        names: What the two files are called.
+        figures: By their identifiers.
+        provenance: What it was made from.
+    """
+
+    title: str
+    comparison: Comparison
+    names: tuple[str, str]
+    figures: dict[str, Figure]
+    provenance: Provenance
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        return self.provenance.line
+
+
+def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str, Figure]:
+    """Draw the lines of each output that both designs have, one over the other."""
+    found = {}
+    both = [name for name in comparison.before.spectra if name in comparison.after.spectra]
+    for number, name in enumerate(both, start=1):
+        pair = [(names[0], comparison.before.spectra[name]), (names[1], comparison.after.spectra[name])]
+        if all(each.lines for _, each in pair):
+            found[f"spectrum-{number}"] = drawn(
+                f"spectrum-{number}",
+                f"Lines of {name}, before and after",
+                f"Lines of {plain(name)}: solid with full marks in {plain(names[0])}, dashed with open "
+                f"marks in "
+                f"{plain(names[1])}.",
+                f"Upright lines over frequency for {names[0]} and {names[1]}.",
+                partial(line_spectrum, pair),
+            )
+    return found
+
+
+def verdict_rows(comparison: Comparison) -> list[list[str]]:
+    """Return verdict and motion of both."""
+    pair = (comparison.before, comparison.after)
+    return [
+        ["", "Before", "After"],
+        ["File", *(f"`{each.file.name}`" for each in pair)],
+        ["Verdict", *(OUTCOMES[each.verdict.outcome] for each in pair)],
+        ["Settles to", *(_kind(each) for each in pair)],
+        ["Motions found", *(str(len(each.motions.found)) for each in pair)],
+    ]
+
+
+def _kind(design: Design) -> str:
+    return kind_words(design.motion) if design.motion is not None else "nothing that could be measured"
+
+
+def change_rows(comparison: Comparison) -> list[list[str]]:
+    """Return the numbers of the file that differ."""
+    rows = [["Number", "Before", "After", "Change"]]
+    for each in comparison.changes:
+        relative = NEITHER
+        if each.before and each.after is not None:
+            relative = plain(_signed(each.after / each.before - 1))
+        rows.append(
+            [
+                capital(plain(place_words(each.place))),
+                *(_number(v, each.unit) for v in (each.before, each.after)),
+                relative,
+            ]
+        )
+    return rows
+
+
+def _number(value: float | None, unit: str) -> str:
+    return NEITHER if value is None else plain(shown(value, unit, 6))
+
+
+def difference_rows(comparison: Comparison) -> list[list[str]]:
+    """Return the measures side by side."""
+    rows = [["Measure", "Before", "After", "Change"]]
+    for each in comparison.differences:
+        cells = [
+            NEITHER if value is None else measure_value(each.asked.measure, value)
+            for value in (each.before, each.after)
+        ]
+        shows = each.change is not None and each.asked.measure is not Measure.PERIOD
+        change = plain(_signed(each.change or 0.0)) if shows else NEITHER
+        rows.append([capital(measure_words(each.asked.measure, each.asked.part)), *cells, change])
+    return rows
+
+
+def _signed(share: float) -> str:
+    return "no change" if abs(share) < 5e-7 else f"{'+' if share > 0 else '−'}{percent(abs(share), 3)}"
+
+
+def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> str:
+    """Return what the change did to the verdict, in one sentence."""
+    before, after = (each.verdict for each in (comparison.before, comparison.after))
+    counts = [sum(judged.met for judged in each.judged) for each in (before, after)]
+    if not before.judged and not after.judged:
+        return "**Neither file names targets**, so nothing is judged; the measures stand side by side below."
+    totals = [len(each.judged) for each in (before, after)]
+    told = [
+        f"{met} of {total} targets met" if total else "no targets"
+        for met, total in zip(counts, totals, strict=True)
+    ]
+    better = counts[1] / totals[1] - counts[0] / totals[0] if all(totals) else 0.0
+    word = "Better" if better > 0 else "Worse" if better < 0 else "The same verdict on as many targets"
+    return f"**{word}**: in {plain(names[0])} {told[0]}, in {plain(names[1])} {told[1]}."

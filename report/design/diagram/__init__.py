@@ -1,0 +1,1 @@
+"""A mechanism drawn from its data: where its parts stand, and how each looks."""

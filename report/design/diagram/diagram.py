@@ -1,0 +1,213 @@
+"""A mechanism drawn from its data: bodies as boxes in columns, what joins them between them."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+from report.design.diagram import symbols
+from report.design.diagram.layout import Layout, Run, layout_of
+from report.design.figures.motion import plain_label
+from report.design.quantities import shown
+from report.drawing.marks import arrow
+from report.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from trimmer.mechanism.mechanism import Mechanism
+
+WIDTH = 6.5
+WALL = 0.16
+BOX = 0.72
+NARROWEST, WIDEST = 0.85, 1.5
+"""Least width of the space between two columns, in inches, and the most where there is room."""
+CONTACT = 0.4
+"""By how much a space is wider in which a play or a stop stands."""
+LANE = 0.84
+MARGIN = 0.22
+"""How far a body reaches beyond its lanes."""
+HEAD = 0.5
+"""Room above for forces."""
+SYMBOL = 1.0
+"""Longest symbol of a part."""
+PIN = 0.34
+SMALL = 7.0
+COLOURS = (MOTOR, BRIDGE, HOUSING, GUARD, "#e8e6d2", "#d9e4e6")
+
+
+def mechanism_diagram(mechanism: Mechanism) -> Figure:
+    """Draw a mechanism."""
+    layout = layout_of(mechanism)
+    lanes = [lane for span in layout.spans.values() for lane in span] + [run.lane for run in layout.runs]
+    low, high = min(lanes, default=0), max(lanes, default=0)
+    geometry = _Geometry.of(layout, mechanism.pins, low, high)
+    forced = any(force.constant or force.amplitude or force.unbalance for force in mechanism.forces.values())
+    figure, axes = canvas(geometry.width, geometry.height + (HEAD if forced else 0.0))
+    _Drawing(axes, mechanism, layout, geometry).draw()
+    return figure
+
+
+@dataclass(frozen=True)
+class _Geometry:
+    """Places in inches.
+
+    Attributes:
+        edges: Left and right edge of each column, the walls among them.
+        low: The lowest lane.
+        width, height: Of the drawing, without forces.
+    """
+
+    edges: tuple[tuple[float, float], ...]
+    low: int
+    width: float
+    height: float
+
+    @classmethod
+    def of(cls, layout: Layout, pins: Collection[str], low: int, high: int) -> _Geometry:
+        left, right = layout.walls
+        spaces = _spaces(layout, pins)
+        bodies = len(layout.bodies)
+        widths = [WALL if left else 0.0, *[BOX] * bodies, WALL if right else 0.0]
+        edges, x = [], 0.05
+        for width, space in zip(widths, [*spaces, 0.0], strict=True):
+            edges.append((x, x + width))
+            x += width + space
+        height = (high - low + 1) * LANE + 0.1
+        return cls(tuple(edges), low, x + 0.05, height)
+
+    def level(self, lane: int) -> float:
+        """Return the height of a lane."""
+        return 0.05 + (lane - self.low + 0.5) * LANE
+
+
+def _spaces(layout: Layout, pins: Collection[str]) -> list[float]:
+    """Return the widths of the spaces between columns: as wide as what stands in each needs."""
+    count = len(layout.bodies) + 1
+    needed = [NARROWEST] * count
+    for is_there, at in zip(layout.walls, (0, -1), strict=True):
+        needed[at] = needed[at] if is_there else 0.0
+    for run in layout.runs:
+        if run.right - run.left == 1:
+            contact = CONTACT if run.joint.section in ("plays", "stops") else 0.0
+            own = NARROWEST + contact + PIN * sum(end in pins for end in run.joint.ends)
+            needed[run.left] = max(needed[run.left], own)
+    boxes = len(layout.bodies) * BOX + sum(layout.walls) * WALL + 0.1
+    spare = max(WIDTH - boxes - sum(needed), 0.0)
+    there = [width for width in needed if width]
+    return [min(width + spare / len(there), WIDEST + width - NARROWEST) if width else 0.0 for width in needed]
+
+
+@final
+@dataclass(frozen=True)
+class _Drawing:
+    axes: Axes
+    mechanism: Mechanism
+    layout: Layout
+    geometry: _Geometry
+
+    def draw(self) -> None:
+        """Draw all parts."""
+        for number, name in enumerate(self.layout.bodies):
+            self.body(name, number)
+        self.walls()
+        for run in self.layout.runs:
+            self.run(run)
+        for name, force in self.mechanism.forces.items():
+            if force.constant or force.amplitude or force.unbalance:
+                self.force(name, force.on)
+
+    def body(self, name: str, number: int) -> None:
+        left, right = self.geometry.edges[number + 1]
+        bottom, top = self.ends(name)
+        words = "\n".join(textwrap.wrap(plain_label(name), 9, break_long_words=True))
+        mass = shown(self.mechanism.bodies[name].mass, "kg")
+        fill = COLOURS[number % len(COLOURS)]
+        body(self.axes, (left, bottom), (right - left, top - bottom), "", fill)
+        self.axes.text((left + right) / 2, (bottom + top) / 2, f"{words}\n{mass}", ha="center", va="center",
+                       fontsize=8, zorder=3)  # fmt: skip
+
+    def ends(self, name: str) -> tuple[float, float]:
+        """Return the lower and the upper edge of a body."""
+        low, high = self.layout.spans[name]
+        return self.geometry.level(low) - MARGIN, self.geometry.level(high) + MARGIN
+
+    def walls(self) -> None:
+        last = len(self.layout.bodies) + 1
+        for column, behind, there in zip((0, last), (-1, 1), self.layout.walls, strict=True):
+            if there:
+                lanes = [run.lane for run in self.layout.runs if column in (run.left, run.right)]
+                edge = self.geometry.edges[column][1 if column == 0 else 0]
+                bottom, top = self.geometry.level(min(lanes)) - 0.3, self.geometry.level(max(lanes)) + 0.3
+                wall(self.axes, edge, bottom, top, behind)
+
+    def run(self, run: Run) -> None:
+        """Draw a part along its lane, with pins where its ends are such."""
+        y = self.geometry.level(run.lane)
+        left, right = self.geometry.edges[run.left][1], self.geometry.edges[run.right][0]
+        first, second = run.joint.ends[::-1] if run.turned else run.joint.ends
+        start = self.port(first, left, y, 1)
+        end = self.port(second, right, y, -1)
+        middle, half = (
+            0.5 * (start + end),
+            0.5 * min(end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops") else 0.0)),
+        )
+        for x, towards in ((start, middle - half), (middle + half, end)):
+            self.axes.plot([x, towards], [y, y], **LINE, zorder=1)
+        self.symbol(run, middle - half, middle + half, y)
+        self.name(run, middle, y)
+
+    def port(self, end: str, edge: float, y: float, sign: int) -> float:
+        """Return where a part begins: at a pin, which is drawn, or at the edge."""
+        if end not in self.mechanism.pins:
+            return edge
+        at = symbols.pin(self.axes, edge, y, sign, PIN)
+        # The name lies over the arrow, where nothing else is.
+        side = "right" if sign > 0 else "left"
+        self.axes.text(at + 0.07 * sign, y + 0.1, plain_label(end), ha=side, va="bottom", fontsize=SMALL)
+        return at
+
+    def symbol(self, run: Run, left: float, right: float, y: float) -> None:
+        part = getattr(self.mechanism, run.joint.section)[run.joint.name]
+        match run.joint.section:
+            case "links":
+                symbols.spring_and_damper(self.axes, left, right, y, part)
+            case "plays":
+                middle = 0.5 * (left + right)
+                symbols.slot(self.axes, left, middle, y)
+                symbols.spring_and_damper(self.axes, middle, right, y, part)
+            case "stops":
+                middle = 0.5 * (left + right)
+                symbols.stop(self.axes, left, middle, y, pulls=not run.turned)
+                symbols.spring_and_damper(self.axes, middle, right, y, part)
+            case "frictions":
+                symbols.sliding(self.axes, left, right, y)
+
+    def name(self, run: Run, x: float, y: float) -> None:
+        """Write name and main number of a part above and below it."""
+        part = getattr(self.mechanism, run.joint.section)[run.joint.name]
+        number = {
+            "links": lambda: shown(part.stiffness, "N/m") if part.stiffness else shown(part.damping, "N s/m"),
+            "plays": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
+            "stops": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
+            "frictions": lambda: shown(part.force, "N") if part.force else shown(part.viscous, "N s/m"),
+        }[run.joint.section]()
+        name = "\n".join(textwrap.wrap(plain_label(run.joint.name), 16))
+        self.axes.text(x, y + 0.24, name, ha="center", va="bottom", fontsize=SMALL, linespacing=0.9)
+        self.axes.text(x, y - 0.25, number, ha="center", va="top", fontsize=SMALL)
+
+    def force(self, name: str, on: str) -> None:
+        """Draw a force above its body."""
+        column = self.layout.bodies.index(on) + 1
+        left, right = self.geometry.edges[column]
+        top = self.ends(on)[1]
+        others = [each for each, force in self.mechanism.forces.items() if force.on == on]
+        y = top + 0.12 + 0.2 * others.index(name)
+        arrow(self.axes, (left, y), (right, y), shrinkA=0, shrinkB=0, mutation_scale=9)
+        self.axes.text(
+            (left + right) / 2, y + 0.04, plain_label(name), ha="center", va="bottom", fontsize=SMALL
+        )

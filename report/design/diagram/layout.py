@@ -1,0 +1,195 @@
+"""Where the parts of a mechanism stand in a drawing: bodies in columns, what joins them in lanes.
+
+The ground is a wall at the left and one at the right. A part runs along a lane from one body to another; a
+body is as high as its lanes need. A part may pass a body only in a lane that the body does not cover.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import permutations
+from typing import final
+
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND
+
+SECTIONS = ("links", "plays", "stops", "frictions")
+MOST_ORDERS = 6
+"""Number of bodies up to which every order of columns is tried."""
+FARTHEST = 12
+"""Lanes above and below the first that are tried."""
+CROSSING = 100
+"""What a part that passes through a body costs, in widths of a column."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A part that joins two ends.
+
+    Attributes:
+        section: Such as ``links``.
+        name: Its name.
+        ends: The two ends: bodies, pins, or the ground.
+        carriers: The bodies of the ends, or the ground.
+    """
+
+    section: str
+    name: str
+    ends: tuple[str, str]
+    carriers: tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Run:
+    """A part in its place, from left to right.
+
+    Attributes:
+        joint: The part.
+        left, right: Columns of its ends; 0 is the left wall, bodies count from 1, the last is the right wall.
+        lane: Its lane; higher ones are above.
+        turned: Whether its second end is the left one.
+        crosses: Whether it passes through a body, as no free lane was found.
+    """
+
+    joint: Joint
+    left: int
+    right: int
+    lane: int
+    turned: bool
+    crosses: bool = False
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Places of all parts.
+
+    Attributes:
+        bodies: Names of the bodies from left to right.
+        runs: The parts between them.
+        spans: Lowest and highest lane of each body.
+    """
+
+    bodies: tuple[str, ...]
+    runs: tuple[Run, ...]
+    spans: Mapping[str, tuple[int, int]]
+
+    @property
+    def walls(self) -> tuple[bool, bool]:
+        """Whether there is a wall at the left, and at the right."""
+        last = len(self.bodies) + 1
+        return any(run.left == 0 for run in self.runs), any(run.right == last for run in self.runs)
+
+    @property
+    def cost(self) -> int:
+        """How far parts reach, how many lanes there are, and how many bodies are crossed."""
+        lanes = {run.lane for run in self.runs}
+        crossed = sum(run.crosses for run in self.runs)
+        return sum(run.right - run.left for run in self.runs) + 2 * len(lanes) + CROSSING * crossed
+
+
+def layout_of(mechanism: Mechanism) -> Layout:
+    """Return places for the parts of a mechanism, in the order of bodies that is best to read."""
+    joints = tuple(joints_of(mechanism))
+    return min((_placed(order, joints) for order in _orders(mechanism, joints)), key=lambda each: each.cost)
+
+
+def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
+    """Return the parts that join two ends, as far as they do something."""
+    for section in SECTIONS:
+        for name, part in getattr(mechanism, section).items():
+            sizes = ("force", "viscous") if section == "frictions" else ("stiffness", "damping")
+            if any(getattr(part, size) for size in sizes):
+                first, second = (_carrier(mechanism, end) for end in part.between)
+                yield Joint(section, name, part.between, (first, second))
+
+
+def _carrier(mechanism: Mechanism, end: str) -> str:
+    return mechanism.pins[end].on if end in mechanism.pins else end
+
+
+def _orders(mechanism: Mechanism, joints: Sequence[Joint]) -> Iterable[tuple[str, ...]]:
+    bodies = tuple(mechanism.bodies)
+    return permutations(bodies) if len(bodies) <= MOST_ORDERS else (_from_ground(bodies, joints),)
+
+
+def _from_ground(bodies: tuple[str, ...], joints: Sequence[Joint]) -> tuple[str, ...]:
+    """Return many bodies in the order in which they are met from the ground, neighbours first."""
+    beside: dict[str, list[str]] = {GROUND: [], **{body: [] for body in bodies}}
+    for joint in joints:
+        first, second = joint.carriers
+        beside[first].append(second)
+        beside[second].append(first)
+    met, waiting = [], [GROUND, *bodies]
+    while waiting:
+        body = waiting.pop(0)
+        if body not in met:
+            met.append(body)
+            waiting = [*beside[body], *waiting]
+    return tuple(body for body in met if body != GROUND)
+
+
+def _placed(bodies: tuple[str, ...], joints: Sequence[Joint]) -> Layout:
+    columns = {body: place for place, body in enumerate(bodies, start=1)}
+    lanes = _Lanes(columns)
+    found = sorted(((*_ends(joint, columns), joint) for joint in joints), key=lambda each: each[1] - each[0])
+    runs = tuple(lanes.run(joint, left, right, turned) for left, right, turned, joint in found)
+    spans = {body: lanes.covered.get(body, (0, 0)) for body in bodies}
+    return Layout(bodies, runs, spans)
+
+
+def _ends(joint: Joint, columns: Mapping[str, int]) -> tuple[int, int, bool]:
+    """Return left and right column of a part, and whether its second end is the left one."""
+    first, second = joint.carriers
+    last = len(columns) + 1
+    if GROUND in joint.carriers:
+        body = columns[second if first == GROUND else first]
+        # A stop on the ground stands where its body runs into it.
+        at_left = body <= last - body if joint.section != "stops" else second == GROUND
+        left, right = (0, body) if at_left else (body, last)
+        return left, right, (first == GROUND) != at_left
+    left, right = columns[first], columns[second]
+    return min(left, right), max(left, right), left > right
+
+
+@final
+@dataclass
+class _Lanes:
+    """Lanes that are being filled.
+
+    Attributes:
+        columns: Of each body.
+        covered: Lowest and highest lane of each body so far.
+        taken: The parts so far.
+    """
+
+    columns: Mapping[str, int]
+    covered: dict[str, tuple[int, int]] = field(default_factory=dict)
+    taken: list[Run] = field(default_factory=list)
+
+    def run(self, joint: Joint, left: int, right: int, turned: bool) -> Run:
+        """Put a part into the first lane that is free for it."""
+        lanes = sorted(range(-FARTHEST, FARTHEST + 1), key=lambda lane: (abs(lane), lane < 0))
+        free = [lane for lane in lanes if self._is_empty(lane, left, right)]
+        lane = next((each for each in free if self._fits(each, joint, left, right)), None)
+        run = Run(joint, left, right, free[0] if lane is None else lane, turned, lane is None)
+        self.taken.append(run)
+        for body in set(joint.carriers) & set(self.columns):
+            low, high = self.covered.get(body, (run.lane, run.lane))
+            self.covered[body] = min(low, run.lane), max(high, run.lane)
+        return run
+
+    def _is_empty(self, lane: int, left: int, right: int) -> bool:
+        return not any(run.lane == lane and run.left < right and left < run.right for run in self.taken)
+
+    def _fits(self, lane: int, joint: Joint, left: int, right: int) -> bool:
+        """Say whether no body is crossed: none that the part passes, nor by those that pass its own."""
+        for body, column in self.columns.items():
+            low, high = self.covered.get(body, (lane, lane))
+            if left < column < right and body in self.covered and low <= lane <= high:
+                return False
+            if body in joint.carriers:
+                low, high = min(low, lane), max(high, lane)
+                if any(run.left < column < run.right and low <= run.lane <= high for run in self.taken):
+                    return False
+        return True

@@ -1,0 +1,93 @@
+"""Symbols of plays, stops, frictions and pins, on a canvas in inches."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from report.drawing.marks import arrow
+from report.drawing.mechanical_symbols import LINE, damper, spring
+from report.drawing.style import BLACK, LINES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from trimmer.mechanism.parts import Contact, Link
+
+HEIGHT = 0.13
+"""Half of the height of a slot."""
+LEVEL = 0.11
+"""Distance of a spring and the damper beside it from the middle of their lane."""
+CONTACT = {**LINE, "color": LINES[1]["color"], "linewidth": 1.4}
+FRICTION = {**LINE, "color": LINES[2]["color"], "linewidth": 1.8}
+
+
+def spring_and_damper(axes: Axes, left: float, right: float, y: float, part: Link | Contact) -> None:
+    """Draw what a link or a contact is made of, side by side if it is both."""
+    if part.stiffness and part.damping:
+        inner = 0.12 * (right - left)
+        for x, end in ((left, left + inner), (right, right - inner)):
+            axes.plot([x, end], [y, y], **LINE)
+            axes.plot([end, end], [y - LEVEL, y + LEVEL], **LINE)
+        spring(axes, left + inner, right - inner, y + LEVEL, "")
+        damper(axes, left + inner, right - inner, y - LEVEL, "")
+    elif part.stiffness:
+        spring(axes, left, right, y, "")
+    else:
+        damper(axes, left, right, y, "")
+
+
+def slot(axes: Axes, left: float, right: float, y: float) -> None:
+    """Draw a slot with a bar in it that has room on both sides."""
+    middle, width = 0.5 * (left + right), right - left
+    first, last = middle - 0.3 * width, middle + 0.3 * width
+    axes.plot([left, middle], [y, y], **CONTACT)
+    axes.plot([middle, middle], [y - 0.6 * HEIGHT, y + 0.6 * HEIGHT], **CONTACT)
+    for level in (y + HEIGHT, y - HEIGHT):
+        axes.plot([first, last], [level, level], **CONTACT)
+    # The near wall has a door for the bar's rod.
+    axes.plot([first, first], [y + HEIGHT, y + 0.04], **CONTACT)
+    axes.plot([first, first], [y - 0.04, y - HEIGHT], **CONTACT)
+    axes.plot([last, last], [y - HEIGHT, y + HEIGHT], **CONTACT)
+    axes.plot([last, right], [y, y], **CONTACT)
+
+
+def stop(axes: Axes, left: float, right: float, y: float, *, pulls: bool) -> None:
+    """Draw a stop: two plates that press on each other, or two hooks, as it acts while its ends are apart."""
+    middle, gap = 0.5 * (left + right), 0.16 * (right - left)
+    if not pulls:
+        for x, end in ((middle - gap, left), (middle + gap, right)):
+            axes.plot([end, x], [y, y], **CONTACT)
+            axes.plot([x, x], [y - HEIGHT, y + HEIGHT], **CONTACT)
+        return
+    for sign, end, level in ((1, left, HEIGHT), (-1, right, -HEIGHT)):
+        tip = middle + sign * gap
+        axes.plot([end, tip], [y + level / 2, y + level / 2], **CONTACT)
+        axes.plot([tip, tip], [y + level / 2, y - level / 2 - 0.02 * sign], **CONTACT)
+
+
+def sliding(axes: Axes, left: float, right: float, y: float) -> None:
+    """Draw dry friction: two plates, one on the other."""
+    middle, half, step = 0.5 * (left + right), 0.3 * (right - left), 0.03
+    for sign, end, level in ((-1, left, y + step), (1, right, y - step)):
+        edge = middle + sign * half
+        axes.plot([end, edge, edge, middle - sign * 0.6 * half], [y, y, level, level], **FRICTION)
+    for share in (-0.4, 0.0, 0.4):
+        x = middle + share * half
+        axes.plot([x - 0.04, x + 0.04], [y + step + 0.09, y + step + 0.02], **(FRICTION | {"linewidth": 0.8}))
+
+
+def pin(axes: Axes, edge: float, y: float, sign: int, length: float) -> float:
+    """Draw a pin that moves on a body; return where it is.
+
+    Args:
+        axes: The canvas.
+        edge: Edge of its body, or wall.
+        y: Height.
+        sign: 1 if it stands at the right of the body, -1 at the left.
+        length: How far from the edge.
+    """
+    at = edge + sign * length
+    ends = sorted((edge + sign * 0.03, at - sign * 0.07))
+    arrow(axes, (ends[0], y), (ends[1], y), shrinkA=0, shrinkB=0, mutation_scale=6, arrowstyle="<|-|>")
+    axes.plot([at], [y], "o", color=BLACK, markerfacecolor="#bbbbbb", markersize=7, zorder=4)
+    return at

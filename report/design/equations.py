@@ -1,0 +1,53 @@
+"""The equations of a mechanism, from its derivation."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from derivations.any_mechanism.derivation import derive_mechanism
+from derivations.any_mechanism.narrative import mechanism_narrative
+from derivations.latex import latex
+from report.design.quantities import shown
+from report.design.report import Equations, SymbolRow
+from report.document.derivation import DerivationStep
+from report.document.figure import Equation
+from trimmer.code_generation import symbolic_mechanism
+
+if TYPE_CHECKING:
+    from derivations.latex_document import ValuedQuantity
+    from derivations.step import Step
+    from trimmer.mechanism.mechanism import Mechanism
+
+FIRST = ("parts", "closed-contact")
+"""Steps that a designer wants; without a contact, the equations of motion in place of the second."""
+
+
+def equations_of(mechanism: Mechanism) -> Equations:
+    """Derive a mechanism, with the checks of the derivation.
+
+    Raises:
+        MechanismError: if two symbols of its parts print the same.
+        UnprovenError: if a check fails.
+    """
+    symbolic = symbolic_mechanism(mechanism)
+    steps = mechanism_narrative(derive_mechanism(symbolic.mechanism))
+    names = {step.id for step in steps}
+    wanted = FIRST if "closed-contact" in names else ("parts", "motion")
+    first = [each for each in steps if each.id in wanted or each.id.startswith(("contact-", "friction-"))]
+    rest = [each for each in steps if each not in first]
+    symbols = tuple(map(_row, symbolic.quantities))
+    return Equations(tuple(map(_shown, first)), tuple(map(_shown, rest)), symbols)
+
+
+def _row(valued: ValuedQuantity) -> SymbolRow:
+    quantity = valued.quantity
+    value = "" if valued.value is None else shown(valued.value, quantity.unit.text, 6)
+    return SymbolRow(latex(quantity.symbol), quantity.meaning, value or quantity.unit.text)
+
+
+def _shown(step: Step) -> DerivationStep:
+    equations = tuple(Equation(each.latex, "", each.words) for each in step.formulas)
+    return DerivationStep(
+        re.sub(r"[^A-Za-z0-9-]+", "-", step.id).strip("-"), step.title, step.text, equations
+    )

@@ -1,0 +1,1 @@
+"""Pictures of a design; each function only draws what was computed."""

@@ -1,0 +1,83 @@
+"""The report on a design as Markdown, in pieces that follow each other."""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, Any
+
+from report.design import comparison, sentences, tables, words
+from report.design.quantities import percent, place_words, shown, written
+from report.rendering.links import check_links
+from report.rendering.markdown import formula, plain_environment
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+    from report.design.comparison import ComparisonReport
+    from report.design.report import DesignReport
+
+PIECES = (
+    *("verdict", "ranges", "mechanism", "linear", "motions", "contacts", "spectrum", "maps", "branches"),
+    *("sensitivity", "exposure", "provenance"),
+)
+
+
+def to_markdown(report: DesignReport) -> dict[str, str]:
+    """Return the report as pandoc Markdown, piece by piece.
+
+    Raises:
+        BrokenLinkError: if two places share an identifier.
+    """
+    mechanism = report.design.file.mechanism
+    content: dict[str, Any] = {
+        "report": report,
+        "design": report.design,
+        "contacts": {**mechanism.plays, **mechanism.stops},
+    }
+    template = environment().get_template
+    pieces = {name: template(f"design/{name}.md.j2").render(content) for name in PIECES}
+    check_links("\n".join(pieces.values()))
+    return pieces
+
+
+def comparison_to_markdown(report: ComparisonReport) -> dict[str, str]:
+    """Return the report on two designs as pandoc Markdown.
+
+    Raises:
+        BrokenLinkError: if two places share an identifier.
+    """
+    piece = environment().get_template("design/comparison.md.j2").render(report=report)
+    check_links(piece)
+    return {"comparison": piece}
+
+
+@functools.cache
+def environment() -> Environment:
+    """Return the environment of the templates of designs."""
+    made = plain_environment()
+    made.filters.update(
+        shown=shown,
+        written=written,
+        percent=percent,
+        place_words=place_words,
+        capital=words.capital,
+        count=words.count,
+    )
+    made.globals.update(
+        {
+            name: vars(module)[name]
+            for module in (comparison, tables, sentences, words)
+            for name in _own(module)
+        }
+    )
+    made.globals.update(formula=formula)
+    return made
+
+
+def _own(module: Any) -> list[str]:
+    """Return the names of a module's own public functions."""
+    return [
+        name
+        for name, value in vars(module).items()
+        if callable(value) and not name.startswith("_") and value.__module__ == module.__name__
+    ]

@@ -1,0 +1,246 @@
+"""All pictures of a design, by the names under which its text asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from report.design.diagram.diagram import mechanism_diagram
+from report.design.diagram.layout import joints_of
+from report.design.figures.branch import branch
+from report.design.figures.drawn import drawn
+from report.design.figures.influence import influences
+from report.design.figures.linear import transfer_functions
+from report.design.figures.lines import line_spectrum
+from report.design.figures.maps import kind_map
+from report.design.figures.motion import motion_over_time
+from report.design.figures.over_range import over_range
+from report.design.quantities import percent, place_words, shown
+from report.design.words import measure_words
+from report.rendering.escaping import plain
+from trimmer.design.linear import driving
+from trimmer.design.targets import Measure
+from trimmer.design.trial import Asked
+
+if TYPE_CHECKING:
+    from report.document.figure import Figure
+    from trimmer.design.design import Design
+    from trimmer.design.kept_map import DesignMap
+    from trimmer.design.linear import LinearState
+    from trimmer.design.paths import NumberPath
+    from trimmer.design.spectrum import Line
+
+MEASURES = 4
+"""Measures whose influences are drawn."""
+
+
+def pictures(design: Design) -> dict[str, Figure]:
+    """Draw all pictures that a design has something for."""
+    found = [
+        _diagram(design),
+        *_motion(design),
+        *_transfer(design),
+        *_spectra(design),
+        *_ranges(design),
+        *(_map(each, number) for number, each in enumerate(design.maps, start=1)),
+        *_branches(design),
+        *_influences(design),
+    ]
+    return {each.id: each for each in found}
+
+
+def _diagram(design: Design) -> Figure:
+    mechanism = design.file.mechanism
+    joints = [f"{joint.name} between {joint.ends[0]} and {joint.ends[1]}" for joint in joints_of(mechanism)]
+    joined = f" {'; '.join(joints)}." if joints else ""
+    return drawn(
+        "diagram",
+        "The mechanism",
+        "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are "
+        "springs, pots "
+        "are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a dry "
+        "friction; a circle is a "
+        "pin that moves on its body as prescribed. Nothing is to scale.",
+        f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
+        partial(mechanism_diagram, mechanism),
+    )
+
+
+def _motion(design: Design) -> Iterator[Figure]:
+    motion = design.motion
+    if motion is None:
+        return
+    span = "one period" if motion.repeats else "some drive periods of a motion that does not repeat"
+    contacts = ", the forces of its contacts" if motion.signals.forces else ""
+    yield drawn(
+        "motion",
+        "The motion over time",
+        f"The outputs{plain(contacts)}, and when parts touch and stick, over {span}. A positive force "
+        f"pulls the "
+        "two ends together."
+        if motion.signals.forces
+        else f"The outputs over {span}.",
+        f"Curves of the outputs over {span}; below, bars show when parts touch or stick.",
+        partial(motion_over_time, motion),
+    )
+
+
+def _transfer(design: Design) -> Iterator[Figure]:
+    mechanism = design.file.mechanism
+    drives = driving(mechanism)
+    if not drives or not mechanism.outputs or not design.linear[0].transfer:
+        return
+    drive, output = drives[0][0], next(iter(mechanism.outputs))
+    moving = [state.contacts.value for state in design.linear if _passes(state, drive, output)]
+    if not moving:
+        return
+    states = f" with contacts {' and with contacts '.join(moving)}" if len(design.linear) > 1 else ""
+    still = (
+        f" With contacts open {plain(drive)} moves nothing of it." if len(moving) < len(design.linear) else ""
+    )
+    yield drawn(
+        "transfer",
+        f"From {drive} to {output}",
+        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}.{still} The dotted "
+        f"line is the "
+        "frequency of the drive. Dry friction is left out.",
+        f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
+        "table above.",
+        partial(transfer_functions, design.linear, drive, output, mechanism.frequency),
+    )
+
+
+def _passes(state: LinearState, drive: str, output: str) -> bool:
+    """Say whether a drive moves an output at all."""
+    found = [each for each in state.transfer if (each.drive, each.output) == (drive, output)]
+    return any(abs(each.response).max() > 0 for each in found)
+
+
+def _spectra(design: Design) -> Iterator[Figure]:
+    for number, each in enumerate(design.spectra.values(), start=1):
+        if each.lines:
+            yield drawn(
+                f"spectrum-{number}",
+                f"Lines of {each.output}",
+                f"Amplitudes of the lines of {plain(each.output)}, down to one ten-thousandth of the "
+                f"largest.",
+                f"Upright lines over frequency, the highest at "
+                f"{shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
+                partial(line_spectrum, [("", each)]),
+            )
+
+
+def _ranges(design: Design) -> Iterator[Figure]:
+    study = design.ranges
+    asked = important(design)[:MEASURES]
+    if study is None or not asked:
+        return
+    first = study.narrowings[0].range
+    named = [(each, _words(each)) for each in asked]
+    bounds = {Asked(each.measure, each.part): each.bound for each in design.file.targets}
+    others = (
+        " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
+    )
+    met = (
+        " Full marks meet all targets, open ones do not; the dotted lines are bounds."
+        if design.file.targets
+        else ""
+    )
+    yield drawn(
+        "ranges",
+        f"Over the {place_words(first.place)}",
+        f"What the mechanism does from its start over the {plain(place_words(first.place))}.{others}{met}",
+        "Points of some measures over the number that nobody knows.",
+        partial(over_range, study, first, named, bounds if design.file.targets else {}, design.file.targets),
+    )
+
+
+def _words(asked: Asked) -> str:
+    return measure_words(asked.measure, asked.part).replace("\\", "")
+
+
+def _amplitude(line: Line) -> float:
+    return line.amplitude
+
+
+def _map(each: DesignMap, number: int) -> Figure:
+    first, second = plain(place_words(each.first.place)), plain(place_words(each.second.place))
+    rows, columns = each.result.shape
+    kinds = each.result.period_count
+    share = percent(float((kinds == 1).mean()))
+    return drawn(
+        f"map-{number}",
+        f"Kinds of motion over {place_words(each.first.place)} and {place_words(each.second.place)}",
+        f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × "
+        f"{rows} cells, "
+        f"each one motion, followed for at most {each.result.inputs.settings.most_periods} drive periods. "
+        f"The circle is "
+        "the file's own point. Edges are known to a cell's width.",
+        f"A map of areas. In {share} of the cells the motion repeats with the drive.",
+        partial(kind_map, each),
+    )
+
+
+def _branches(design: Design) -> Iterator[Figure]:
+    outputs = list(design.file.mechanism.outputs)
+    for number, each in enumerate(design.paths, start=1):
+        if outputs and any(side is not None and len(side.values) > 1 for side in (each.down, each.up)):
+            yield _branch(each, number, outputs[0])
+
+
+def _branch(path: NumberPath, number: int, output: str) -> Figure:
+    words = plain(place_words(path.varied.place))
+    return drawn(
+        f"branch-{number}",
+        f"The motion over the {place_words(path.varied.place)}",
+        f"Peak to peak of {plain(output)} along the branch of exact orbits through the file's own point. "
+        f"Solid: "
+        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part "
+        "from it "
+        "are not drawn.",
+        f"A curve over the {words}, with marks where the motion changes.",
+        partial(branch, path, output),
+    )
+
+
+def _influences(design: Design) -> Iterator[Figure]:
+    found = design.sensitivities
+    if found is None or not found.entries:
+        return
+    asked = [each for each in important(design) if found.ranked(each)][:MEASURES]
+    if asked:
+        named = [(each, _words(each)) for each in asked]
+        yield drawn(
+            "influence",
+            "What each number changes",
+            "By how many per cent a measure changes when a number rises by one per cent; to the right it "
+            "grows, to the "
+            "left it shrinks. At most seven numbers each, the most influential first.",
+            "Bars for the most influential numbers of each measure, to the right where the measure grows "
+            "with them.",
+            partial(influences, found, named),
+        )
+
+
+def important(design: Design) -> list[Asked]:
+    """Return the measures to look at first: those of targets, then stroke, held body, impact, wear."""
+    motion, mechanism = design.motion, design.file.mechanism
+    if motion is None:
+        return []
+    found = [
+        Asked(each.measure, each.part) for each in design.file.targets if each.measure is not Measure.PERIOD
+    ]
+    if mechanism.outputs:
+        found.append(Asked(Measure.STROKE, next(iter(mechanism.outputs))))
+    shaken = design.file.held or max(motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])
+    found.append(Asked(Measure.RMS_ACCELERATION, shaken))
+    hit = [name for name, each in motion.contacts.items() if each.impact_speed > 0]
+    if hit:
+        found.append(
+            Asked(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed))
+        )
+    worn = [name for name, each in motion.frictions.items() if each.power > 0]
+    if worn:
+        found.append(Asked(Measure.WEAR_POWER, max(worn, key=lambda name: motion.frictions[name].power)))
+    return list(dict.fromkeys(found))

@@ -1,0 +1,51 @@
+"""Lines for who waits: each step of a design as it begins, on a terminal with a count of what is done."""
+
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, final
+
+from report.design.quantities import place_words
+from trimmer.progress import is_silenced
+
+if TYPE_CHECKING:
+    from trimmer.design.design import Stage
+
+KEPT = 0.05
+"""Time below which a step was not computed but kept, s."""
+
+
+@final
+@dataclass
+class ProgressLines:
+    """Tells each step on standard error, unless that is silenced."""
+
+    _begun: dict[tuple[Stage, str], float] = field(default_factory=dict)
+
+    def __call__(self, stage: Stage, about: str, done: int, count: int) -> None:
+        """Tell how much of a step is done."""
+        if is_silenced():
+            return
+        begun = self._begun.setdefault((stage, about), time.perf_counter())
+        if done == count:
+            del self._begun[stage, about]
+        name = f"{stage.value}{f' over the {_words(about)}' if about else ''}"
+        if sys.stderr.isatty():
+            share = f" {done}/{count}" if count > 1 else ""
+            print(
+                f"\r\033[K{name} ...{share}", end="\n" if done == count else "", file=sys.stderr, flush=True
+            )
+        elif done == count:
+            seconds = time.perf_counter() - begun
+            print(f"{name}: {f'{seconds:.1f} s' if seconds > KEPT else 'kept'}", file=sys.stderr, flush=True)
+
+    def say(self, text: str) -> None:
+        """Tell something else."""
+        if not is_silenced():
+            print(text, file=sys.stderr, flush=True)
+
+
+def _words(about: str) -> str:
+    return " and ".join(place_words(each) for each in about.split(" x "))

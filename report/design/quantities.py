@@ -1,0 +1,123 @@
+"""Numbers with units as a reader wants them: with a prefix that fits, and few digits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trimmer.mechanism.place_text import parse_place
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from trimmer.mechanism.mechanism import Mechanism
+
+PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+LARGE_TOO = ("N", "N/m", "Hz", "W", "J")
+"""Units that take a prefix for large numbers too; a stroke of 2000 m is not one of 2 km."""
+PREFIXED = (*LARGE_TOO, "m", "s", "kg")
+FITS = 0.9995
+"""A prefix fits if the number is at least so many of it, so that 999.9 µm is written as 1 mm."""
+ROUND = ("N", "W", "J")
+"""Units of which a tenth is still written without a prefix, as 0.5 N."""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A unit for numbers: they are divided by the factor."""
+
+    factor: float
+    unit: str
+
+
+def scale_for(values: Iterable[float], unit: str) -> Scale:
+    """Return the unit in which numbers are easy to read, by the largest of them.
+
+    Args:
+        values: In the SI unit.
+        unit: The SI unit.
+    """
+    sizes = [abs(value) for value in values if math.isfinite(value)]
+    largest = max(sizes, default=0.0)
+    if unit not in PREFIXED or largest == 0:
+        return Scale(1.0, "" if unit == "1" else unit)
+    if unit == "kg":
+        return Scale(1.0, "kg") if largest >= FITS else Scale(1e-3, "g")
+    allowed = [each for each in PREFIXES if each[0] <= 1 or unit in LARGE_TOO]
+    if unit in ROUND and 0.1 <= largest < 1:
+        return Scale(1.0, unit)
+    factor, prefix = next((each for each in allowed if largest >= FITS * each[0]), allowed[-1])
+    return Scale(factor, prefix + unit)
+
+
+def shown(value: float, unit: str = "", digits: int = 3) -> str:
+    """Return a number with its unit as text, such as ``2.92 mm``; in words where there is none.
+
+    Args:
+        value: In the SI unit.
+        unit: The SI unit; empty or 1 for a number.
+        digits: How many digits it has at most.
+    """
+    if math.isnan(value):
+        return "unknown"
+    if math.isinf(value):
+        return "without end" if value > 0 else "−∞"
+    scale = scale_for([value], unit)
+    text = written(value / scale.factor, digits)
+    return f"{text} {scale.unit}" if scale.unit else text
+
+
+def written(value: float, digits: int = 3) -> str:
+    """Return a number with some digits, without an exponent where it is of ordinary size."""
+    if value == 0:
+        return "0"
+    rounded = float(f"{value:.{digits}g}")
+    if 1e-4 <= abs(rounded) < 1e6:
+        places = max(digits - 1 - math.floor(math.log10(abs(rounded))), 0)
+        text = f"{rounded:.{places}f}"
+        text = text.rstrip("0").rstrip(".") if "." in text else text
+    else:
+        mantissa, power = f"{rounded:.{digits - 1}e}".split("e")
+        text = f"{mantissa.rstrip('0').rstrip('.')} · 10^{int(power)}"
+    return text.replace("-", "−")
+
+
+def percent(share: float, digits: int = 2) -> str:
+    """Return a share in per cent."""
+    return f"{written(100 * share, digits)} %"
+
+
+KEYS = {
+    "mass": "mass",
+    "stiffness": "stiffness",
+    "damping": "damping",
+    "gap": "gap",
+    "force": "kinetic friction",
+    "static": "static friction",
+    "viscous": "viscous friction",
+    "amplitude": "amplitude",
+    "velocity": "velocity",
+    "constant": "constant force",
+    "unbalance": "unbalance",
+    "phase": "phase",
+    "offset": "offset",
+    "order": "order",
+}
+
+
+def place_words(place: str) -> str:
+    """Return what a dotted place is, in words, such as ``gap of bridge``."""
+    names = parse_place(place)
+    if names == ("frequency",):
+        return "frequency of the drive"
+    if names[0] == "start":
+        return f"{names[2]} of {names[1]} at the start"
+    if names[0] == "outputs":
+        return f"weight of {names[2]} in {names[1]}"
+    return f"{KEYS.get(names[2], names[2])} of {names[1]}"
+
+
+def units_of(mechanism: Mechanism) -> dict[str, str]:
+    """Return the SI unit of every number of a mechanism, by its dotted place."""
+    return dict(mechanism.places)

@@ -1,0 +1,92 @@
+"""Writing the report on a design as HTML and PDF."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING, Protocol
+
+from report.rendering.figure_colours import with_variables
+from report.rendering.html import Look, page, with_drawings
+from report.rendering.pdf import typeset
+from report.rendering.pieces import Converter
+from report.rendering.request import Format, Paper
+
+if TYPE_CHECKING:
+    from report.cache.stage_store import StageStore
+    from report.document.figure import Figure
+    from report.document.thesis import Provenance
+
+
+class Shown(Protocol):
+    """A report that can be rendered."""
+
+    @property
+    def title(self) -> str:
+        """Its title."""
+        ...
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        ...
+
+    @property
+    def provenance(self) -> Provenance:
+        """What it was made from."""
+        ...
+
+    @property
+    def figures(self) -> Mapping[str, Figure]:
+        """Its figures, by the names under which its text asks for them."""
+        ...
+
+
+STYLES = ("page.css", "tables.css", "print.css")
+SCRIPTS = ("search.js", "design/find.js", "contents.js", "zoom.js", "figures.js", "page.js")
+
+
+def rendered(
+    document: Shown,
+    pieces: Mapping[str, str],
+    formats: frozenset[Format],
+    paper: Paper,
+    store: StageStore | None,
+) -> dict[Format, str | bytes]:
+    """Return the report in the forms that are wanted.
+
+    Args:
+        document: The report; it has a title, a subtitle, provenance and figures.
+        pieces: Its text.
+        formats: HTML, PDF or both.
+        paper: Size of the pages.
+        store: Where converted pieces are kept.
+
+    Raises:
+        PandocError: if pandoc cannot read the text or its mathematics.
+        TypesettingError: if the PDF cannot be set.
+    """
+    converter = Converter.keeping(store) if store else Converter()
+    text = converter.parsed(pieces)
+    source = converter.typst(text) if Format.PDF in formats else ""
+    figures: Mapping[str, Figure] = document.figures
+    makers: dict[Format, Callable[[], str | bytes]] = {
+        Format.PDF: lambda: _pdf(document, source, figures, paper, store),
+        Format.HTML: lambda: _html(document, converter.html(text), figures),
+    }
+    with ThreadPoolExecutor() as pool:
+        made = {form: pool.submit(makers[form]) for form in makers if form in formats}
+        return {form: made[form].result() for form in made}
+
+
+def _html(document: Shown, body: str, figures: Mapping[str, Figure]) -> str:
+    svg = {name: with_variables(each.svg) for name, each in figures.items()}
+    look = Look(STYLES, SCRIPTS, [each.svg for each in figures.values()])
+    return page("design/page.html.j2", look, with_drawings(body, svg), document=document)
+
+
+def _pdf(
+    document: Shown, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
+) -> bytes:
+    more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
+    return typeset(document.title, document.subtitle, document.provenance.date, body, more, paper, store)

@@ -1,0 +1,58 @@
+"""Everything that the report on a design shows, finished and frozen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.document.derivation import DerivationStep
+from report.document.figure import Figure
+from report.document.thesis import Provenance
+from trimmer.design.design import Design
+
+
+@dataclass(frozen=True)
+class SymbolRow:
+    """A symbol of the equations: LaTeX, meaning, value with its unit as text."""
+
+    symbol: str
+    meaning: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Equations:
+    """The derivation of the mechanism.
+
+    Attributes:
+        first: Steps that a designer wants: equations with closed contact, laws of contact and friction.
+        rest: The other steps.
+        symbols: What the letters mean.
+    """
+
+    first: tuple[DerivationStep, ...]
+    rest: tuple[DerivationStep, ...]
+    symbols: tuple[SymbolRow, ...]
+
+
+@dataclass(frozen=True)
+class DesignReport:
+    """The report.
+
+    Attributes:
+        title: Its title, plain text.
+        design: What was computed.
+        equations: The derivation.
+        figures: By their identifiers.
+        provenance: What it was made from.
+    """
+
+    title: str
+    design: Design
+    equations: Equations
+    figures: dict[str, Figure]
+    provenance: Provenance
+
+    @property
+    def subtitle(self) -> str:
+        """The line below the title."""
+        return self.provenance.line

@@ -1,0 +1,328 @@
+"""Rows of the report's tables, as Markdown cells; the first row is the head."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from report.design.pictures import important
+from report.design.quantities import percent, place_words, shown, written
+from report.design.words import (
+    SPECIAL,
+    bound_words,
+    capital,
+    count,
+    kind_words,
+    measure_value,
+    measure_words,
+)
+from report.rendering.escaping import inline_mathematics, plain
+from trimmer.design.spectrum import LineKind
+from trimmer.design.targets import Measure
+from trimmer.design.trial import all_measures
+
+if TYPE_CHECKING:
+    from report.design.report import DesignReport, Equations
+    from trimmer.design.design import Design
+    from trimmer.design.linear import LinearState
+    from trimmer.design.paths import NumberPath, Side
+    from trimmer.design.spectrum import Line, OutputSpectrum
+
+Rows = list[list[str]]
+DASH = "—"
+ACTION_VALUE = 2.5
+"""Daily exposure action value, m/s²."""
+
+
+def _value(number: float, unit: str = "", digits: int = 3) -> str:
+    return plain(shown(number, unit, digits))
+
+
+def target_rows(design: Design) -> Rows:
+    """Return each target with what was found."""
+    head = ["Target", "Wanted", "Found", "Margin", "Verdict"]
+    return [head] + [
+        [
+            capital(measure_words(each.target.measure, each.target.part)),
+            bound_words(each.target),
+            measure_value(each.target.measure, each.value),
+            DASH if each.target.measure is Measure.PERIOD else plain(percent(each.margin)),
+            "met" if each.met else "**missed**",
+        ]
+        for each in design.verdict.judged
+    ]
+
+
+def remedy_rows(design: Design) -> Rows:
+    """Return the changes that meet all targets."""
+    remedies = design.remedies.found if design.remedies else ()
+    starts = design.remedies.starts if design.remedies else 0
+    head = ["Number", "Now", "Then", "Change", "Starts that meet them"]
+    return [head] + [
+        [
+            capital(plain(place_words(each.place))),
+            _value(each.before, each.unit),
+            _value(each.after, each.unit),
+            plain(f"{'+' if each.after > each.before else '−'}{percent(abs(each.after / each.before - 1))}"),
+            f"all {starts}" if each.meeting == starts else f"{each.meeting} of {starts}",
+        ]
+        for each in remedies
+    ]
+
+
+def number_rows(design: Design) -> Rows:
+    """Return every number of the file that is not zero, by its place."""
+    mechanism = design.file.mechanism
+    open_ranges = {each.place: each for each in design.file.ranges}
+    rows = [["Place", "Value"]]
+    for place, unit in mechanism.places.items():
+        if place == "frequency" and mechanism.frequency is None:
+            continue
+        value = mechanism.value(place)
+        if place in open_ranges:
+            found = open_ranges[place]
+            rows.append([f"`{place}`", f"{_value(found.lowest, unit)} to {_value(found.highest, unit)}"])
+        elif value and not (place.endswith(".order") and value == 1):
+            rows.append([f"`{place}`", _value(value, unit, 6)])
+    return rows
+
+
+def symbol_rows(equations: Equations) -> Rows:
+    """Return what the letters mean."""
+    return [["Symbol", "Meaning", "Value or unit"]] + [
+        [inline_mathematics(each.symbol), plain(each.meaning), plain(each.value)]
+        for each in equations.symbols
+    ]
+
+
+def mode_rows(state: LinearState, design: Design) -> Rows:
+    """Return the modes of one state of the contacts."""
+    head = ["Mode", "Frequency", "Damping ratio", "What moves, relative to the largest"]
+    rows = [head]
+    for number, mode in enumerate(state.modes, start=1):
+        moving = [
+            f"{plain(name)} {plain(written(_signed(size), 2))}"
+            for name, size in zip(state.bodies, mode.shape, strict=True)
+            if abs(size) >= 0.05
+        ]
+        frequency = _value(mode.frequency, "Hz", 4)
+        drive = design.file.mechanism.frequency
+        if drive:
+            frequency += f" ({plain(written(mode.frequency / drive, 3))} × drive)"
+        rows.append([str(number), frequency, plain(percent(mode.damping_ratio, 3)), ", ".join(moving)])
+    return rows
+
+
+def _signed(size: complex) -> float:
+    """Return the modulus with the sign of the real part: light damping leaves shapes nearly real."""
+    return math.copysign(abs(size), size.real)
+
+
+def transfer_rows(design: Design) -> Rows:
+    """Return what each output does at the frequency of the drive, by drive and state of the contacts."""
+    head = ["From, to", *(f"Contacts {state.contacts.value}" for state in design.linear)]
+    rows: dict[tuple[str, str], list[str]] = {}
+    for state in design.linear:
+        for each in state.transfer:
+            if each.at_drive is not None:
+                value = _value(abs(each.at_drive), "m/N" if each.unit == "N" else "", 4)
+                angle = plain(
+                    f"{written(math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real)), 3)}°"
+                )
+                rows.setdefault((each.drive, each.output), []).append(f"{value} at {angle}")
+    if len(design.linear) == 1:
+        head = ["From, to", "Response", "Unit"]
+        return [head] + [[f"{plain(a)}, {plain(b)}", *cells, "m/m or m/N"] for (a, b), cells in rows.items()]
+    return [head] + [[f"{plain(drive)}, {plain(output)}", *cells] for (drive, output), cells in rows.items()]
+
+
+def measure_rows(design: Design) -> Rows:
+    """Return outputs and bodies of the first motion."""
+    motion = design.motion
+    if motion is None:
+        return [["What", "Peak to peak", "rms"]]
+    rows = [["What", "Peak to peak", "rms"]]
+    for name, each in motion.outputs.items():
+        rows.append(
+            [f"{plain(name)}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)]
+        )
+    for name, rms in motion.rms_acceleration.items():
+        rows.append([f"{plain(name)}, acceleration", DASH, _value(rms, "m/s²", 4)])
+    return rows
+
+
+def motion_rows(design: Design) -> Rows:
+    """Return the motions that were found."""
+    asked = [each for each in important(design) if each.measure in (Measure.STROKE, Measure.IMPACT_SPEED)][:2]
+    rows = [["Motion", *(capital(measure_words(each.measure, each.part)) for each in asked), "Found from"]]
+    rows[0].extend([""] * (4 - len(rows[0])))
+    for motion in design.motions.found:
+        cells = [capital(kind_words(motion)) + (" (a mirror image)" if motion.mirrored else "")]
+        for each in asked:
+            value = (
+                motion.outputs[each.part].peak_to_peak
+                if each.measure is Measure.STROKE
+                else motion.contacts[each.part].impact_speed
+            )
+            cells.append(_value(value, each.measure.value))
+        origin = count(motion.starts, "start") if motion.starts else "a neighbour's motion"
+        cells.append(f"{origin} of {design.motions.starts}" if motion.starts else origin)
+        rows.append(cells + [""] * (4 - len(cells)))
+    return rows
+
+
+def contact_rows(design: Design) -> Rows:
+    """Return what plays and stops do."""
+    rows = [["Contact", "Impacts per period", "Largest speed", "Largest force", "Time in contact"]]
+    if design.motion is not None:
+        for name, each in design.motion.contacts.items():
+            rows.append(
+                [
+                    plain(name),
+                    plain(written(each.impacts, 3)),
+                    _value(each.impact_speed, "m/s"),
+                    _value(each.largest_force, "N"),
+                    plain(percent(each.share)),
+                ]
+            )
+    return rows
+
+
+def friction_rows(design: Design) -> Rows:
+    """Return what dry frictions do."""
+    rows = [["Friction", "Wear power", "Heat per period", "Time in stick"]]
+    if design.motion is not None:
+        for name, each in design.motion.frictions.items():
+            rows.append(
+                [plain(name), _value(each.power, "W"), _value(each.work, "J"), plain(percent(each.stick))]
+            )
+    return rows
+
+
+def line_rows(spectrum: OutputSpectrum) -> Rows:
+    """Return the lines of an output, each with what it is."""
+    largest = max(line.amplitude for line in spectrum.lines)
+    return [["Frequency", "Amplitude", "Of the largest", "What it is"]] + [
+        [
+            _value(line.frequency, "Hz", 4),
+            _value(line.amplitude, "m"),
+            plain(percent(line.amplitude / largest)),
+            _explained(line),
+        ]
+        for line in spectrum.lines
+    ]
+
+
+def _explained(line: Line) -> str:
+    ratio = f"{line.numerator}/{line.denominator}"
+    parity, periods = "odd" if line.numerator % 2 else "even", count(line.denominator, "drive period")
+    what = {
+        LineKind.DRIVE: "the drive",
+        LineKind.HARMONIC: f"harmonic {line.numerator} of the drive ({parity})",
+        LineKind.FRACTION: f"{ratio} of the drive: the motion repeats after {periods}",
+        LineKind.OWN: f"harmonic {line.numerator} of the motion's own frequency"
+        if line.numerator > 1
+        else "the motion's own frequency",
+    }[line.kind]
+    if line.mode is None or line.contacts is None:
+        return plain(what)
+    return plain(
+        f"{what}; near the mode of {shown(line.mode.frequency, 'Hz', 4)} with contacts "
+        f"{line.contacts.value}, "
+        "which may amplify it"
+    )
+
+
+def margin_rows(design: Design) -> Rows:
+    """Return how far gap, speed and friction may move."""
+    rows = [["Number", "Down to", "In the file", "Up to"]]
+    for path in design.paths:
+        unit = path.varied.unit
+        rows.append(
+            [
+                capital(plain(place_words(path.varied.place))),
+                _reach(path.down, unit),
+                _value(path.varied.value, unit),
+                _reach(path.up, unit),
+            ]
+        )
+    return rows
+
+
+def _reach(side: Side | None, unit: str) -> str:
+    if side is None:
+        return "not looked at"
+    if side.reaches is None:
+        return f"beyond {_value(side.end, unit)}"
+    return _value(side.reaches, unit, 4)
+
+
+def special_rows(path: NumberPath, design: Design) -> Rows:
+    """Return the special points of a branch up to where it loses its stability, by rising value."""
+    output = next(iter(design.file.mechanism.outputs))
+    found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]
+    rows = [["At", "What happens", capital(measure_words(Measure.STROKE, output))]]
+    for each in sorted(found, key=lambda special: special.value):
+        parts = f" ({plain(', '.join(each.parts))})" if each.parts else ""
+        rows.append(
+            [
+                _value(each.value, path.varied.unit, 5),
+                SPECIAL[each.kind] + parts,
+                _value(each.stroke[output], "m"),
+            ]
+        )
+    return rows
+
+
+def exposure_rows(design: Design) -> Rows:
+    """Return the vibration of the held body, or of all."""
+    rows = [["Body", "rms acceleration", "Weighted", "Hours to 2.5 m/s² a day"]]
+    if design.motion is None:
+        return rows
+    held = design.file.held
+    for name, each in design.motion.hand_arm.items():
+        if held is None or name == held:
+            hours = each.hours_to(ACTION_VALUE)
+            rows.append(
+                [
+                    plain(name),
+                    _value(each.rms, "m/s²"),
+                    _value(each.weighted, "m/s²"),
+                    "more than 24" if hours > 24 else plain(f"{written(hours, 2)} h"),
+                ]
+            )
+    return rows
+
+
+def range_rows(design: Design) -> Rows:
+    """Return the least and the most of each measure over the ranges."""
+    rows = [["Measure", "Least", "Most"]]
+    if design.ranges is not None:
+        for each in all_measures(design.file.mechanism):
+            low, high = design.ranges.extremes(each)
+            rows.append(
+                [
+                    capital(measure_words(each.measure, each.part)),
+                    measure_value(each.measure, low),
+                    measure_value(each.measure, high),
+                ]
+            )
+    return rows
+
+
+def narrowing_rows(design: Design) -> Rows:
+    """Return what each measurement would tell."""
+    rows = [["Measured", "Of two, judged differently", "Spread of the measures left"]]
+    if design.ranges is not None:
+        for each in design.ranges.narrowings:
+            doubt = plain(percent(each.doubt)) if design.file.targets else DASH
+            rows.append([capital(plain(place_words(each.range.place))), doubt, plain(percent(each.spread))])
+    return rows
+
+
+def provenance_rows(report: DesignReport) -> Rows:
+    """Return what the report was made from."""
+    made = report.provenance
+    rows = [["Made from", "Version"], ["trimmer", plain(made.version)], ["commit", plain(made.commit)]]
+    rows.append(["date of the commit", plain(made.date)])
+    return rows + [[plain(name), plain(version)] for name, version in made.libraries]

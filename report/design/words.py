@@ -1,0 +1,262 @@
+"""What was found, in words: targets, verdicts, motions, special points."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from report.design.quantities import percent, place_words, shown, written
+from report.rendering.escaping import plain
+from trimmer.branches.special import SpecialKind
+from trimmer.design.targets import Measure
+from trimmer.design.verdict import NEAR, Outcome, Sureness
+from trimmer.messages import listed
+from trimmer.response.response import MotionKind
+
+if TYPE_CHECKING:
+    from trimmer.design.design import Design
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.design.remedies import Remedy
+    from trimmer.design.targets import Target
+    from trimmer.design.verdict import Judged
+
+COUNTS = (
+    "no",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+)
+SPECIAL = {
+    SpecialKind.GRAZING: "an impact comes or goes",
+    SpecialKind.STICK: "a phase of stick comes or goes",
+    SpecialKind.FOLD: "the motion ends in a fold, and another one takes its place",
+    SpecialKind.PERIOD_DOUBLING: "the period doubles",
+    SpecialKind.TORUS: "the motion begins to beat, on a torus",
+    SpecialKind.SYMMETRY_BREAKING: "the motion to one side becomes unlike that to the other",
+}
+OUTCOMES = {
+    Outcome.NO_TARGETS: "No targets",
+    Outcome.MET: "Met",
+    Outcome.MISSED: "Missed",
+    Outcome.DEPENDS: "It depends",
+    Outcome.OPEN: "Open",
+}
+
+
+def count(number: int, noun: str) -> str:
+    """Return a number of things, such as ``one start`` or ``24 starts``."""
+    return f"{_number(number)} {noun}{'' if number == 1 else 's'}"
+
+
+def _number(number: int) -> str:
+    return COUNTS[number] if 0 <= number < len(COUNTS) else str(number)
+
+
+def capital(text: str) -> str:
+    """Return text with its first letter in upper case."""
+    return text[:1].upper() + text[1:]
+
+
+def measure_words(measure: Measure, part: str) -> str:
+    """Return what a measure is, as Markdown."""
+    name = plain(part)
+    return {
+        Measure.STROKE: f"peak to peak of {name}",
+        Measure.RMS_ACCELERATION: f"rms acceleration of {name}",
+        Measure.IMPACT_SPEED: f"impact speed in {name}",
+        Measure.WEAR_POWER: f"wear power in {name}",
+        Measure.PERIOD: "period of the motion",
+    }[measure]
+
+
+def measure_value(measure: Measure, value: float) -> str:
+    """Return a measure's value as Markdown."""
+    if measure is Measure.PERIOD:
+        return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
+    return plain(shown(value, measure.value))
+
+
+def bound_words(target: Target) -> str:
+    """Return what a target wants, as Markdown."""
+    if target.measure is Measure.PERIOD:
+        return "that of the drive alone"
+    side = "at least" if target.at_least else "at most"
+    return f"{side} {plain(shown(target.bound, target.measure.value))}"
+
+
+def kind_words(motion: FoundMotion) -> str:
+    """Return what a motion is, with its article."""
+    if motion.kind is MotionKind.PERIODIC:
+        if motion.period_count is None or motion.measured_periods == 0:
+            return "a motion that repeats"
+        return f"a motion that repeats after {count(motion.period_count, 'drive period')}"
+    return {
+        MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
+        MotionKind.CHAOTIC: "a chaotic motion",
+    }.get(motion.kind, "a motion that had not settled when the wait was over")
+
+
+def verdict_sentence(design: Design) -> str:
+    """Return the verdict in one sentence, as Markdown."""
+    verdict, motion = design.verdict, design.motion
+    match verdict.outcome:
+        case Outcome.NO_TARGETS:
+            return _without_targets(design)
+        case Outcome.OPEN:
+            return "**Nothing can be said about the targets**, because the motion could not be followed."
+        case Outcome.MET:
+            return _met(design)
+        case Outcome.MISSED:
+            return _missed(design)
+    assert motion is not None
+    return _depends(design)
+
+
+def _without_targets(design: Design) -> str:
+    if design.motion is None:
+        return f"**There is nothing to judge**: {plain(_lowered(design.motions.message))}"
+    return (
+        "**The file names no targets**, so nothing is judged; from its start, the mechanism settles to "
+        f"{kind_words(_first(design))}."
+    )
+
+
+def _first(design: Design) -> FoundMotion:
+    if design.motion is None:
+        raise ValueError("the design has no motion")
+    return design.motion
+
+
+def _lowered(text: str) -> str:
+    return text[:1].lower() + text[1:]
+
+
+def _met(design: Design) -> str:
+    judged = design.verdict.judged
+    all_of = "The target is met" if len(judged) == 1 else f"All {count(len(judged), 'target')} are met"
+    if design.ranges is not None:
+        points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
+        return f"**{all_of}** at {points}."
+    near = min(
+        (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
+    )
+    if near is None:
+        return f"**{all_of}.**"
+    which = measure_words(near.target.measure, near.target.part)
+    value = measure_value(near.target.measure, near.value)
+    return (
+        f"**{all_of}**; nearest to its bound is the {which} with {value}, where {bound_words(near.target)} "
+        f"is wanted ({percent(near.margin)} away)."
+    )
+
+
+def _margin(judged: Judged) -> float:
+    return judged.margin
+
+
+def _missed(design: Design) -> str:
+    missed = [each for each in design.verdict.judged if not each.met]
+    told = "; ".join(_miss(each) for each in missed)
+    many = "A target is missed" if len(missed) == 1 else f"{capital(count(len(missed), 'target'))} are missed"
+    remedy = design.remedies.found[0] if design.remedies and design.remedies.found else None
+    if design.ranges is not None:
+        rest = ", at every point that was tried over what nobody knows"
+    elif design.remedies is None:
+        rest = ""
+    elif remedy is None:
+        farthest = written(design.remedies.farthest)
+        rest = (
+            f"; no change of one number by a factor of up to {farthest} was found that would meet all of them"
+        )
+    else:
+        sure = "" if remedy.meeting == design.remedies.starts else ", though not from every start"
+        rest = f"; {remedy_words(remedy)} would meet all targets{sure}"
+    return f"**{many}**: {told}{rest}."
+
+
+def _miss(judged: Judged) -> str:
+    which = measure_words(judged.target.measure, judged.target.part)
+    if judged.target.measure is Measure.PERIOD and math.isinf(judged.value):
+        return f"the motion does not repeat, and {bound_words(judged.target)} is wanted as its period"
+    value = measure_value(judged.target.measure, judged.value)
+    return f"the {which} is {value}, where {bound_words(judged.target)} is wanted"
+
+
+def remedy_words(remedy: Remedy) -> str:
+    """Return a change of one number, as Markdown."""
+    before, after = (plain(shown(each, remedy.unit)) for each in (remedy.before, remedy.after))
+    return f"{after} in place of {before} as {plain(place_words(remedy.place))}"
+
+
+def _depends(design: Design) -> str:
+    verdict, study = design.verdict, design.ranges
+    if study is not None and study.doubt > 0 and study.meeting is not None:
+        names = listed([plain(place_words(each.place)) for each in study.ranges])
+        return (
+            f"**It depends on what nobody knows:** of {len(study.trials)} points over the {names}, "
+            f"{percent(study.meeting)} meet the targets; most would be told by measuring the "
+            f"{plain(place_words(study.narrowings[0].range.place))}."
+        )
+    met = all(each.met for each in verdict.judged)
+    others = round(verdict.otherwise * design.motions.starts)
+    leads = "leads" if others == 1 else "lead"
+    share = (
+        f"{_number(others)} of {design.motions.starts} starts {leads}" if others else "a disturbance may lead"
+    )
+    return (
+        f"**It depends on how the motion begins:** from its first start the mechanism "
+        f"{'meets' if met else 'misses'} the targets, but {share} to a motion that "
+        f"{'misses' if met else 'meets'} them."
+    )
+
+
+def sureness_sentences(design: Design) -> str:
+    """Return how sure the verdict is, and on what that rests, as Markdown."""
+    motion = design.motion
+    if motion is None:
+        return ""
+    level = {
+        Sureness.SURE: "Within the model this is sure",
+        Sureness.LIKELY: "Within the model this is likely, not sure",
+        Sureness.UNSURE: "This is unsure",
+    }[design.verdict.sureness]
+    if design.verdict.outcome is Outcome.NO_TARGETS:
+        level = "How that was found"
+    exact = "All other numbers" if design.ranges is not None else "Numbers"
+    return f"{level}: {'; '.join(_grounds(design, motion))}. {exact} of the file are taken as exact."
+
+
+def _grounds(design: Design, motion: FoundMotion) -> list[str]:
+    motions = design.motions
+    grounds = [
+        "the motion is an exact periodic orbit, solved to rounding"
+        if motion.repeats
+        else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
+    ]
+    if motions.starts > 1:
+        lead = (
+            f"all {motions.starts}"
+            if motion.starts == motions.starts
+            else f"{motion.starts} of {motions.starts}"
+        )
+        grounds.append(f"{lead} starts lead to {'it' if motion.repeats else 'a motion of this kind'}")
+    others = len(motions.found) - 1
+    if others:
+        same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"
+        grounds.append(f"{count(others, 'other motion')} {'is' if others == 1 else 'are'} there, {same}")
+    elif motions.neighbours is not None:
+        grounds.append(f"no other motion was found from {motions.neighbours.tried} orbits of neighbours")
+    if any(each.near for each in design.verdict.judged):
+        grounds.append(f"a bound is less than {percent(NEAR)} away")
+    if design.ranges is not None:
+        grounds.append("numbers that nobody knows were varied together")
+    return grounds

@@ -1,0 +1,257 @@
+"""Mutants are made in a copy, their outcomes are kept, and the summary counts them."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from scipy.stats import norm
+
+from scripts.mutation.choice import batches, chosen, compiled_sources, within
+from scripts.mutation.line_map import LineMap, TestFile
+from scripts.mutation.mutants import Mutant, drawn
+from scripts.mutation.operators import Kind
+from scripts.mutation.records import Noticed, Outcome, Records
+from scripts.mutation.summary import count, identity, lines, read_equivalent
+from scripts.mutation.tree import Tree, copied
+
+SOURCE = "def area(a, b):\n    return a * b\n"
+
+
+def mutant(number: int = 1, kind: Kind = Kind.ARITHMETIC) -> Mutant:
+    return Mutant(
+        *(
+            "trimmer/area.py",
+            "area",
+            kind,
+            "a * b",
+            f"(a - {number} * b)",
+            2,
+            "return a * b",
+            (2, 2),
+            (27, 32),
+        ),
+        "digest",
+    )
+
+
+def file(
+    path: str, seconds: float, numbers: dict[str, set[int]], entries: set[str] = frozenset(), failed: str = ""
+):
+    lines_of = {name: frozenset(each) for name, each in numbers.items()}
+    return TestFile(path, seconds, failed, lines_of, frozenset(entries), {})
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    root = tmp_path / "project"
+    for folder in ("trimmer", "derivations", "tests"):
+        (root / folder).mkdir(parents=True)
+    (root / "trimmer" / "__init__.py").touch()
+    (root / "trimmer" / "area.py").write_text(SOURCE, encoding="utf-8")
+    subprocess.run(["git", "init", "-q"], cwd=root, check=True)
+    return root
+
+
+def test_a_mutant_is_made_in_the_copy_and_taken_back(project: Path, tmp_path: Path) -> None:
+    tree = copied(project, tmp_path / "copy")
+    (change,) = [each for each in drawn(project, 1, 9) if each.kind is Kind.ARITHMETIC]
+    copy = tree.root / "trimmer" / "area.py"
+    times = copy.stat().st_mtime_ns
+    command = [sys.executable, "-c", "from trimmer.area import area; print(area(6, 2))"]
+    with tree.changed(change, compiled=False) as numba:
+        assert numba == tree.numba
+        assert subprocess.run(command, cwd=tree.root, capture_output=True, check=True).stdout == b"3.0\n"
+        assert (project / "trimmer" / "area.py").read_text("utf-8") == SOURCE
+    assert copy.read_text("utf-8") == SOURCE
+    assert copy.stat().st_mtime_ns == times
+    assert subprocess.run(command, cwd=tree.root, capture_output=True, check=True).stdout == b"12\n"
+
+
+def test_compiled_code_gets_an_empty_folder_of_machine_code(project: Path, tmp_path: Path) -> None:
+    tree = Tree(copied(project, tmp_path / "copy").root, tmp_path / "numba")
+    tree.numba.mkdir()
+    (tree.numba / "kept").touch()
+    change = drawn(project, 1, 1)[0]
+    with tree.changed(change, compiled=True) as numba:
+        assert not numba.exists()
+        numba.mkdir()
+    assert not numba.exists()
+    assert (tree.numba / "kept").exists()
+
+
+def test_a_copy_belongs_to_one_process_and_an_old_mutant_is_taken_back(project: Path, tmp_path: Path) -> None:
+    tree = copied(project, tmp_path / "copy")
+    (tree.root / "trimmer" / "area.py").write_text("left by a killed run", encoding="utf-8")
+    (tree.root / "trimmer" / "gone.py").touch()
+    again = (
+        "from pathlib import Path; from scripts.mutation.tree import copied; "
+        f"copied(Path({str(project)!r}), Path({str(tmp_path / 'copy')!r}))"
+    )
+    refused = subprocess.run(
+        [sys.executable, "-c", again], cwd=Path(__file__).parents[2], capture_output=True
+    )
+    assert b"BlockingIOError" in refused.stderr
+    other = copied(project, tmp_path / "another")
+    assert (other.root / "trimmer" / "area.py").read_text("utf-8") == SOURCE
+
+
+WORK = """
+import sys, time
+from pathlib import Path
+from scripts.mutation import child
+from scripts.mutation.child import Place, run
+import tests.project.mutation_work as work
+
+if __name__ == "__main__":
+    child.LIBRARIES = ()  # nothing that this work needs
+    folder = Path(sys.argv[1])
+    place = Place(folder, folder / "numba", folder / "printed.txt")
+    for name in ("answers", "raises", "loops", "dies"):
+        ended = run(getattr(work, name), (), place, 1.0)
+        print(name, ended.end.value, *[ended.value] * (name != "loops"))
+"""
+
+
+def test_how_a_process_ends_is_told(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(WORK, encoding="utf-8")
+    here = Path(__file__).parents[2]
+    environment = {**os.environ, "PYTHONPATH": str(here)}
+    done = subprocess.run(
+        [sys.executable, script, tmp_path],
+        cwd=here,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
+    assert done.stdout.splitlines() == [
+        "answers done 42",
+        "raises raised ZeroDivisionError: division by zero",
+        "loops timeout",
+        "dies died 3",
+    ], done.stderr
+
+
+def test_test_files_are_those_that_run_a_line_the_one_that_names_the_module_first(tmp_path: Path) -> None:
+    (tmp_path / "trimmer").mkdir()
+    (tmp_path / "tests").mkdir()
+    for name in ("a", "b", "c", "d"):
+        (tmp_path / "tests" / f"{name}.py").write_text(
+            "import trimmer.area\n" if name == "c" else "", encoding="utf-8"
+        )
+    known = LineMap(
+        [
+            file("tests/a.py", 2.0, {"trimmer/area.py": {1, 2}}),
+            file("tests/b.py", 1.0, {"trimmer/area.py": {1}}),
+            file("tests/c.py", 9.0, {"trimmer/area.py": {2}}),
+            file("tests/d.py", 0.1, {"trimmer/area.py": {2}}, failed="tests/d.py::test_x"),
+        ]
+    )
+    assert [each.path for each in chosen(mutant(), known, tmp_path)] == ["tests/c.py", "tests/a.py"]
+    only_imported = LineMap(known.files[1:2])
+    assert [each.path for each in chosen(mutant(), only_imported, tmp_path)] == ["tests/b.py"]
+    assert known.unusable == ("tests/d.py::test_x",)
+
+
+def test_of_compiled_code_those_that_enter_it(tmp_path: Path) -> None:
+    (tmp_path / "trimmer").mkdir()
+    (tmp_path / "trimmer" / "area.py").write_text("@compiled\ndef area(): pass\n", encoding="utf-8")
+    (tmp_path / "trimmer" / "compilation.py").write_text('SOURCES = (\n    "flow",\n)\n', encoding="utf-8")
+    (tmp_path / "tests").mkdir()
+    for name in ("a", "b"):
+        (tmp_path / "tests" / f"{name}.py").touch()
+    assert compiled_sources(tmp_path) >= {"trimmer/area.py", "trimmer/flow.py", "trimmer/compilation.py"}
+    known = LineMap(
+        [
+            file("tests/a.py", 2.0, {"trimmer/area.py": {1}}, {"trimmer/area.py"}),
+            file("tests/b.py", 1.0, {"trimmer/area.py": {1, 2}}),
+        ]
+    )
+    assert [each.path for each in chosen(mutant(), known, tmp_path)] == ["tests/a.py"]
+
+
+def test_the_fast_files_are_run_together_and_the_slow_ones_alone() -> None:
+    files = [file(f"{seconds}", seconds, {}) for seconds in (1.0, 2.0, 3.0, 30.0, 40.0)]
+    assert [[each.seconds for each in group] for group in batches(files)] == [
+        [1.0, 2.0],
+        [3.0],
+        [30.0],
+        [40.0],
+    ]
+    assert [each.seconds for each in within(files, 5.0)] == [1.0, 2.0]
+    assert [each.seconds for each in within(files[3:], 5.0)] == [30.0]
+
+
+def test_records_survive_an_interruption(tmp_path: Path) -> None:
+    records = Records(tmp_path / "seed.jsonl")
+    first, second = mutant(1), mutant(2)
+    records.add(first, Outcome(tests="tests/a.py::test", files=3, seconds=1.5))
+    records.add(second, Outcome(tests="", claims=""))
+    content = records.path.read_bytes()
+    records.path.write_bytes(content[:-20])  # killed while it wrote the second
+    assert list(records.read()) == [first.key]
+    records.add(second, Outcome(tests="", claims="eq-2.8: reproduced became erratum"))
+    assert records.read() == {
+        first.key: (first, Outcome(tests="tests/a.py::test", files=3, seconds=1.5)),
+        second.key: (second, Outcome(tests="", claims="eq-2.8: reproduced became erratum")),
+    }
+    records.add(second, Outcome(tests="tests/b.py::test", claims=""))
+    assert records.read()[second.key][1].noticed is Noticed.TESTS
+
+
+def test_the_share_is_of_those_with_an_effect() -> None:
+    noticed = [(mutant(k), Outcome(tests="x")) for k in range(40)]
+    noticed += [(mutant(k), Outcome(claims="x", tests="y")) for k in range(40, 57)]
+    missed = [(mutant(k), Outcome(tests="", claims="", text="eq-2.8" * (k == 57))) for k in range(57, 61)]
+    counts = count([*noticed, *missed], frozenset({identity(mutant(60)), identity(mutant(3))}))
+    assert (counts.drawn, counts.equivalent, counts.claims, counts.tests, counts.nothing) == (
+        61,
+        1,
+        17,
+        40,
+        3,
+    )
+    assert counts.texts == 1
+    assert counts.share == pytest.approx(57 / 60)
+    # Wilson 1927: the roots p of (p - 57/60)**2 = z**2 p (1 - p)/60.
+    z = norm.ppf(0.975)
+    for end in counts.interval:
+        assert (end - 57 / 60) ** 2 == pytest.approx(z**2 * end * (1 - end) / 60, rel=1e-9)
+    assert counts.interval[0] < 57 / 60 < counts.interval[1]
+
+
+def test_the_summary_names_what_was_missed_and_what_was_not_drawn() -> None:
+    judged = [(mutant(1), Outcome(tests="x")), (mutant(2), Outcome(tests="", claims=""))]
+    text = "\n".join(lines(judged, frozenset()))
+    assert "trimmer/area.py:2 area: a * b -> (a - 2 * b)" in text
+    assert "50.0%" in text
+    assert "docstrings" in text
+    assert "(a - 1 * b)" not in text
+
+
+def test_each_listed_equivalent_has_a_reason(tmp_path: Path) -> None:
+    assert all(len(row) == 5 for row in read_equivalent())
+    path = tmp_path / "equivalent.csv"
+    path.write_text("path,function,context,before,after,reason\ntrimmer/a.py,f,x,y,z,\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="no reason"):
+        read_equivalent(path)
+
+
+def test_a_record_of_a_test_file_holds_as_long_as_what_it_ran(tmp_path: Path) -> None:
+    from scripts.mutation.line_map import MAP, digest, read_map
+
+    (tmp_path / "a.py").write_text("1", encoding="utf-8")
+    row = {
+        **{"path": "tests/a.py", "seconds": 1.0, "failed": "", "lines": {"a.py": [1]}, "entries": []},
+        "digests": {"a.py": digest(tmp_path / "a.py")},
+    }
+    (tmp_path / MAP).write_text(json.dumps(row) + "\n", encoding="utf-8")
+    assert [each.path for each in read_map(tmp_path, tmp_path).files] == ["tests/a.py"]
+    (tmp_path / "a.py").write_text("2", encoding="utf-8")
+    assert read_map(tmp_path, tmp_path).files == []

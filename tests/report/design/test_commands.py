@@ -1,0 +1,199 @@
+"""`trimmer init`, `design` and `compare` as a new user tries them, and wrongly."""
+
+from __future__ import annotations
+
+import multiprocessing
+from argparse import ArgumentParser
+from importlib.metadata import EntryPoint
+from pathlib import Path
+
+import pytest
+
+from report.cache.stage_store import StageStore
+from report.design import command
+from report.design.building import CACHE, keeper_of, looked_at
+from trimmer import SerialRunner
+from trimmer.command_line import main as command_line
+from trimmer.command_line.main import main
+from trimmer.design import settings
+from trimmer.design.design_file import read_design_file
+from trimmer.design.keeping import Keeper
+from trimmer.design.settings import DesignSettings
+from trimmer.examples import examples
+
+TINY = DesignSettings(
+    starts=1,
+    cells=3,
+    cell_periods=40,
+    neighbours=3,
+    trials=2,
+    most_points=8,
+    range_points=3,
+    most_periods=100,
+)
+SMALL = """
+title = "Block on a floor"
+frequency = "20 Hz"
+[bodies]
+block = { mass = 1.0 }
+[pins]
+pin = { on = "ground", amplitude = "1 mm" }
+[plays]
+fork = { between = ["pin", "block"], stiffness = 20e3, damping = 60.0, gap = "0.1 mm" }
+[frictions]
+floor = { between = ["ground", "block"], force = 2.0 }
+[outputs]
+stroke = { block = 1 }
+"""
+
+
+@pytest.fixture(autouse=True)
+def commands(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The commands of this package, whatever is installed; and a look that is quick."""
+    group = command_line.ENTRY_POINT_GROUP
+    found = [
+        EntryPoint(n, f"report.design.{m}:COMMAND", group)
+        for n, m in (("compare", "compare_command"), ("design", "command"))
+    ]
+    monkeypatch.setattr(command_line, "entry_points", lambda group: found)
+    monkeypatch.setattr(settings, "USUAL", TINY)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder in which one works."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "block.toml").write_text(SMALL)
+    return tmp_path
+
+
+def test_a_file_to_start_from_is_written_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["init"]) == 0
+    assert (folder / "trimmer.toml").read_text().startswith("# The hair trimmer")
+    assert "trimmer design trimmer.toml" in capsys.readouterr().out
+    assert main(["init"]) == 2
+    assert "is there already" in capsys.readouterr().err
+    for name in examples():
+        assert main(["init", "--example", name, f"{name}.toml"]) == 0
+        read_design_file(folder / f"{name}.toml")
+
+
+def test_a_design_is_written_whole_and_again_from_what_is_kept(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["design", "block.toml", "--processes", "1", "--directory", "out"]) == 0
+    first = (folder / "out" / "block.html").read_text()
+    assert (folder / "out" / "block.pdf").read_bytes().startswith(b"%PDF-")
+    told = capsys.readouterr()
+    assert "The file names no targets" in told.out
+    assert "branch over the gap of fork" in told.err
+    assert main(["design", "block.toml", "--processes", "1", "--directory", "out", "--format", "html"]) == 0
+    assert (folder / "out" / "block.html").read_text() == first
+    assert "branch over the gap of fork: kept" in capsys.readouterr().err
+    assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.html", "block.pdf"}
+
+
+def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "tight.toml").write_text(SMALL.replace("0.1 mm", "50 um"))
+    assert (
+        main(
+            [
+                "compare",
+                "block.toml",
+                "tight.toml",
+                "--processes",
+                "1",
+                "--format",
+                "html",
+                "--directory",
+                "out",
+            ]
+        )
+        == 0
+    )
+    page = (folder / "out" / "block-tight.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
+    for words in ("Gap of fork", "100 µm", "50 µm", "−50 %", "Impact speed in fork"):
+        assert words in page
+    assert "Neither file names targets" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["design", "none.toml"], "none.toml: no such file; 'trimmer init FILE' writes one to start from"),
+        (["design", "block.toml", "--processes", "0"], "--processes 0: give a whole number from 1 on"),
+        (["design", "block.toml", "--format", "html", "--paper", "a4"], "--paper has no effect without pdf"),
+        (["design", "block.toml", "--format", "pdf", "--open"], "--open shows the HTML"),
+        (["compare", "-", "-"], "both files are standard input"),
+        (["init", "block.toml"], "block.toml is there already"),
+    ],
+)
+def test_wrong_use_is_told_in_a_sentence(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], told: str
+) -> None:
+    assert main(arguments) == 2
+    assert told in capsys.readouterr().err
+
+
+def test_a_file_of_another_kind_is_not_replaced(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "out").mkdir()
+    (folder / "out" / "block.html").write_text("notes")
+    assert main(["design", "block.toml", "--directory", "out"]) == 2
+    assert "is there already and is no HTML page" in capsys.readouterr().err
+    assert (folder / "out" / "block.html").read_text() == "notes"
+    assert not (folder / "out" / CACHE).exists()
+
+
+def test_an_interrupted_design_leaves_nothing_half_written(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupt(keeper: Keeper, stage: str, depends: object, make: object) -> object:
+        if stage == "branch":
+            raise KeyboardInterrupt
+        return whole(keeper, stage, depends, make)
+
+    whole = Keeper.made
+    monkeypatch.setattr(Keeper, "made", interrupt)
+    arguments = ["design", "block.toml", "--processes", "1", "--format", "html", "--directory", "out"]
+    assert main(arguments) == 130
+    assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
+    assert not list((folder / "out" / CACHE).glob("*.part"))
+    monkeypatch.setattr(Keeper, "made", whole)
+    capsys.readouterr()
+    assert main(arguments) == 0
+    assert "motions from several starts: kept" in capsys.readouterr().err
+
+
+def look(path: Path, folder: Path) -> None:
+    """Look at a design, as one of two processes."""
+    looked_at(read_design_file(path), TINY, SerialRunner(), StageStore(folder), lambda *_: None)
+
+
+def test_two_runs_in_one_folder_do_not_spoil_each_other(folder: Path) -> None:
+    (folder / "other.toml").write_text(SMALL.replace("0.1 mm", "0.2 mm"))
+    paths, kept = [folder / "block.toml", folder / "block.toml", folder / "other.toml"], folder / CACHE
+    context = multiprocessing.get_context("fork")
+    runs = [context.Process(target=look, args=(path, kept)) for path in paths]
+    for run in runs:
+        run.start()
+    for run in runs:
+        run.join(120)
+    assert [run.exitcode for run in runs] == [0, 0, 0]
+    for path in paths[1:]:
+        file = read_design_file(path)
+        together = looked_at(file, TINY, SerialRunner(), StageStore(kept), lambda *_: None)
+        alone = looked_at(
+            file, TINY, SerialRunner(), StageStore(folder / "alone" / path.stem), lambda *_: None
+        )
+        assert [each.result.cells for each in together.maps] == [each.result.cells for each in alone.maps]
+        assert together.motion.outputs["stroke"].peak_to_peak == alone.motion.outputs["stroke"].peak_to_peak
+        assert keeper_of(file, StageStore(kept)).depends == keeper_of(file, StageStore(folder)).depends
+
+
+def test_help_names_each_option() -> None:
+    parser = ArgumentParser()
+    command.COMMAND.configure(parser)
+    told = parser.format_help()
+    assert all(
+        option in told for option in ("--full", "--directory", "--format", "--paper", "--processes", "--open")
+    )

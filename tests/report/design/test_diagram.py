@@ -1,0 +1,65 @@
+"""The layout of drawn mechanisms: nothing crosses, nothing is left out."""
+
+from __future__ import annotations
+
+import pytest
+
+from report.design.diagram.diagram import mechanism_diagram
+from report.design.diagram.layout import joints_of, layout_of
+from report.drawing.style import style
+from trimmer import Mechanism
+from trimmer.design.design_file import design_file_of_text
+from trimmer.examples import example_text, examples
+from trimmer.mechanism.parts import GROUND
+
+
+@pytest.fixture(params=examples())
+def mechanism(request: pytest.FixtureRequest) -> Mechanism:
+    return design_file_of_text(example_text(request.param), request.param).mechanism
+
+
+def test_no_part_runs_through_a_body_or_another_part(mechanism: Mechanism) -> None:
+    layout = layout_of(mechanism)
+    columns = {body: place for place, body in enumerate(layout.bodies, start=1)}
+    for run in layout.runs:
+        assert not run.crosses
+        for body, (low, high) in layout.spans.items():
+            assert not (run.left < columns[body] < run.right and low <= run.lane <= high)
+        others = [each for each in layout.runs if each is not run and each.lane == run.lane]
+        assert all(each.right <= run.left or run.right <= each.left for each in others)
+
+
+def test_every_part_joins_its_two_ends(mechanism: Mechanism) -> None:
+    layout = layout_of(mechanism)
+    names = {0: GROUND, len(layout.bodies) + 1: GROUND} | dict(enumerate(layout.bodies, start=1))
+    assert {(run.joint.section, run.joint.name) for run in layout.runs} == {
+        (joint.section, joint.name) for joint in joints_of(mechanism)
+    }
+    for run in layout.runs:
+        ends = (names[run.left], names[run.right])
+        assert (ends[::-1] if run.turned else ends) == run.joint.carriers
+        for end in ends:
+            if end != GROUND:
+                low, high = layout.spans[end]
+                assert low <= run.lane <= high
+
+
+def test_names_of_parts_stand_in_the_drawing(mechanism: Mechanism) -> None:
+    with style():
+        (axes,) = mechanism_diagram(mechanism).axes
+    words = " ".join(" ".join(text.get_text().split()) for text in axes.texts)
+    for joint in joints_of(mechanism):
+        assert joint.name in words
+    for name in mechanism.bodies:
+        assert name.split()[0] in words
+
+
+def test_many_bodies_are_placed_without_trying_every_order() -> None:
+    chain = "\n".join(f'"s{n}" = {{ between = ["b{n}", "b{n + 1}"], stiffness = 1.0 }}' for n in range(11))
+    bodies = "\n".join(f"b{n} = {{ mass = 1.0 }}" for n in range(12))
+    text = (
+        f'[bodies]\n{bodies}\n[links]\nfirst = {{ between = ["ground", "b0"], stiffness = 1.0 }}\n{chain}\n'
+    )
+    layout = layout_of(Mechanism.from_toml_text(text))
+    assert layout.bodies == tuple(f"b{n}" for n in range(12))
+    assert not any(run.crosses for run in layout.runs)

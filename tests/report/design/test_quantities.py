@@ -1,0 +1,40 @@
+"""Numbers as a reader wants them."""
+
+import pytest
+
+from report.design.quantities import percent, place_words, shown, written
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (40e-6, "m", "40 µm"),
+        (2.917796e-3, "m", "2.92 mm"),
+        (999.96e-6, "m", "1 mm"),
+        (0.5, "N", "0.5 N"),
+        (0.05, "N", "50 mN"),
+        (200e3, "N/m", "200 kN/m"),
+        (0.035, "kg", "35 g"),
+        (1.5, "kg", "1.5 kg"),
+        (-3.5, "N s/m", "−3.5 N s/m"),
+        (0.0, "m", "0 m"),
+        (2000.0, "m", "2000 m"),
+        (1142.7, "Hz", "1.14 kHz"),
+        (float("nan"), "m", "unknown"),
+    ],
+)
+def test_units_take_the_prefix_that_fits(value: float, unit: str, text: str) -> None:
+    assert shown(value, unit) == text
+
+
+def test_digits_are_kept_and_no_more() -> None:
+    assert written(0.000123456, 3) == "0.000123"
+    assert written(1.23e-7) == "1.23 · 10^-7".replace("-", "−")
+    assert written(1e9) == "1 · 10^9"
+    assert percent(0.12345) == "12 %"
+
+
+def test_places_have_words() -> None:
+    assert place_words("frequency") == "frequency of the drive"
+    assert place_words('links."motor mount".stiffness') == "stiffness of motor mount"
+    assert place_words("plays.bridge.gap") == "gap of bridge"

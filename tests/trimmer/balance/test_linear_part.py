@@ -1,0 +1,139 @@
+"""The linear part of elements: taken off exactly, and put round the system with poles to the last digits."""
+
+from __future__ import annotations
+
+import mpmath
+import numpy as np
+import pytest
+
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.linear_part import LinearGain, parted, with_feedback
+from trimmer.elements.element import Element
+from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.relay import Relay
+from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.linear.frequency_response import UnsupportedSystemError
+
+OMEGA = np.geomspace(0.01, 100.0, 40)
+
+
+def response(
+    gain: float, poles: list[complex], zeros: list[complex], reference: float = 1.0
+) -> InverseResponse:
+    return InverseResponse(gain, np.array(poles, complex), np.array(zeros, complex), reference)
+
+
+def exact_roots(given: InverseResponse, feedback: LinearGain) -> list[complex]:
+    """Return the roots of gain * prod(s - pole) + (c + d s) prod(s - zero), to 40 digits of 120."""
+    with mpmath.workdps(120):
+
+        def polynomial(roots: np.ndarray) -> list[mpmath.mpc]:
+            coefficients = [mpmath.mpc(1)]
+            for root in roots:
+                shifted = [*coefficients, mpmath.mpc(0)]
+                for k, coefficient in enumerate(coefficients):
+                    shifted[k + 1] -= mpmath.mpc(complex(root)) * coefficient
+                coefficients = shifted
+            return coefficients
+
+        poles = [mpmath.mpc(given.gain) * each for each in polynomial(given.poles)]
+        zeros = polynomial(given.zeros)
+        slope = mpmath.mpf(feedback.damping) * mpmath.mpf(given.reference)
+        added = [slope * each for each in (*zeros, 0)]
+        added = [
+            one + mpmath.mpc(feedback.constant) * other for one, other in zip(added, (0, *zeros), strict=True)
+        ]
+        added = [mpmath.mpc(0)] * (len(poles) - len(added)) + added
+        total = [one + other for one, other in zip(poles, added, strict=True)]
+        return [complex(root) for root in mpmath.polyroots(total, maxsteps=500, extraprec=400)]
+
+
+def distances(found: np.ndarray, exact: list[complex]) -> np.ndarray:
+    """Return the distance of each exact root from the nearest found one, over its size."""
+    return np.array([np.abs(found - root).min() / abs(root) for root in exact])
+
+
+@pytest.mark.parametrize("feedback", [LinearGain(0.3), LinearGain(damping=0.02), LinearGain(-1.5, 0.4)])
+@pytest.mark.parametrize("reference", [1.0, 7.0])
+def test_poles_of_the_loop_are_right_to_the_last_digits(feedback: LinearGain, reference: float) -> None:
+    """Twelve poles in a row: NumPy's roots of the polynomial are off by 1e-9, the polished ones are not."""
+    poles = [-float(k) for k in range(1, 13)]
+    given = response(1e-3, poles, [-2.5, -6.0 + 1j, -6.0 - 1j], reference)
+    exact = exact_roots(given, feedback)
+    found = with_feedback(given, feedback)
+    assert distances(found.poles, exact).max() < 1e-14
+    assert len(found.poles) == len(exact)
+    assert np.array_equal(found.zeros, given.zeros)
+    assert found.reference == reference
+
+
+@pytest.mark.parametrize(
+    ("poles", "zeros"),
+    [([-1.0, -3.0, 0.0], []), ([-1.0, 2.0 + 1j, 2.0 - 1j], [-4.0]), ([0.0, 0.0, -0.2], [-1.0, 3.0])],
+)
+@pytest.mark.parametrize("feedback", [LinearGain(2.0), LinearGain(damping=0.7), LinearGain(1.0 - 2.0j, -0.3)])
+def test_the_sum_is_the_sum_at_every_frequency(
+    poles: list[complex], zeros: list[complex], feedback: LinearGain
+) -> None:
+    given = response(0.5, poles, zeros, reference=3.0)
+    found = with_feedback(given, feedback)
+    x = np.log(OMEGA)
+    assert found.value(x) == pytest.approx(given.value(x) + feedback.value(OMEGA), rel=1e-11)
+
+
+def test_poles_on_the_axis_stay_there_and_are_in_order() -> None:
+    """1/G = s² (s + 1) + 9 (s + 1): poles at -1 and at ±3j, to rounding on the axis."""
+    found = with_feedback(response(1.0, [0.0, 0.0, -1.0], [-1.0]), LinearGain(9.0))
+    assert found.poles.real[1:].tolist() == [0.0, 0.0]
+    assert sorted(found.poles.imag) == pytest.approx([-3.0, 0.0, 3.0], rel=1e-14)
+    assert np.abs(found.poles) == pytest.approx([1.0, 3.0, 3.0], rel=1e-14)
+
+
+def test_a_double_pole_is_left_where_it_is() -> None:
+    """s² + 2 s + 1, where Weierstrass's step divides by the distance of two equal roots."""
+    found = with_feedback(response(1.0, [0.0, 0.0], []), LinearGain(1.0, 2.0))
+    assert found.poles == pytest.approx([-1.0, -1.0], abs=1e-6)
+
+
+@pytest.mark.parametrize("rest", [0.0, 1e-16])
+def test_a_loop_that_loses_its_highest_derivative_is_refused(rest: float) -> None:
+    given = response(0.4, [-1.0], [])
+    with pytest.raises(UnsupportedSystemError, match="cancels the highest derivative"):
+        with_feedback(given, LinearGain(damping=-0.4 * (1.0 - rest)))
+    assert with_feedback(given, LinearGain(damping=-0.3)).poles == pytest.approx([-4.0])
+
+
+AMPLITUDES = np.array([1.2, 3.0, 40.0])
+PLAY, VISCOUS = FrictionBacklash(1.0), ViscousFriction(0.7)
+
+
+@pytest.mark.parametrize(
+    "element",
+    [
+        PLAY,
+        PLAY + VISCOUS,
+        2.0 * (PLAY + 3.0 * VISCOUS) + Relay(0.5),
+        (PLAY - VISCOUS).at(5.0),
+        2.0 * (VISCOUS.at(4.0) + PLAY) - VISCOUS,
+    ],
+    ids=repr,
+)
+def test_linear_part_and_rest_make_the_element(element: Element) -> None:
+    linear, rest = parted(element)
+    assert rest is not None
+    for omega in (0.3, 5.0):
+        whole = element.describing_function(AMPLITUDES, np.full(3, omega))
+        parts = linear.value(np.full(3, omega)) + rest.describing_function(AMPLITUDES, np.full(3, omega))
+        assert parts == pytest.approx(whole, rel=1e-13)
+    far = rest.describing_function(np.array([1e9, 2e9]), np.full(2, 5.0))
+    assert abs(far[0] - far[1]) < 1e-8  # bounded: nothing grows with the amplitude
+
+
+@pytest.mark.parametrize(
+    ("element", "damping"), [(VISCOUS, 0.7), (VISCOUS + 2.0 * VISCOUS, 2.1), (-1.0 * VISCOUS, -0.7)]
+)
+def test_of_a_linear_element_nothing_is_left(element: Element, damping: float) -> None:
+    linear, rest = parted(element)
+    assert rest is None
+    assert linear.damping == pytest.approx(damping)
+    assert linear.constant == 0.0

@@ -1,0 +1,149 @@
+"""Files of designs: targets, the held body, and what nobody knows; what is wrong is named with its line."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from trimmer import Mechanism, MechanismError
+from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design.targets import Measure
+from trimmer.examples import example_text
+
+TEXT = """
+frequency = 110.0
+held = "motor"
+
+[bodies]
+motor = { mass = "35 g" }
+cutter = { mass = "3 g" }
+
+[pins]
+pin = { on = "motor", amplitude = "1.5 mm" }
+
+[links]
+mount = { between = ["ground", "motor"], stiffness = 200e3, damping = 3.5 }
+
+[plays]
+bridge = { between = ["cutter", "pin"], stiffness = 30e3, damping = 0.4, gap = "40 um" }
+
+[frictions]
+blade = { between = ["ground", "cutter"], force = 0.5 }
+
+[outputs]
+stroke = { cutter = 1 }
+
+[targets]
+stroke_at_least = { stroke = "2.5 mm" }
+rms_acceleration_at_most = "90 m/s²"
+impact_speed_at_most = 0.2
+only_drive_period = true
+"""
+
+
+def read(old: str = "", new: str = "") -> DesignFile:
+    """Read the text with one piece of it changed."""
+    assert old in TEXT
+    return design_file_of_text(TEXT.replace(old, new), "mine.toml")
+
+
+def test_a_number_alone_bounds_every_part() -> None:
+    file = read()
+    assert file.held == "motor"
+    assert [(each.measure, each.part, each.bound) for each in file.targets] == [
+        (Measure.STROKE, "stroke", 2.5e-3),
+        (Measure.RMS_ACCELERATION, "motor", 90.0),
+        (Measure.RMS_ACCELERATION, "cutter", 90.0),
+        (Measure.IMPACT_SPEED, "bridge", 0.2),
+        (Measure.PERIOD, "", 1.0),
+    ]
+
+
+def test_other_commands_pass_over_targets() -> None:
+    assert Mechanism.from_toml_text(TEXT).value("plays.bridge.gap") == 40e-6
+
+
+@pytest.mark.parametrize(
+    ("written", "lowest", "highest"),
+    [("20 um..60 um", 20e-6, 60e-6), ("20..60 um", 20e-6, 60e-6), ("0.01 mm .. 60 um", 10e-6, 60e-6)],
+)
+def test_a_range_is_carried_with_its_middle(written: str, lowest: float, highest: float) -> None:
+    file = read('gap = "40 um"', f'gap = "{written}"')
+    (found,) = file.ranges
+    assert (found.place, found.assumed) == ("plays.bridge.gap", False)
+    assert (found.lowest, found.highest) == pytest.approx((lowest, highest))
+    assert file.mechanism.value("plays.bridge.gap") == pytest.approx((lowest + highest) / 2)
+
+
+def test_what_is_unknown_is_assumed_from_the_rest() -> None:
+    file = read('gap = "40 um"', 'gap = "unknown"')
+    assert (file.ranges[0].lowest, file.ranges[0].highest) == pytest.approx((0.0, 0.1 * 3e-3))
+    file = read("force = 0.5", 'force = "unknown"')
+    assert file.ranges[0].highest == pytest.approx(3e-3 * (2 * math.pi * 110) ** 2 * 1.5e-3)
+    file = read("damping = 0.4", 'damping = "unknown"')
+    reduced = 1 / (1 / 0.035 + 1 / 0.003)
+    assert file.ranges[0].highest == pytest.approx(0.1 * 2 * math.sqrt(30e3 * reduced))
+    assert file.ranges[0].assumed
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (
+            'mass = "35 g"',
+            'mass = "unknown"',
+            "line 6: bodies.motor.mass = 'unknown': nothing in the file says",
+        ),
+        (
+            'gap = "40 um"',
+            'gap = "60 um..20 um"',
+            "line 16: plays.bridge.gap = '60 um..20 um': has no length",
+        ),
+        ('gap = "40 um"', 'gap = "1 N..2 N"', "'N' does not measure what m does"),
+        ('gap = "40 um"', 'gap = "-1 um..2 um"', "has an end that must be zero or greater"),
+        (
+            'held = "motor"',
+            'held = "moter"',
+            "line 3: held = 'moter': names the body that a hand holds; did you",
+        ),
+        (
+            "stroke_at_least",
+            "strokes_at_least",
+            "line 25: targets.strokes_at_least: unknown key; did you mean",
+        ),
+        (
+            '{ stroke = "2.5 mm" }',
+            '{ strok = "2.5 mm" }',
+            "line 25: targets.stroke_at_least.strok = '2.5 mm': there",
+        ),
+        ('"90 m/s²"', '"90 m/s"', "line 26: targets.rms_acceleration_at_most = '90 m/s'"),
+        ("= 0.2", "= -0.2", "line 27: targets.impact_speed_at_most = -0.2: must be zero or greater"),
+        ("= true", '= "yes"', "line 28: targets.only_drive_period = 'yes': write true or false"),
+    ],
+)
+def test_what_is_wrong_is_named_with_line_key_and_value(old: str, new: str, told: str) -> None:
+    with pytest.raises(MechanismError) as error:
+        read(old, new)
+    assert str(error.value).startswith("mine.toml: ")
+    assert told in str(error.value)
+
+
+def test_targets_on_what_is_not_there_are_refused() -> None:
+    text = example_text("den-hartog") + "\n[targets]\nimpact_speed_at_most = 1.0\n"
+    with pytest.raises(MechanismError, match="no play or stop that this could bound"):
+        design_file_of_text(text, "mine.toml")
+    text = example_text("block-on-belt") + "\n[targets]\nonly_drive_period = true\n"
+    with pytest.raises(MechanismError, match="no drive, so there is no period to keep"):
+        design_file_of_text(text, "mine.toml")
+
+
+def test_other_commands_tell_what_to_do_about_a_range() -> None:
+    text = TEXT.replace('gap = "40 um"', 'gap = "unknown"').replace("force = 0.5", 'force = "0.1..0.9 N"')
+    with pytest.raises(MechanismError) as error:
+        Mechanism.from_toml_text(text, "mine.toml")
+    assert "line 16: plays.bridge.gap = 'unknown': nobody knows this value, and only 'trimmer design'" in str(
+        error.value
+    )
+    assert "--set 'plays.bridge.gap=VALUE'" in str(error.value)
+    assert "line 19: frictions.blade.force = '0.1..0.9 N': this is a range" in str(error.value)

@@ -1,0 +1,66 @@
+"""The weighting of hand-arm vibration against the published table, and of motions that are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from trimmer import Mechanism, forced_orbit
+from trimmer.design.found_motion import of_orbit
+from trimmer.design.hand_arm import hand_arm_weighting
+
+PUBLISHED = {
+    6.3: 0.727, 8: 0.873, 10: 0.951, 12.5: 0.958, 16: 0.896, 20: 0.782, 25: 0.647, 31.5: 0.519, 40: 0.411,
+    50: 0.324, 63: 0.256, 80: 0.202, 100: 0.160, 125: 0.127, 160: 0.101, 200: 0.0799, 250: 0.0634,
+    315: 0.0503, 400: 0.0398, 500: 0.0314, 630: 0.0245, 800: 0.0186, 1000: 0.0135, 1250: 0.00894,
+}  # fmt: skip
+"""Factors W_hi of one-third octaves by nominal centre frequency: ISO 5349-1:2001, table A.2."""
+
+
+def exact_centre(nominal: float) -> float:
+    """Return the exact centre frequency 10^(i/10) of a one-third octave."""
+    return 10 ** (round(10 * np.log10(nominal)) / 10)
+
+
+@pytest.mark.parametrize(("nominal", "factor"), PUBLISHED.items())
+def test_the_published_factors_come_out_to_every_printed_digit(nominal: float, factor: float) -> None:
+    found = abs(hand_arm_weighting(exact_centre(nominal)))
+    assert float(f"{found:.3g}") == factor
+
+
+def test_far_below_its_band_it_falls_with_the_square_of_the_frequency() -> None:
+    low = np.array([0.01, 0.1])
+    assert abs(hand_arm_weighting(low)) == pytest.approx((low / 10**0.8) ** 2, rel=0.01)
+
+
+def test_far_above_its_band_it_falls_with_the_cube_of_the_frequency() -> None:
+    low, high = abs(hand_arm_weighting([20e3, 40e3]))
+    assert low / high == pytest.approx(8.0, rel=0.01)
+
+
+def shaken(frequency: float) -> Mechanism:
+    """Return a body on a stiff spring of a pin that vibrates, so that its motion is a sine that is known."""
+    return Mechanism.from_toml_text(f"""
+        frequency = {frequency}
+        [bodies]
+        block = {{ mass = 0.1 }}
+        [pins]
+        shaker = {{ on = "ground", amplitude = "1 mm" }}
+        [links]
+        spring = {{ between = ["shaker", "block"], stiffness = 1e5, damping = 5.0 }}
+        [outputs]
+        block = {{ block = 1 }}
+    """)
+
+
+@pytest.mark.parametrize("frequency", [12.0, 50.0, 300.0])
+def test_a_sine_is_weighted_by_the_factor_of_its_frequency(frequency: float) -> None:
+    motion = of_orbit(forced_orbit(shaken(frequency)))
+    found = motion.hand_arm["block"]
+    omega = 2 * np.pi * frequency
+    stiff = 1e5 + 5j * omega
+    rms = abs(stiff / (stiff - 0.1 * omega**2)) * 1e-3 * omega**2 / np.sqrt(2)
+    assert found.rms == pytest.approx(rms, rel=1e-9)
+    assert found.weighted == pytest.approx(rms * abs(hand_arm_weighting(frequency)), rel=1e-9)
+    assert found.left_out < 1e-9 * found.weighted
+    assert found.hours_to(2.5) == pytest.approx(8 * (2.5 / found.weighted) ** 2)

@@ -1,0 +1,92 @@
+"""What is done of a design is kept, whole, and an interrupted map goes on where it was."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+
+from trimmer import SerialRunner
+from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design.keeping import Keeper
+from trimmer.design.kept_map import DesignMap, design_map
+from trimmer.design.settings import DesignSettings
+from trimmer.design.varied_places import varied_places
+from trimmer.examples import example_text
+
+FEW = DesignSettings(cells=4, cell_periods=60)
+
+
+@dataclass
+class InMemory:
+    """A store that forgets nothing while the test runs."""
+
+    held: dict[tuple[str, str], Any] = field(default_factory=dict)
+
+    def load(self, stage: str, key: str) -> Any | None:
+        return self.held.get((stage, key))
+
+    def keep(self, stage: str, key: str, result: object) -> None:
+        self.held[stage, key] = result
+
+
+@dataclass
+class Counting:
+    """Does the cells one by one, counts them, and is interrupted after some."""
+
+    most: int = 1000
+    done: int = 0
+
+    def results(self, work: Any, cells: Iterable[Any]) -> Iterator[Any]:
+        for result in map(work, cells):
+            if self.done == self.most:
+                raise KeyboardInterrupt
+            self.done += 1
+            yield result
+
+
+@pytest.fixture(scope="module")
+def file() -> DesignFile:
+    return design_file_of_text(example_text("den-hartog"), "den-hartog.toml")
+
+
+def made(file: DesignFile, runner: Any, keeper: Keeper) -> DesignMap:
+    first, second = varied_places(file.mechanism, None)
+    return design_map(file.mechanism, first, second, FEW, runner, keeper, lambda done, count: None)
+
+
+def test_an_interrupted_map_goes_on_with_the_rows_that_are_left(file: DesignFile) -> None:
+    keeper = Keeper(InMemory())
+    with pytest.raises(KeyboardInterrupt):
+        made(file, Counting(most=10), keeper)
+    again = Counting()
+    resumed = made(file, again, keeper)
+    assert again.done == 8  # of four rows of four, two were whole
+    alone = made(file, SerialRunner(), Keeper())
+    assert resumed.result.cells == alone.result.cells
+
+
+def test_a_kept_map_is_not_computed_again(file: DesignFile) -> None:
+    keeper, runner = Keeper(InMemory()), Counting()
+    first = made(file, runner, keeper)
+    assert runner.done == 16
+    assert made(file, runner, keeper).result.cells == first.result.cells
+    assert runner.done == 16
+
+
+def test_another_mechanism_or_program_keeps_its_own_rows(file: DesignFile) -> None:
+    store, runner = InMemory(), Counting()
+    made(file, runner, Keeper(store, "one"))
+    made(file, runner, Keeper(store, "two"))
+    assert runner.done == 32
+    assert len({stage for stage, _ in store.held}) == 8
+
+
+def test_a_stage_is_made_once() -> None:
+    keeper, calls = Keeper(InMemory(), "program"), []
+    for _ in range(2):
+        assert keeper.made("stage", (1, "a"), lambda: calls.append(1) or "result") == "result"
+    assert len(calls) == 1
+    assert keeper.made("stage", (2, "a"), lambda: "other") == "other"

@@ -1,0 +1,53 @@
+"""``trimmer init``: a commented mechanism file to start from."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import file_to_write, show
+from trimmer.examples import USUAL, examples
+
+FILE = Path("trimmer.toml")
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "file",
+        type=file_to_write,
+        nargs="?",
+        metavar="FILE",
+        default=FILE,
+        help="file to write (default: %(default)s); one that is there is kept unless it is empty",
+    )
+    parser.add_argument(
+        "--example",
+        choices=examples(),
+        default=USUAL,
+        help="which mechanism (default: %(default)s, a hair trimmer with play and friction)",
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.examples import example_text
+    from trimmer.files import FileWriteError, is_standard_output, write_atomically
+
+    target: Path = arguments.file
+    if not is_standard_output(target) and target.is_file() and target.stat().st_size > 0:
+        raise FileWriteError(f"{target} is there already: name another file, or remove it first")
+    write_atomically(target, example_text(arguments.example))
+    show(f"wrote {target}; change it, then: trimmer design {target}", target)
+    return 0
+
+
+COMMAND = Command(
+    "init",
+    "write a commented mechanism file to start from",
+    _configure,
+    _run,
+    examples=(
+        Example("trimmer init mine.toml", "a hair trimmer with play and friction, to change its numbers"),
+        Example("trimmer init shaver.toml --example foil-shaver", "two cutters that move against each other"),
+    ),
+)

@@ -1,0 +1,1 @@
+"""What a designer asks of a mechanism: verdict, motions, maps, margins, sensitivities; no prose."""

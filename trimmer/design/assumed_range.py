@@ -1,0 +1,45 @@
+"""How large a number may be that a file calls unknown, as far as the rest of the mechanism says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND, Body, Pin
+
+SHARE_OF_STROKE = 0.1
+"""Largest gap that is assumed, as a share of the largest stroke of a pin."""
+LARGEST_DAMPING_RATIO = 0.1
+"""Largest damping that is assumed, relative to the critical one of its spring and the masses it joins."""
+
+
+def assumed_range(mechanism: Mechanism, place: tuple[str, ...]) -> tuple[float, float] | None:
+    """Return the range of a number that nobody knows, in SI units; None if nothing says how large it is.
+
+    A gap goes up to a tenth of the largest stroke of a pin; a dry friction up to the force that moves the
+    lighter of its bodies with that stroke at the drive's frequency; a damping up to a tenth of the critical
+    one. Masses, stiffnesses and all else are not guessed.
+    """
+    section, name, key = place if len(place) == 3 else ("", "", "")
+    stroke = max((abs(pin.amplitude) for pin in mechanism.pins.values()), default=0.0)
+    highest = 0.0
+    if key == "gap":
+        highest = SHARE_OF_STROKE * 2 * stroke
+    elif section == "frictions" and key == "force" and mechanism.frequency is not None:
+        mass = min(_masses(mechanism, mechanism.frictions[name].between))
+        highest = mass * (2 * math.pi * mechanism.frequency) ** 2 * stroke
+    elif key == "damping":
+        part = getattr(mechanism, section)[name]
+        masses = _masses(mechanism, part.between)
+        reduced = 1 / sum(1 / mass for mass in masses)
+        highest = LARGEST_DAMPING_RATIO * 2 * math.sqrt(part.stiffness * reduced)
+    return (0.0, highest) if highest > 0 else None
+
+
+def _masses(mechanism: Mechanism, between: tuple[str, str]) -> list[float]:
+    """Return the masses of the bodies at two ends, kg; the ground has none."""
+    pins: Mapping[str, Pin] = mechanism.pins
+    bodies: Mapping[str, Body] = mechanism.bodies
+    carriers = [pins[end].on if end in pins else end for end in between]
+    return [bodies[carrier].mass for carrier in carriers if carrier != GROUND]

@@ -1,0 +1,127 @@
+"""Two designs side by side: what changed in the file, and what that changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trimmer.design.trial import Asked, all_measures
+
+if TYPE_CHECKING:
+    from trimmer.design.design import Design
+    from trimmer.mechanism.mechanism import Mechanism
+
+SAME = 1e-12
+"""Relative difference of two numbers below which they are one."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """A number that differs.
+
+    Attributes:
+        place: Its dotted place.
+        unit: SI unit.
+        before, after: Its values; None where the file has no such part.
+    """
+
+    place: str
+    unit: str
+    before: float | None
+    after: float | None
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A measure before and after.
+
+    Attributes:
+        asked: The measure.
+        before, after: Its values, SI units; None where there is no such thing or no motion.
+    """
+
+    asked: Asked
+    before: float | None
+    after: float | None
+
+    @property
+    def change(self) -> float | None:
+        """Relative change; None where it is not defined."""
+        if (
+            self.before is None
+            or self.after is None
+            or not self.before
+            or not _finite(self.before, self.after)
+        ):
+            return None
+        return self.after / self.before - 1
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two designs.
+
+    Attributes:
+        before, after: The designs; looked at as far as a comparison needs.
+        changes: Numbers of the file that differ.
+        others: Places that differ in something else than a number, such as the ends of a part.
+        differences: Measures that either design has.
+    """
+
+    before: Design
+    after: Design
+    changes: tuple[Change, ...]
+    others: tuple[str, ...]
+    differences: tuple[Difference, ...]
+
+
+def compared(before: Design, after: Design) -> Comparison:
+    """Compare two designs."""
+    first, second = before.file.mechanism, after.file.mechanism
+    asked = dict.fromkeys((*all_measures(first), *all_measures(second)))
+    differences = tuple(Difference(each, _value(before, each), _value(after, each)) for each in asked)
+    return Comparison(before, after, _changes(first, second), _others(first, second), differences)
+
+
+def _changes(first: Mechanism, second: Mechanism) -> tuple[Change, ...]:
+    units = {**first.places, **second.places}
+    pairs = [(place, unit, _number(first, place), _number(second, place)) for place, unit in units.items()]
+    return tuple(Change(*each) for each in pairs if _differ(each[2], each[3]))
+
+
+def _number(mechanism: Mechanism, place: str) -> float | None:
+    if place not in mechanism.places or (place == "frequency" and mechanism.frequency is None):
+        return None
+    return mechanism.value(place)
+
+
+def _differ(one: float | None, other: float | None) -> bool:
+    if one is None or other is None:
+        return (one or 0.0) != (other or 0.0)
+    return abs(one - other) > SAME * max(abs(one), abs(other))
+
+
+def _others(first: Mechanism, second: Mechanism) -> tuple[str, ...]:
+    """Return parts whose ends, carriers or laws differ."""
+    found = []
+    for section in ("pins", "links", "plays", "stops", "frictions", "forces"):
+        ours, theirs = getattr(first, section), getattr(second, section)
+        for name in ours:
+            if name in theirs and _form(ours[name]) != _form(theirs[name]):
+                found.append(f"{section}.{name}")
+    return tuple(found)
+
+
+def _form(part: object) -> tuple[object, ...]:
+    return tuple(getattr(part, key, None) for key in ("between", "on", "law"))
+
+
+def _value(design: Design, asked: Asked) -> float | None:
+    motion = design.motion
+    if motion is None or asked not in all_measures(design.file.mechanism):
+        return None
+    return motion.measure(asked.measure, asked.part)
+
+
+def _finite(*values: float) -> bool:
+    return all(abs(value) < float("inf") for value in values)

@@ -1,0 +1,240 @@
+"""A design looked at: everything that its report shows, computed stage by stage and kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, TypeVar
+
+from trimmer.choices import Choice
+from trimmer.design.keeping import Keeper
+from trimmer.design.kept_map import DesignMap, design_map
+from trimmer.design.linear import LinearState, linear_states
+from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
+from trimmer.design.paths import NumberPath, path_through
+from trimmer.design.plausible import Question, questions
+from trimmer.design.ranges import RangeStudy, study_ranges
+from trimmer.design.remedies import Remedies, remedies
+from trimmer.design.sensitivity import Sensitivities, sensitivities
+from trimmer.design.spectrum import OutputSpectrum, spectra
+from trimmer.design.varied_places import Varied, varied_places
+from trimmer.design.verdict import Verdict, verdict_on
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.design.design_file import DesignFile
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.design.settings import DesignSettings
+    from trimmer.runners.runner import Runner
+
+Result = TypeVar("Result")
+
+
+class Stage(Choice):
+    """A step of the work, told to who waits."""
+
+    LINEAR = "modes and transfer functions"
+    MOTIONS = "motions from several starts"
+    NEIGHBOURS = "motions of neighbours"
+    RANGES = "over what nobody knows"
+    SENSITIVITIES = "what each number changes"
+    REMEDIES = "what would meet the targets"
+    BRANCH = "branch"
+    MAP = "map"
+
+
+Told = Callable[[Stage, str, int, int], None]
+"""Is told a stage, what it is about, and how much of it is done."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """All that was computed of a design.
+
+    Attributes:
+        file: What the file says.
+        settings: How closely it was looked at.
+        linear: With contacts closed, then open.
+        motions: The motions that were found.
+        varied: The numbers that maps, branches and margins are over.
+        spectra: Lines of each output of the first motion.
+        maps: Over gap and speed, gap and friction; as far as the mechanism has them.
+        paths: The branch through the working point over each number; empty where the motion does not repeat.
+        sensitivities: Of the first motion; None where it does not repeat.
+        ranges: Over what nobody knows; None where the file leaves nothing open.
+        questions: What is asked about.
+        verdict: On the targets.
+        remedies: What would meet them; None where they are met or there are none.
+    """
+
+    file: DesignFile
+    settings: DesignSettings
+    linear: tuple[LinearState, ...]
+    motions: Motions
+    varied: tuple[Varied, ...]
+    spectra: Mapping[str, OutputSpectrum]
+    maps: tuple[DesignMap, ...]
+    paths: tuple[NumberPath, ...]
+    sensitivities: Sensitivities | None
+    ranges: RangeStudy | None
+    questions: tuple[Question, ...]
+    verdict: Verdict
+    remedies: Remedies | None
+
+    @property
+    def motion(self) -> FoundMotion | None:
+        """What the first start settles to; None if it could not be measured."""
+        return self.motions.first
+
+
+@dataclass(frozen=True)
+class Study:
+    """Looks at a design.
+
+    Attributes:
+        file: The file.
+        settings: How closely.
+        runner: Who does the work.
+        keeper: Keeps what is done.
+        told: Is told of each step.
+    """
+
+    file: DesignFile
+    settings: DesignSettings
+    runner: Runner
+    keeper: Keeper
+    told: Told
+
+    def whole(self) -> Design:
+        """Return everything."""
+        motions, linear = self.motions(), self.linear()
+        varied = self.varied(motions)
+        of, ranges = self.sensitivities(motions), self.ranges()
+        verdict = verdict_on(self.file.targets, motions, ranges)
+        return Design(
+            file=self.file,
+            settings=self.settings,
+            linear=linear,
+            motions=motions,
+            varied=varied,
+            spectra=self.spectra(motions, linear),
+            remedies=self.remedies(verdict, of),
+            paths=self.paths(motions, varied),
+            maps=self.maps(varied),
+            sensitivities=of,
+            ranges=ranges,
+            questions=questions(self.file.mechanism, motions.first),
+            verdict=verdict,
+        )
+
+    def short(self) -> Design:
+        """Return verdict, motions and spectra alone, for a comparison."""
+        motions, linear = self.motions(), self.linear()
+        ranges = self.ranges()
+        verdict = verdict_on(self.file.targets, motions, ranges)
+        varied = self.varied(motions)
+        asked = questions(self.file.mechanism, motions.first)
+        lines = self.spectra(motions, linear)
+        return Design(
+            self.file,
+            self.settings,
+            linear,
+            motions,
+            varied,
+            lines,
+            (),
+            (),
+            None,
+            ranges,
+            asked,
+            verdict,
+            None,
+        )
+
+    def linear(self) -> tuple[LinearState, ...]:
+        """Return modes and transfer functions."""
+        return self._made(Stage.LINEAR, "", (), partial(linear_states, self.file.mechanism))
+
+    def motions(self) -> Motions:
+        """Return the motions, those that neighbours lead to among them."""
+        settings, mechanism = self.settings, self.file.mechanism
+        depends = (settings.starts, settings.seed, settings.most_periods)
+        found = self._made(Stage.MOTIONS, "", depends, partial(motions_from_starts, mechanism, settings))
+        near = self.varied(found)
+        if mechanism.frequency is None or len(near) < 2:
+            return found
+        more = partial(with_neighbours, mechanism, found, near, settings, self.runner)
+        return self._made(Stage.NEIGHBOURS, "", settings.without_cells, more)
+
+    def varied(self, motions: Motions) -> tuple[Varied, ...]:
+        """Return the numbers that maps and branches are over."""
+        return varied_places(self.file.mechanism, motions.first)
+
+    def spectra(self, motions: Motions, linear: tuple[LinearState, ...]) -> Mapping[str, OutputSpectrum]:
+        """Return the lines of the first motion."""
+        return {} if motions.first is None else spectra(motions.first, self.file.mechanism.frequency, linear)
+
+    def sensitivities(self, motions: Motions) -> Sensitivities | None:
+        """Return what each number changes."""
+        if motions.first is None or not motions.first.repeats:
+            return None
+        make = partial(sensitivities, self.file.mechanism, motions.first)
+        return self._made(Stage.SENSITIVITIES, "", (), make)
+
+    def ranges(self) -> RangeStudy | None:
+        """Return what is left open by what nobody knows."""
+        file = self.file
+        if not file.ranges or file.mechanism.frequency is None:
+            return None
+        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings, self.runner)
+        depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
+        return self._made(Stage.RANGES, "", depends, make)
+
+    def remedies(self, verdict: Verdict, of: Sensitivities | None) -> Remedies | None:
+        """Return what would meet the targets."""
+        file = self.file
+        if not verdict.missed or file.mechanism.frequency is None:
+            return None
+        settings = self.settings
+        make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
+        return self._made(Stage.REMEDIES, "", (file.targets, settings.without_cells), make)
+
+    def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[NumberPath, ...]:
+        """Return the branch through the working point over each number."""
+        first = motions.first
+        if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
+            return ()
+        most = self.settings.most_points
+        return tuple(
+            self._made(
+                Stage.BRANCH,
+                each.place,
+                (each, most),
+                partial(path_through, self.file.mechanism, each, first, most),
+            )
+            for each in varied
+        )
+
+    def maps(self, varied: tuple[Varied, ...]) -> tuple[DesignMap, ...]:
+        """Return the maps over gap and speed, and gap and friction; without a gap over speed and friction."""
+        if self.file.mechanism.frequency is None:
+            return ()
+        by_role = {each.role: each for each in varied}
+        first, *others = by_role.values() or (None,)
+        return tuple(self._map(first, each) for each in others if first is not None and each is not None)
+
+    def _map(self, first: Varied, second: Varied) -> DesignMap:
+        about = f"{first.place} x {second.place}"
+        mechanism = self.file.mechanism
+        return design_map(
+            mechanism, first, second, self.settings, self.runner, self.keeper,
+            partial(self.told, Stage.MAP, about),
+        )  # fmt: skip
+
+    def _made(self, stage: Stage, about: str, depends: object, make: Callable[[], Result]) -> Result:
+        self.told(stage, about, 0, 1)
+        result = self.keeper.made(stage.name.lower(), (about, depends), make)
+        self.told(stage, about, 1, 1)
+        return result

@@ -1,0 +1,144 @@
+"""The file of a design: a mechanism, what is wanted of it, which body is held, and what nobody knows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from trimmer.design.assumed_range import assumed_range
+from trimmer.design.targets import Target, targets_of
+from trimmer.errors import MechanismError
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.open_values import OpenValue, open_values
+from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.problems import Problem, as_message_of_file
+from trimmer.mechanism.reading import content_of_text, mechanism_of_text, text_of_file
+from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.mechanism.units import UnitError
+from trimmer.messages import listed, near_match
+
+
+@dataclass(frozen=True)
+class OpenRange:
+    """A number that nobody knows.
+
+    Attributes:
+        place: Its dotted place.
+        unit: The SI unit.
+        lowest, highest: Ends of the range that is looked at, in that unit.
+        assumed: Whether the file gives no range, so that this one was assumed.
+    """
+
+    place: str
+    unit: str
+    lowest: float
+    highest: float
+    assumed: bool
+
+    @property
+    def middle(self) -> float:
+        """The number that stands for the range where one is needed."""
+        return 0.5 * (self.lowest + self.highest)
+
+
+@dataclass(frozen=True)
+class DesignFile:
+    """What a file says.
+
+    Attributes:
+        name: What messages call it.
+        mechanism: The mechanism, with the middle of each range.
+        targets: What is wanted of it.
+        held: The body that a hand holds; None if the file does not say.
+        ranges: What nobody knows.
+        lines: The line of each key, from 1 on, by the names that lead there.
+    """
+
+    name: str
+    mechanism: Mechanism
+    targets: tuple[Target, ...]
+    held: str | None
+    ranges: tuple[OpenRange, ...]
+    lines: Mapping[tuple[str, ...], int]
+
+    def line(self, place: tuple[str, ...]) -> int:
+        """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
+        near = (place[:length] for length in range(len(place), 0, -1))
+        return next((self.lines[each] for each in near if each in self.lines), 0)
+
+
+def read_design_file(path: Path) -> DesignFile:
+    """Read the file of a design, or standard input if the path is ``-``.
+
+    Raises:
+        MechanismError: if it cannot be read, or holds what cannot be used. Every problem is named, with file,
+            line, key and value, and what to do.
+    """
+    return design_file_of_text(text_of_file(path), str(path))
+
+
+def design_file_of_text(text: str, name: str) -> DesignFile:
+    """Read the text of a design's file; see ``read_design_file``."""
+    content = content_of_text(text, name)
+    lines = lines_of_keys(text)
+    problems: list[Problem] = []
+    left_open = tuple(open_values(content))
+    ends = dict(_given(left_open, problems))
+    _stop_at(problems, name, content, lines)
+    values = {place_text(each.place): _first(each, ends) for each in left_open}
+    mechanism = mechanism_of_text(text, name, values)
+    ranges = tuple(_ranges(left_open, ends, mechanism, problems))
+    targets = targets_of(content.get("targets", {}), mechanism, problems)
+    held = _held(content.get("held"), mechanism, problems)
+    _stop_at(problems, name, content, lines)
+    for each in ranges:
+        mechanism = mechanism.with_value(each.place, each.middle)
+    return DesignFile(name, mechanism, targets, held, ranges, lines)
+
+
+def _stop_at(
+    problems: list[Problem], name: str, content: Mapping[str, Any], lines: Mapping[tuple[str, ...], int]
+) -> None:
+    if problems:
+        raise MechanismError(as_message_of_file(name, problems, content, lines))
+
+
+def _given(
+    left_open: tuple[OpenValue, ...], problems: list[Problem]
+) -> Iterator[tuple[OpenValue, tuple[float, float]]]:
+    for each in left_open:
+        if not each.is_unknown:
+            try:
+                yield each, each.ends()
+            except UnitError as error:
+                problems.append(Problem(each.place, str(error), each.text))
+
+
+def _first(value: OpenValue, ends: Mapping[OpenValue, tuple[float, float]]) -> float:
+    """Return a number with which the mechanism can be read: the middle, or 1 until a range is assumed."""
+    return sum(ends[value]) / 2 if value in ends else 1.0
+
+
+def _ranges(
+    left_open: tuple[OpenValue, ...],
+    ends: Mapping[OpenValue, tuple[float, float]],
+    mechanism: Mechanism,
+    problems: list[Problem],
+) -> Iterator[OpenRange]:
+    for each in left_open:
+        found = ends.get(each) or assumed_range(mechanism, each.place)
+        if found is None:
+            reason = 'nothing in the file says how large it may be; give a range, as in "20 um..60 um"'
+            problems.append(Problem(each.place, reason, each.text))
+        else:
+            yield OpenRange(place_text(each.place), each.quantity.unit, *found, each.is_unknown)
+
+
+def _held(value: object, mechanism: Mechanism, problems: list[Problem]) -> str | None:
+    if value is None or (isinstance(value, str) and value in mechanism.bodies):
+        return value
+    advice = near_match(str(value), mechanism.bodies) or f"the bodies are {listed(mechanism.bodies)}"
+    problems.append(Problem(("held",), f"names the body that a hand holds; {advice}", value))
+    return None

@@ -1,0 +1,228 @@
+"""A motion of the mechanism as it was found, with all that a designer asks of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.contact.assembly import PUSHING
+from trimmer.contact.statuses import STICK
+from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
+from trimmer.design.targets import Measure, Target
+from trimmer.response.measures import ContactMeasures, FrictionMeasures, Measures, OutputMeasures
+from trimmer.response.motion_signals import along, contact_force, durations, output_rows, while_status
+from trimmer.response.response import MotionKind
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Flags, Reals
+    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.response.estimate import Estimate
+    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.response import SettledMotion
+
+POINTS = 1200
+"""Instants at which signals are kept."""
+WINDOW = 96
+"""Drive periods over which a motion is measured that does not repeat."""
+SAMPLES = 256
+"""Samples per drive period of the acceleration of such a motion."""
+SHOWN = 6
+"""Of these, how many are kept as signals."""
+
+Spans = tuple[tuple[float, float], ...]
+"""Begin and length of times at which something is on, s."""
+
+
+@dataclass(frozen=True, eq=False)
+class Signals:
+    """A motion over time.
+
+    Attributes:
+        times: s, (n,).
+        outputs: By name, m, (n,).
+        forces: Of each play and stop by name, N, positive where it pulls its ends together, (n,).
+        touching: When each is in contact.
+        sticking: When each dry friction sticks.
+    """
+
+    times: Reals
+    outputs: Mapping[str, Reals]
+    forces: Mapping[str, Reals]
+    touching: Mapping[str, Spans]
+    sticking: Mapping[str, Spans]
+
+
+@dataclass(frozen=True, eq=False)
+class FoundMotion:
+    """A motion and its measures.
+
+    Attributes:
+        kind: What it is.
+        period_count: Drive periods after which it repeats; None if it does not, 1 without a drive.
+        period: Time after which it repeats, s; None if it does not.
+        starts: How many of the starts settle to it; 0 if only a neighbour led there.
+        mirrored: Whether it is the mirror image of another one.
+        drive_periods: Drive periods that were followed until this was known.
+        neighbour_agrees: Whether a neighbouring start was found to do the same; None if none was tried.
+        lyapunov: Growth of small distances per drive period, as a logarithm; None where not measured.
+        multipliers: Floquet multipliers of an orbit, (n,); empty otherwise.
+        neutral: Whether some disturbance stays as it is.
+        state: State at the start of the period, (n,).
+        measured_periods: Drive periods over which it was measured.
+        outputs, rms_acceleration, contacts, frictions: Its measures, by name.
+        hand_arm: Vibration of each body as a hand would feel it.
+        events: Events per drive period.
+        signals: Over a period, or over some drive periods.
+    """
+
+    kind: MotionKind
+    period_count: int | None
+    period: float | None
+    starts: int
+    mirrored: bool
+    drive_periods: int
+    neighbour_agrees: bool | None
+    lyapunov: Estimate | None
+    multipliers: Complexes
+    neutral: bool
+    state: Reals
+    measured_periods: int
+    outputs: Mapping[str, OutputMeasures]
+    rms_acceleration: Mapping[str, float]
+    contacts: Mapping[str, ContactMeasures]
+    frictions: Mapping[str, FrictionMeasures]
+    hand_arm: Mapping[str, HandArm]
+    events: float
+    signals: Signals
+
+    @property
+    def repeats(self) -> bool:
+        """Whether it is periodic."""
+        return self.kind is MotionKind.PERIODIC
+
+    @cached_property
+    def impact_speed(self) -> float:
+        """The largest speed at which any contact is made, m/s."""
+        return max((each.impact_speed for each in self.contacts.values()), default=0.0)
+
+    def measure(self, measure: Measure, part: str) -> float:
+        """Return a measure, SI unit; infinite for the period of what does not repeat."""
+        match measure:
+            case Measure.STROKE:
+                return self.outputs[part].peak_to_peak
+            case Measure.RMS_ACCELERATION:
+                return self.rms_acceleration[part]
+            case Measure.IMPACT_SPEED:
+                return self.contacts[part].impact_speed if part in self.contacts else 0.0
+            case Measure.WEAR_POWER:
+                return self.frictions[part].power if part in self.frictions else 0.0
+            case Measure.PERIOD:
+                return float(self.period_count) if self.period_count else float("inf")
+
+    def value(self, target: Target) -> float:
+        """Return what a target bounds, in its unit."""
+        return self.measure(target.measure, target.part)
+
+    def meets(self, targets: tuple[Target, ...]) -> bool:
+        """Say whether it meets all targets."""
+        return all(target.met_by(self.value(target)) for target in targets)
+
+
+def of_settled(settled: SettledMotion) -> FoundMotion | None:
+    """Return what a start settles to; None if it could not be followed to anything that can be measured."""
+    if settled.orbit is not None:
+        return of_orbit(settled.orbit, settled)
+    if settled.window is None:
+        return None
+    flow = settled.window.flow
+    course = flow.course(settled.window.end, WINDOW)
+    if course.ending is not Ending.REACHED_END:
+        return None
+    return _made(flow, course, settled, None, WINDOW)
+
+
+def of_orbit(orbit: MechanismOrbit, settled: SettledMotion | None = None) -> FoundMotion:
+    """Return an orbit with its measures; without starts, if no settled motion is given with it."""
+    return _made(orbit.flow, orbit.course, settled, orbit, orbit.periods or 1)
+
+
+def _made(
+    flow: ExactFlow,
+    course: Course,
+    settled: SettledMotion | None,
+    orbit: MechanismOrbit | None,
+    periods: int,
+) -> FoundMotion:
+    measures = Measures(course, flow, max(orbit.period_count, 1) if orbit else 1, periods)
+    return FoundMotion(
+        kind=settled.kind if settled else MotionKind.PERIODIC,
+        period_count=orbit.period_count if orbit else None,
+        period=orbit.period if orbit else None,
+        starts=settled.starts if settled else 0,
+        mirrored=bool(settled and settled.mirrored),
+        drive_periods=settled.drive_periods if settled else 0,
+        neighbour_agrees=settled.neighbour_agrees if settled else None,
+        lyapunov=settled.lyapunov if settled else None,
+        multipliers=orbit.nontrivial_multipliers if orbit else np.empty(0, dtype=complex),
+        neutral=bool(orbit and orbit.neutral),
+        state=course.begin.state,
+        measured_periods=periods,
+        outputs=dict(measures.outputs),
+        rms_acceleration=dict(measures.rms_acceleration),
+        contacts=dict(measures.contacts),
+        frictions=dict(measures.frictions),
+        hand_arm=_hand_arm(course, orbit, dict(measures.rms_acceleration), periods),
+        events=measures.events_per_period,
+        signals=_signals(flow, course, min(1.0, SHOWN / periods)),
+    )
+
+
+def _hand_arm(
+    course: Course, orbit: MechanismOrbit | None, rms: Mapping[str, float], periods: int
+) -> Mapping[str, HandArm]:
+    if orbit is not None:
+        return hand_arm_of_orbit(course, 2 * np.pi / course.duration, rms)
+    return hand_arm_of_samples(course, rms, SAMPLES * periods / course.duration)
+
+
+def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
+    layout, log = flow.modes.layout, course.log
+    end = share * course.duration
+    times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
+    states = course.states(times)
+    rows = np.searchsorted(log.start, times, side="right") - 1
+    contacts = len(layout.contacts)
+    return Signals(
+        times,
+        {name: states @ row for name, row in output_rows(flow.mechanism, layout).items()},
+        {
+            name: along(course, contact_force(course.modes, part), rows, states)
+            for part, name in enumerate(layout.contacts)
+        },
+        {
+            name: _spans(course, while_status(course, p, PUSHING), end)
+            for p, name in enumerate(layout.contacts)
+        },
+        {
+            name: _spans(course, while_status(course, contacts + number, (STICK,)), end)
+            for number, name in enumerate(layout.frictions)
+        },
+    )
+
+
+def _spans(course: Course, on: Flags, end: float) -> Spans:
+    """Return the times at which something is on; what touches is one."""
+    spans: list[tuple[float, float]] = []
+    for start, length, each in zip(course.log.start, durations(course), on, strict=True):
+        if not each or length == 0 or start >= end:
+            continue
+        if spans and np.isclose(sum(spans[-1]), start, rtol=0, atol=1e-12 * course.duration):
+            spans[-1] = spans[-1][0], float(start + length - spans[-1][0])
+        else:
+            spans.append((float(start), float(length)))
+    return tuple((begin, min(length, end - begin)) for begin, length in spans)

@@ -1,0 +1,127 @@
+"""Vibration of what a hand holds, weighted by W_h of ISO 5349-1, as exposure to vibration along one axis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.response.fourier import fourier
+from trimmer.response.motion_signals import acceleration, along
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Complexes
+    from trimmer.contact.flow import Course
+
+BAND = 10**0.8, 10**3.1
+"""Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9."""
+BAND_QUALITY = 2**-0.5
+TRANSITION = 100 / (2 * np.pi)
+"""Frequency f3 = f4 of the transition from acceleration to velocity, Hz: 15.915."""
+TRANSITION_QUALITY = 0.64
+HIGHEST = 3000.0
+"""Frequency up to which lines are summed, Hz; there the weighting is below a thousandth."""
+MOST_LINES = 1500
+ACTION_VALUE, LIMIT_VALUE, DAY = 2.5, 5.0, 8.0
+"""Daily exposure action and limit values A(8), m/s², over 8 h: directive 2002/44/EC, article 3."""
+
+
+def hand_arm_weighting(frequency: ArrayLike) -> Complexes:
+    """Return the weighting W_h of hand-arm vibration: response to an acceleration, without unit.
+
+    The band limitation is H_b = s² w2² / ((s² + w1 s/Q + w1²)(s² + w2 s/Q + w2²)), the transition
+    H_w = (1 + s/w3) / (1 + s/(Q w4) + (s/w4)²).
+
+    Args:
+        frequency: Hz, any shape.
+
+    Source: ISO 5349-1:2001, annex A, with the exact parameters of ISO 8041-1:2017, table 1.
+    """
+    s = 2j * np.pi * np.asarray(frequency, dtype=float)
+    first, second = (2 * np.pi * each for each in BAND)
+    high_pass = s**2 / (s**2 + first * s / BAND_QUALITY + first**2)
+    low_pass = second**2 / (s**2 + second * s / BAND_QUALITY + second**2)
+    scaled = s / (2 * np.pi * TRANSITION)
+    return np.asarray(high_pass * low_pass * (1 + scaled) / (1 + scaled / TRANSITION_QUALITY + scaled**2))
+
+
+@dataclass(frozen=True)
+class HandArm:
+    """The vibration of a body along the modelled axis, as a hand would feel it.
+
+    Attributes:
+        weighted: Root of the mean square of the acceleration weighted by W_h, m/s².
+        rms: The same without weighting, m/s².
+        left_out: Bound on what the frequencies that were left out add to ``weighted``, m/s².
+        highest: Frequency up to which it was summed, Hz.
+        lines: How many lines were summed; 0 where samples were weighted, as the motion does not repeat.
+    """
+
+    weighted: float
+    rms: float
+    left_out: float
+    highest: float
+    lines: int
+
+    def hours_to(self, daily: float) -> float:
+        """Return the hours a day after which this axis alone reaches a daily exposure A(8), m/s²."""
+        return DAY * (daily / self.weighted) ** 2 if self.weighted > 0 else float("inf")
+
+
+def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) -> Mapping[str, HandArm]:
+    """Weight the vibration of each body over a period, line by line, exact to rounding.
+
+    Args:
+        course: The motion over its period.
+        omega: Frequency at which it repeats, rad/s.
+        rms: Root of the mean square acceleration of each body, m/s².
+    """
+    layout = course.modes.layout
+    count = min(int(np.ceil(2 * np.pi * HIGHEST / omega)), MOST_LINES)
+    displacements = course.nodes.states[:, : len(layout.bodies)]
+    mean = course.nodes.weights @ displacements / course.duration
+    orders = np.arange(1, count + 1)
+    waves = fourier(course, displacements - mean, omega, count) * (orders * omega)[:, None] ** 2
+    weights = abs(hand_arm_weighting(orders * omega / (2 * np.pi)))
+    squares = 0.5 * abs(waves) ** 2
+    beyond = _largest_beyond(count * omega / (2 * np.pi))
+    found = {}
+    for body, name in enumerate(layout.bodies):
+        rest = max(rms[name] ** 2 - squares[:, body].sum(), 0.0)
+        weighted = float(np.sqrt(weights**2 @ squares[:, body]))
+        left_out = float(np.sqrt(weighted**2 + beyond**2 * rest)) - weighted
+        found[name] = HandArm(weighted, rms[name], left_out, float(count * omega / (2 * np.pi)), count)
+    return found
+
+
+def _largest_beyond(frequency: float) -> float:
+    """Return the largest weighting above a frequency, Hz: it rises up to about 12 Hz, and then falls."""
+    return float(abs(hand_arm_weighting(np.maximum(np.geomspace(1.0, 100.0, 400), frequency))).max())
+
+
+def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -> Mapping[str, HandArm]:
+    """Weight the vibration of each body over a window of a motion that does not repeat.
+
+    Args:
+        course: The window.
+        rms: Root of the mean square acceleration of each body, m/s².
+        rate: Samples per second.
+    """
+    count = int(course.duration * rate)
+    times = course.duration * (np.arange(count) + 0.5) / count
+    states, taper = course.states(times), np.hanning(count)
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    frequency = np.fft.rfftfreq(count, course.duration / count)
+    weights = abs(hand_arm_weighting(frequency))
+    found = {}
+    for body, name in enumerate(course.modes.layout.bodies):
+        signal = along(course, acceleration(course.modes, body), rows, states)
+        power = abs(np.fft.rfft((signal - signal.mean()) * taper)) ** 2
+        share = float(weights**2 @ power / power.sum()) if power.sum() > 0 else 0.0
+        weighted = float(np.sqrt(share)) * rms[name]
+        found[name] = HandArm(weighted, rms[name], float("nan"), rate / 2, 0)
+    return found

@@ -1,0 +1,62 @@
+"""What is kept of a design between runs: who keeps it, and the key that says what it depends on."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeVar
+
+Result = TypeVar("Result")
+
+
+class Store(Protocol):
+    """Keeps results by name and key, each whole or not at all."""
+
+    def load(self, stage: str, key: str) -> Any | None:
+        """Return what was kept, or None if there is nothing under this key."""
+        ...
+
+    def keep(self, stage: str, key: str, result: object) -> None:
+        """Keep a result, which is not None."""
+        ...
+
+
+@dataclass(frozen=True)
+class Keeper:
+    """Keeps the stages of one design.
+
+    Attributes:
+        store: Where; nowhere if None.
+        depends: All that every stage depends on, as text: the program, the mechanism.
+    """
+
+    store: Store | None = None
+    depends: str = ""
+
+    def made(self, stage: str, depends: object, make: Callable[[], Result]) -> Result:
+        """Return what was kept of a stage, or make it and keep it.
+
+        Args:
+            stage: Its name.
+            depends: What it depends on beside what all do, as a thing whose ``repr`` says all.
+            make: Makes it.
+        """
+        name, key = self._place(stage, depends)
+        kept = None if self.store is None else self.store.load(name, key)
+        if kept is None:
+            kept = make()
+            if self.store is not None:
+                self.store.keep(name, key, kept)
+        result: Result = kept
+        return result
+
+    def holds(self, stage: str, depends: object) -> bool:
+        """Say whether a stage is kept."""
+        name, key = self._place(stage, depends)
+        return self.store is not None and self.store.load(name, key) is not None
+
+    def _place(self, stage: str, depends: object) -> tuple[str, str]:
+        """Return name and key; the name has a part of the key, so that two designs share a folder."""
+        key = hashlib.sha256(f"{stage}\0{self.depends}\0{depends!r}".encode()).hexdigest()
+        return f"{stage}-{key[:20]}", key

@@ -1,0 +1,87 @@
+"""Maps whose rows are kept as soon as they are whole, so that an interrupted one goes on where it was."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from trimmer.maps.cells import Cell, CellResult, CellWork
+from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
+from trimmer.maps.result import MotionMap
+
+if TYPE_CHECKING:
+    from trimmer.design.keeping import Keeper
+    from trimmer.design.settings import DesignSettings
+    from trimmer.design.varied_places import Varied
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
+
+Told = Callable[[int, int], None]
+"""Is told how many rows of how many are done."""
+Row = tuple[CellResult, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class DesignMap:
+    """A map over two numbers.
+
+    Attributes:
+        first, second: What varies along a row, and from row to row.
+        result: The map.
+    """
+
+    first: Varied
+    second: Varied
+    result: MotionMap
+
+
+def design_map(
+    mechanism: Mechanism,
+    first: Varied,
+    second: Varied,
+    settings: DesignSettings,
+    runner: Runner,
+    keeper: Keeper,
+    told: Told,
+) -> DesignMap:
+    """Tell what the mechanism settles to over two numbers, each cell from rest or the file's own start.
+
+    Args:
+        mechanism: The mechanism.
+        first: What varies along a row.
+        second: What varies from row to row.
+        settings: How many cells, and how long each is waited for.
+        runner: Who does the work.
+        keeper: Keeps each row.
+        told: Is told of each row.
+    """
+    values = {each.place: each.values(settings.cells) for each in (first, second)}
+    inputs = checked_inputs(mechanism, values, Settings(settings.cell_periods))
+    rows = _rows(inputs, runner, keeper, told)
+    return DesignMap(first, second, MotionMap(inputs, tuple(cell for row in rows for cell in row)))
+
+
+def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row]:
+    columns, digest = len(inputs.values[0]), inputs.header["inputs"]
+    count = inputs.count // columns
+    kept = {row: (digest, row) for row in range(count)}
+    missing = [row for row in range(count) if not keeper.holds("row", kept[row])]
+    done = count - len(missing)
+    told(done, count)
+    numbers = [row * columns + column for row in missing for column in range(columns)]
+    pending: dict[int, dict[int, CellResult]] = {row: {} for row in missing}
+    work = CellWork(inputs.mechanism, inputs.places, inputs.settings)
+    cells = (Cell(number, inputs.cell_values(number)) for number in numbers)
+    whole: dict[int, Row] = {}
+    for result in runner.results(work, cells) if numbers else ():
+        row = result.number // columns
+        pending[row][result.number] = result
+        if len(pending[row]) == columns:
+            cells_of_row = pending.pop(row)
+            found = tuple(cells_of_row[number] for number in sorted(cells_of_row))
+            whole[row] = keeper.made("row", kept[row], partial(tuple, found))
+            done += 1
+            told(done, count)
+    return [whole[row] if row in whole else keeper.made("row", kept[row], tuple) for row in range(count)]

@@ -1,0 +1,193 @@
+"""Modes and transfer functions of a mechanism with its contacts open, and with all of them closed.
+
+Dry friction is left out; its viscous share is a damper. A closed contact is a link at its middle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.parts import Contact, Link
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.mechanism.matrices import LinearMatrices
+    from trimmer.mechanism.mechanism import Mechanism
+
+POINTS = 2000
+"""Frequencies of a transfer function."""
+BELOW, ABOVE = 20.0, 3.0
+"""Ends of a transfer function: how far below the lowest frequency of interest, and above the highest."""
+RIGID = 1e-6
+"""Modulus of an eigenvalue, relative to the largest, below which it counts as zero."""
+
+
+class Contacts(Enum):
+    """In which state plays and stops are taken."""
+
+    CLOSED = "closed"
+    OPEN = "open"
+
+
+@dataclass(frozen=True, eq=False)
+class LinearMode:
+    """A mode that swings.
+
+    Attributes:
+        frequency: Of the oscillation as it dies out, imaginary part of the eigenvalue / 2 pi, Hz.
+        damping_ratio: Share of critical damping.
+        shape: Displacement of each body, scaled so that the largest is 1, complex, (bodies,).
+    """
+
+    frequency: float
+    damping_ratio: float
+    shape: Complexes
+
+
+@dataclass(frozen=True, eq=False)
+class TransferFunction:
+    """What an output does for each unit of a drive, over frequency.
+
+    Attributes:
+        drive: Name of the pin or force.
+        unit: SI unit of the drive.
+        output: Name of the output.
+        frequency: Hz, (n,).
+        response: m per unit, (n,).
+        at_drive: The same at the frequency of that drive, m per unit; None without a drive.
+    """
+
+    drive: str
+    unit: str
+    output: str
+    frequency: Reals
+    response: Complexes
+    at_drive: complex | None
+
+
+@dataclass(frozen=True, eq=False)
+class LinearState:
+    """The linear mechanism with its contacts in one state.
+
+    Attributes:
+        contacts: That state.
+        bodies: Names, in the order of the shapes.
+        modes: By rising frequency.
+        rigid: Number of motions that no spring resists.
+        decaying: Number of motions that only decay.
+        transfer: Of each drive to each output.
+    """
+
+    contacts: Contacts
+    bodies: tuple[str, ...]
+    modes: tuple[LinearMode, ...]
+    rigid: int
+    decaying: int
+    transfer: tuple[TransferFunction, ...]
+
+
+def linear_states(mechanism: Mechanism) -> tuple[LinearState, ...]:
+    """Return the linear mechanism with its contacts closed, then open; once if it has none."""
+    contacts: dict[str, Contact] = {**mechanism.plays, **mechanism.stops}
+    if not any(each.stiffness or each.damping for each in contacts.values()):
+        return (_state(mechanism, Contacts.CLOSED),)
+    links = {f"closed {name}": _link(each) for name, each in contacts.items()}
+    closed = replace(mechanism, links={**mechanism.links, **links}, plays={}, stops={})
+    return _state(closed, Contacts.CLOSED), _state(mechanism, Contacts.OPEN)
+
+
+def _link(contact: Contact) -> Link:
+    return Link(contact.between, contact.stiffness, contact.damping)
+
+
+def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
+    matrices = linear_matrices(mechanism, viscous=True)
+    values, vectors = np.linalg.eig(_state_matrix(matrices))
+    size = abs(values).max(initial=0.0) or 1.0
+    rigid = abs(values) <= RIGID * size
+    swinging = np.flatnonzero((values.imag > RIGID * size) & ~rigid)
+    bodies = len(mechanism.bodies)
+    modes = sorted(
+        (_mode(values[at], vectors[:bodies, at]) for at in swinging), key=lambda mode: mode.frequency
+    )
+    return LinearState(
+        contacts,
+        tuple(mechanism.bodies),
+        tuple(modes),
+        int(rigid.sum() + 1) // 2,
+        int(len(values) - rigid.sum() - 2 * len(swinging)),
+        tuple(_transfer(mechanism, matrices, [mode.frequency for mode in modes])),
+    )
+
+
+def _state_matrix(matrices: LinearMatrices) -> Reals:
+    bodies = len(matrices.mass)
+    inverse = 1 / np.diag(matrices.mass)[:, None]
+    return np.block(
+        [
+            [np.zeros((bodies, bodies)), np.eye(bodies)],
+            [-inverse * matrices.stiffness, -inverse * matrices.damping],
+        ]
+    )
+
+
+def _mode(value: complex, vector: Complexes) -> LinearMode:
+    largest = vector[np.argmax(abs(vector))]
+    shape = vector / largest if largest else vector
+    return LinearMode(float(value.imag) / (2 * np.pi), float(-value.real / abs(value)), shape)
+
+
+def _transfer(
+    mechanism: Mechanism, matrices: LinearMatrices, modes: list[float]
+) -> Iterator[TransferFunction]:
+    marks = [*modes, *([mechanism.frequency] if mechanism.frequency else [])]
+    if not marks:
+        return
+    frequency = np.geomspace(min(marks) / BELOW, max(marks) * ABOVE, POINTS)
+    for drive, unit, order in driving(mechanism):
+        response = _responses(mechanism, matrices, drive, frequency)
+        own = None if mechanism.frequency is None else np.array([order * mechanism.frequency])
+        there = {} if own is None else _responses(mechanism, matrices, drive, own)
+        for name, values in response.items():
+            at_drive = complex(there[name][0]) if there else None
+            yield TransferFunction(drive, unit, name, frequency, values, at_drive)
+
+
+def driving(mechanism: Mechanism) -> list[tuple[str, str, int]]:
+    """Return name, SI unit and order of the pins and forces that vibrate."""
+    pins = [(name, "m", pin.order) for name, pin in mechanism.pins.items() if pin.amplitude]
+    forces = [
+        (name, "N", force.order)
+        for name, force in mechanism.forces.items()
+        if force.amplitude or force.unbalance
+    ]
+    return pins + forces
+
+
+def _responses(
+    mechanism: Mechanism, matrices: LinearMatrices, drive: str, frequency: Reals
+) -> dict[str, Complexes]:
+    """Return what each output does for a unit of a drive, m per unit, (n,)."""
+    rows, bodies = displacement_rows(mechanism), len(mechanism.bodies)
+    s = 2j * np.pi * frequency
+    dynamic = s[:, None, None] ** 2 * matrices.mass + s[:, None, None] * matrices.damping + matrices.stiffness
+    if drive in mechanism.pins:
+        column = list(mechanism.pins).index(drive)
+        push = matrices.pin_displacement[:, column] + s[:, None] * matrices.pin_velocity[:, column]
+    else:
+        column = list(mechanism.forces).index(drive)
+        push = np.broadcast_to(matrices.forces[:, column], (len(s), bodies)).astype(complex)
+    moved = np.linalg.solve(dynamic, push[:, :, None])[:, :, 0]
+    found = {}
+    for name, output in mechanism.outputs.items():
+        weights = np.sum([weight * rows[of] for of, weight in output.weights.items()], axis=0)
+        found[name] = moved @ weights[:bodies]
+        if drive in mechanism.pins:
+            found[name] = found[name] + weights[bodies + column]
+    return found

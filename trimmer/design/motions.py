@@ -1,0 +1,178 @@
+"""The motions that a mechanism can take: from several starts, and from the motions of its neighbours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled
+from trimmer.errors import TrimmerError
+from trimmer.maps.coexistence import coexisting_motions
+from trimmer.maps.motion_map import motion_map
+from trimmer.response.forced_orbit import mechanism_orbit
+from trimmer.response.respond import respond
+from trimmer.response.response import MotionKind, Response
+
+if TYPE_CHECKING:
+    from trimmer.design.settings import DesignSettings
+    from trimmer.design.varied_places import Varied
+    from trimmer.maps.cells import CellMotion
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
+
+REACH = 0.3
+"""How far neighbours lie around the working point at most, relative, along each of two numbers."""
+SAME = 1e-6
+"""Difference of two orbits relative to their sizes below which they are one."""
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """What was tried around the working point.
+
+    Attributes:
+        places: The two numbers that were varied.
+        cells: How many neighbours there were, the working point included.
+        reach: How far the farthest one lies, relative.
+        tried: How many of their orbits were tried as starts.
+        rounds: How often orbits were handed on.
+        complete: Whether the last round found nothing new.
+        found: How many motions of the working point came from there alone.
+    """
+
+    places: tuple[str, str]
+    cells: int
+    reach: float
+    tried: int
+    rounds: int
+    complete: bool
+    found: int
+
+
+@dataclass(frozen=True)
+class Motions:
+    """The motions that were found.
+
+    Attributes:
+        found: The first is that from rest, or from the file's own start, if it could be measured.
+        starts: Number of starts.
+        seed: Of the random ones.
+        lost: How many motions could not be followed or measured.
+        message: What the first start settles to, in a sentence.
+        first_failed: Whether that of the first start is among the lost ones.
+        neighbours: What was tried around; None if nothing was.
+    """
+
+    found: tuple[FoundMotion, ...]
+    starts: int
+    seed: int
+    lost: int
+    message: str
+    first_failed: bool
+    neighbours: Neighbours | None = None
+
+    @property
+    def first(self) -> FoundMotion | None:
+        """The motion of the first start; None if it could not be measured."""
+        return None if self.first_failed or not self.found else self.found[0]
+
+
+def motions_from_starts(mechanism: Mechanism, settings: DesignSettings) -> Motions:
+    """Return what several starts settle to."""
+    starts = settings.starts if mechanism.frequency is not None else 1
+    response = respond(mechanism, starts=starts, seed=settings.seed, most_periods=settings.most_periods)
+    found = [of_settled(each) for each in response.motions]
+    measured = tuple(each for each in found if each is not None)
+    lost = len(found) - len(measured)
+    return Motions(measured, starts, settings.seed, lost, _message(response), found[0] is None)
+
+
+def _message(response: Response) -> str:
+    return response.motion.message
+
+
+def with_neighbours(
+    mechanism: Mechanism,
+    motions: Motions,
+    varied: tuple[Varied, ...],
+    settings: DesignSettings,
+    runner: Runner,
+) -> Motions:
+    """Return the motions with those that orbits of neighbouring mechanisms lead to.
+
+    Args:
+        mechanism: The mechanism; it has a drive.
+        motions: Those from several starts.
+        varied: The numbers by which neighbours differ; the first two are taken.
+        settings: How long each is waited for.
+        runner: Who does the work.
+    """
+    if len(varied) < 2 or any(each.value == 0 for each in varied[:2]):
+        return motions
+    values = {each.place: _around(each, settings.neighbours) for each in varied[:2]}
+    result = motion_map(mechanism, values, most_periods=settings.cell_periods, runner=runner, quiet=True)
+    coexistence = coexisting_motions(result, most_rounds=40, runner=runner, quiet=True)
+    columns, rows = (list(each) for each in values.values())
+    column, row = (near.index(each.value) for near, each in zip((columns, rows), varied, strict=False))
+    centre = coexistence.result.cells[row * len(columns) + column]
+    new = tuple(_new(mechanism, centre.motions, motions))
+    first, second = values
+    tried = Neighbours(
+        (first, second),
+        len(result.cells),
+        REACH,
+        coexistence.tried,
+        coexistence.rounds,
+        coexistence.complete,
+        len(new),
+    )
+    lost, message = motions.lost, motions.message
+    return Motions(
+        (*motions.found, *new), motions.starts, motions.seed, lost, message, motions.first_failed, tried
+    )
+
+
+def _around(varied: Varied, count: int) -> tuple[float, ...]:
+    """Return values around that of the file, which is the middle one; those out of range are drawn in."""
+    shares = np.linspace(-REACH, REACH, count)
+    shares[count // 2] = 0.0
+    if varied.bounded:
+        room = varied.highest / varied.value - 1
+        shares = np.where(shares > 0, shares / REACH * min(room, REACH), shares)
+    values = np.where(shares == 0, varied.value, varied.value * (1 + shares))
+    return tuple(dict.fromkeys(values.tolist()))
+
+
+def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) -> Iterator[FoundMotion]:
+    """Yield the periodic motions of a cell that are not known yet, as exact orbits."""
+    seen = [each for each in known.found if each.repeats]
+    for motion in motions:
+        if motion.kind is not MotionKind.PERIODIC:
+            continue
+        try:
+            orbit = mechanism_orbit(mechanism, motion.period_count, np.array(motion.states[0]))
+        except TrimmerError:
+            continue
+        if not orbit.success or not (orbit.stable or orbit.neutral):
+            continue
+        found = of_orbit(orbit)
+        if not any(_same(found, other) for other in seen):
+            seen.append(found)
+            yield found
+
+
+def _same(motion: FoundMotion, other: FoundMotion) -> bool:
+    """Say whether two orbits are one: of one period, with outputs of the same measures."""
+    if motion.period_count != other.period_count:
+        return False
+    pairs = [
+        (mine.peak_to_peak, other.outputs[name].peak_to_peak, mine.mean, other.outputs[name].mean)
+        for name, mine in motion.outputs.items()
+    ]
+    return all(
+        abs(size - theirs) <= SAME * abs(size) and abs(mean - their_mean) <= SAME * abs(size)
+        for size, theirs, mean, their_mean in pairs
+    )

@@ -1,0 +1,179 @@
+"""The branch through the working point over each of its numbers, and how far its motion reaches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.follow import follow
+from trimmer.branches.settings import FollowSettings
+from trimmer.branches.special import SpecialKind
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Flags, Reals
+    from trimmer.branches.followed import FollowedBranch
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.design.varied_places import Varied
+    from trimmer.mechanism.mechanism import Mechanism
+
+LARGEST_STEP = 0.02
+"""Largest change of the number between two orbits, as a share of one side of the range."""
+
+
+@dataclass(frozen=True, eq=False)
+class Special:
+    """A special point of a branch.
+
+    Attributes:
+        kind: What happens there.
+        value: Value of the number.
+        stroke: Peak to peak of each output there, by name, m.
+        parts: Names of the parts whose phases change there.
+    """
+
+    kind: SpecialKind
+    value: float
+    stroke: Mapping[str, float]
+    parts: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """The branch from the working point to one end of the range.
+
+    Attributes:
+        end: That end.
+        values: Of the number, (n,).
+        stable: Whether each orbit is, (n,).
+        stroke: Peak to peak of each output by name, m, (n,).
+        special: The special points, in the order in which they were met.
+        reason: Why it ends.
+        message: The same as a sentence.
+    """
+
+    end: float
+    values: Reals
+    stable: Flags
+    stroke: Mapping[str, Reals]
+    special: tuple[Special, ...]
+    reason: BranchEnd
+    message: str
+
+    @property
+    def reaches(self) -> float | None:
+        """Value up to which the motion stays stable; None if it does up to the end of the range.
+
+        It is the special point at which stability is lost, or the last stable orbit before.
+        """
+        unstable = np.flatnonzero(~self.stable)
+        if not unstable.size:
+            return None if self._left else float(self.values[-1])
+        before = float(self.values[max(int(unstable[0]) - 1, 0)])
+        after = float(self.values[int(unstable[0])])
+        low, high = sorted((before, after))
+        return next(
+            (each.value for each in self.special if each.kind in LOSING and low <= each.value <= high), before
+        )
+
+    @property
+    def first_special(self) -> tuple[Special, ...]:
+        """The special points up to where stability is lost."""
+        reach = self.reaches
+        if reach is None:
+            return self.special
+        found = []
+        for each in self.special:
+            if abs(each.value - self.values[0]) > abs(reach - self.values[0]):
+                break
+            found.append(each)
+            if each.value == reach:
+                break
+        return tuple(found)
+
+    @property
+    def _left(self) -> bool:
+        return self.reason is BranchEnd.LEFT_AT_STOP
+
+    @property
+    def losing(self) -> SpecialKind | None:
+        """What happens where stability is lost; None if it is not, or nothing special was found there."""
+        reach = self.reaches
+        return next((each.kind for each in self.special if each.kind in LOSING and each.value == reach), None)
+
+
+LOSING = (
+    SpecialKind.FOLD,
+    SpecialKind.PERIOD_DOUBLING,
+    SpecialKind.TORUS,
+    SpecialKind.SYMMETRY_BREAKING,
+)
+"""Special points at which an orbit may lose its stability."""
+
+
+@dataclass(frozen=True, eq=False)
+class NumberPath:
+    """The branch through the working point over one number.
+
+    Attributes:
+        varied: The number.
+        periods: Drive periods after which its motions repeat.
+        down, up: To smaller and to larger values; None where the range ends at the working point.
+    """
+
+    varied: Varied
+    periods: int
+    down: Side | None
+    up: Side | None
+
+
+def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most_points: int) -> NumberPath:
+    """Follow the motion of the working point over one number to both ends of its range.
+
+    Args:
+        mechanism: The mechanism; it has a drive.
+        varied: The number.
+        motion: A periodic motion.
+        most_points: Orbits to each side, at most.
+    """
+    periods = motion.period_count or 1
+    sides: list[Side | None] = []
+    for end in (varied.lowest, varied.highest):
+        if end == varied.value:
+            sides.append(None)
+            continue
+        bounds = (min(varied.value, end), max(varied.value, end))
+        settings = FollowSettings(
+            most_points=most_points, largest_step=LARGEST_STEP, switches=0, quiet=True, bounds=bounds
+        )
+        branch = follow(
+            mechanism, varied.place, varied.value, end, periods=periods, state=motion.state, settings=settings
+        )
+        sides.append(_side(branch, end))
+    return NumberPath(varied, periods, *sides)
+
+
+def _side(branch: FollowedBranch, end: float) -> Side:
+    names = list(branch.map.mechanism.outputs)
+    strokes = [{name: point.outputs[name].peak_to_peak for name in names} for point in branch.points]
+    special = tuple(
+        Special(
+            each.kind,
+            each.value,
+            {name: measure.peak_to_peak for name, measure in branch.outputs_at(each).items()},
+            each.parts,
+        )
+        for each in branch.special
+    )
+    return Side(
+        end,
+        np.array([point.value for point in branch.points]),
+        np.array([point.stable for point in branch.points], dtype=bool),
+        {name: np.array([each[name] for each in strokes]) for name in names},
+        special,
+        branch.reason,
+        branch.message,
+    )

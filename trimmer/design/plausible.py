@@ -1,0 +1,126 @@
+"""Numbers that are asked about, not refused: what a small machine is unlikely to have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import TYPE_CHECKING
+
+from trimmer.mechanism.place_text import place_text
+
+if TYPE_CHECKING:
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.mechanism.mechanism import Mechanism
+
+HEAVY = 50.0
+"""Mass of a body, as a multiple of the middle one of all, from which it is asked about."""
+LONG = 0.05
+"""Displacement, m, from which it is asked about in a machine of the hand."""
+HAND = 1.0
+"""Mass of all bodies together, kg, up to which a machine counts as one of the hand."""
+DRIVES = 5.0, 2000.0
+"""Frequencies that such a machine is driven at, Hz."""
+PENETRATION = 0.5
+"""Depth of a contact, as a share of the largest stroke, from which its stiffness is asked about."""
+
+
+class Oddity(Enum):
+    """Why a number is asked about."""
+
+    HEAVY_BODY = auto()
+    HEAVY_FOR_HAND = auto()
+    LONG_STROKE = auto()
+    GAP_ABOVE_STROKE = auto()
+    SLOW_OR_FAST = auto()
+    SOFT_CONTACT = auto()
+    FRICTION_HOLDS = auto()
+
+
+@dataclass(frozen=True)
+class Question:
+    """A number that is asked about.
+
+    Attributes:
+        oddity: Why.
+        place: Names that lead there.
+        value: The number, SI unit.
+        beside: What it is compared with, in the same unit.
+    """
+
+    oddity: Oddity
+    place: tuple[str, ...]
+    value: float
+    beside: float
+
+    @property
+    def place_text(self) -> str:
+        """The dotted place."""
+        return place_text(self.place)
+
+
+def questions(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Question, ...]:
+    """Return what is asked about a mechanism.
+
+    A mechanism without dimensions, such as a textbook's with a mass of 1 kg and a drive of 0.1 Hz, is asked
+    about relations only, not about sizes.
+    """
+    found = [*_bodies(mechanism), *_gaps(mechanism)]
+    if _is_of_hand(mechanism):
+        found += _sizes(mechanism)
+    if motion is not None:
+        found += [*_contacts(mechanism, motion), *_held(mechanism, motion)]
+    return tuple(found)
+
+
+def _is_of_hand(mechanism: Mechanism) -> bool:
+    masses = sorted(body.mass for body in mechanism.bodies.values())
+    return masses[len(masses) // 2] < HAND
+
+
+def _bodies(mechanism: Mechanism) -> Iterator[Question]:
+    masses = {name: body.mass for name, body in mechanism.bodies.items()}
+    if len(masses) < 3:
+        return
+    middle = sorted(masses.values())[len(masses) // 2]
+    for name, mass in masses.items():
+        if mass >= HEAVY * middle or mass * HEAVY <= middle:
+            yield Question(Oddity.HEAVY_BODY, ("bodies", name, "mass"), mass, middle)
+
+
+def _sizes(mechanism: Mechanism) -> Iterator[Question]:
+    for name, body in mechanism.bodies.items():
+        if body.mass > HAND:
+            yield Question(Oddity.HEAVY_FOR_HAND, ("bodies", name, "mass"), body.mass, HAND)
+    for name, pin in mechanism.pins.items():
+        if abs(pin.amplitude) > LONG / 2:
+            yield Question(Oddity.LONG_STROKE, ("pins", name, "amplitude"), pin.amplitude, LONG / 2)
+    if mechanism.frequency is not None and not DRIVES[0] <= mechanism.frequency <= DRIVES[1]:
+        near = DRIVES[0] if mechanism.frequency < DRIVES[0] else DRIVES[1]
+        yield Question(Oddity.SLOW_OR_FAST, ("frequency",), mechanism.frequency, near)
+
+
+def _gaps(mechanism: Mechanism) -> Iterator[Question]:
+    stroke = 2 * max((abs(pin.amplitude) for pin in mechanism.pins.values()), default=0.0)
+    for name, play in mechanism.plays.items():
+        if 0 < stroke <= play.gap:
+            yield Question(Oddity.GAP_ABOVE_STROKE, ("plays", name, "gap"), play.gap, stroke)
+
+
+def _contacts(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
+    stroke = max((each.peak_to_peak for each in motion.outputs.values()), default=0.0)
+    for section in ("plays", "stops"):
+        for name, part in getattr(mechanism, section).items():
+            found = motion.contacts.get(name)
+            if found is None or part.stiffness == 0:
+                continue
+            depth = found.largest_force / part.stiffness
+            if depth > PENETRATION * stroke > 0:
+                yield Question(Oddity.SOFT_CONTACT, (section, name, "stiffness"), depth, stroke)
+
+
+def _held(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
+    for name, measures in motion.frictions.items():
+        if measures.stick >= 1 - 1e-9:
+            force = mechanism.frictions[name].force
+            yield Question(Oddity.FRICTION_HOLDS, ("frictions", name, "force"), force, force)

@@ -1,0 +1,165 @@
+"""By how much the measures of the motion change with each number: central differences of exact orbits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.design.targets import Measure
+from trimmer.design.trial import Asked, all_measures, measured
+from trimmer.errors import TrimmerError
+from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
+from trimmer.response.forced_orbit import mechanism_orbit
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
+
+STEP = 1e-3
+"""Change of a number, relative."""
+AGREES = 0.1
+"""Share by which the difference over half of the step may differ from that over the whole."""
+NOTHING = 1e-3
+"""Elasticity below which a number has no influence."""
+LEFT_OUT = ("phase", "offset", "order")
+
+
+@dataclass(frozen=True)
+class Elasticity:
+    """By how many per cent a measure changes for one per cent of a number.
+
+    Attributes:
+        asked: The measure.
+        value: The elasticity.
+        smooth: Whether half of the step gives the same; otherwise an impact or a phase of stick comes or goes
+            nearby, and the value says little.
+    """
+
+    asked: Asked
+    value: float
+    smooth: bool
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """What a number changes.
+
+    Attributes:
+        place: Its dotted place.
+        unit: SI unit.
+        value: The number.
+        elasticities: Of each measure that is not zero.
+    """
+
+    place: str
+    unit: str
+    value: float
+    elasticities: tuple[Elasticity, ...]
+
+    def of(self, asked: Asked) -> Elasticity | None:
+        """Return that of a measure; None if the measure is zero."""
+        return next((each for each in self.elasticities if each.asked == asked), None)
+
+
+@dataclass(frozen=True)
+class Sensitivities:
+    """What each number changes.
+
+    Attributes:
+        step: Relative change of a number to either side.
+        entries: Those that were found.
+        failed: Places at which no orbit was found beside the one of the working point.
+    """
+
+    step: float
+    entries: tuple[Sensitivity, ...]
+    failed: tuple[str, ...]
+
+    def ranked(self, asked: Asked) -> tuple[Sensitivity, ...]:
+        """Return those with an influence on a measure, the largest first."""
+        sizes = {each.place: _size(each.of(asked)) for each in self.entries}
+        found = [each for each in self.entries if sizes[each.place] > NOTHING]
+        return tuple(sorted(found, key=lambda each: -sizes[each.place]))
+
+
+def _size(elasticity: Elasticity | None) -> float:
+    return 0.0 if elasticity is None else abs(elasticity.value)
+
+
+def sensitivities(mechanism: Mechanism, motion: FoundMotion) -> Sensitivities:
+    """Change each number a little to either side, and solve for the exact orbit again.
+
+    Args:
+        mechanism: The mechanism.
+        motion: A periodic motion of it.
+    """
+    asked = tuple(each for each in all_measures(mechanism) if each.measure is not Measure.PERIOD)
+    found, failed = [], []
+    for place, unit, value in designable(mechanism):
+        wide = _slopes(mechanism, place, value, motion, asked, STEP)
+        narrow = _slopes(mechanism, place, value, motion, asked, STEP / 2)
+        if wide is None or narrow is None:
+            failed.append(place)
+            continue
+        entries = tuple(
+            Elasticity(each, narrow[each], _agree(wide[each], narrow[each]))
+            for each in narrow
+            if each in wide
+        )
+        found.append(Sensitivity(place, unit, value, entries))
+    return Sensitivities(STEP, tuple(found), tuple(failed))
+
+
+def designable(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
+    """Return place, SI unit and value of each number that a designer may change, as far as it is not zero."""
+    if mechanism.frequency is not None:
+        yield "frequency", "Hz", mechanism.frequency
+    for section, kind in PARTS.items():
+        for name, part in getattr(mechanism, section).items():
+            for key, quantity in QUANTITIES[kind].items():
+                value = getattr(part, key)
+                if value and key not in LEFT_OUT and quantity.range is not Range.WHOLE:
+                    yield place_text((section, name, key)), quantity.unit, value
+
+
+def _agree(one: float, other: float) -> bool:
+    return abs(one - other) <= AGREES * max(abs(one), abs(other)) + NOTHING
+
+
+def _slopes(
+    mechanism: Mechanism,
+    place: str,
+    value: float,
+    motion: FoundMotion,
+    asked: tuple[Asked, ...],
+    step: float,
+) -> Mapping[Asked, float] | None:
+    """Return the elasticities by central differences; None if one of the orbits is not found."""
+    sides = [_measures(mechanism, place, value * (1 + sign * step), motion, asked) for sign in (-1, 1)]
+    below, above = sides
+    if below is None or above is None:
+        return None
+    middle = {each: 0.5 * (below[each] + above[each]) for each in asked}
+    return {each: (above[each] - below[each]) / (2 * step * middle[each]) for each in asked if middle[each]}
+
+
+def _measures(
+    mechanism: Mechanism, place: str, value: float, motion: FoundMotion, asked: tuple[Asked, ...]
+) -> Mapping[Asked, float] | None:
+    try:
+        changed = mechanism.with_value(place, value)
+        orbit = mechanism_orbit(changed, motion.period_count or 1, motion.state)
+    except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
+        return None
+    return {each: _of(orbit, each) for each in asked} if orbit.success else None
+
+
+def _of(orbit: MechanismOrbit, asked: Asked) -> float:
+    return measured(orbit.measures, asked, orbit.period_count)

@@ -1,0 +1,42 @@
+"""How closely a design is looked at."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True)
+class DesignSettings:
+    """How closely a design is looked at.
+
+    Attributes:
+        starts: Starts from which the motions are looked for; the first is rest, or the file's own start.
+        seed: Of the random ones.
+        most_periods: Drive periods to wait for each to settle.
+        cells: Cells along each side of a map.
+        cell_periods: Drive periods to wait in each cell.
+        neighbours: How many neighbours there are along each of two numbers, the working point included; odd.
+        trials: Values of a number that are tried to each side, to meet a target that is missed.
+        most_points: Orbits of each branch, at most.
+        range_points: Points at which a range is looked at, if there is one; for several see ``ranges``.
+    """
+
+    starts: int = 12
+    seed: int = 0
+    most_periods: int = 1000
+    cells: int = 24
+    cell_periods: int = 300
+    neighbours: int = 7
+    trials: int = 20
+    most_points: int = 300
+    range_points: int = 17
+
+    @property
+    def without_cells(self) -> DesignSettings:
+        """The same whatever the maps' cells are, as what is no map stays as it is if maps are refined."""
+        return replace(self, cells=0)
+
+
+USUAL = DesignSettings()
+FULL_CELLS = 96
+"""Cells along each side of a refined map."""

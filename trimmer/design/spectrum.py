@@ -1,0 +1,133 @@
+"""The lines of a spectrum with what each is: drive, harmonic, fraction of the drive; modes beside them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from trimmer.design.linear import Contacts
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.design.linear import LinearMode, LinearState
+
+SMALLEST = 1e-4
+"""Amplitude of a line, relative to the largest, from which on it is listed."""
+MOST_LINES = 24
+"""Lines that are listed of an output, the largest."""
+BESIDE = 0.03
+"""Distance from a mode, as a share of its frequency, at which it is named; its damping ratio if larger."""
+
+
+class LineKind(Enum):
+    """What a line is."""
+
+    DRIVE = "the drive"
+    HARMONIC = "a harmonic"
+    FRACTION = "a fraction of the drive"
+    OWN = "of the motion itself"
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A line of the spectrum of an output.
+
+    Attributes:
+        kind: What it is.
+        numerator, denominator: It is at this multiple of the drive's frequency, or of the motion's own.
+        frequency: Hz.
+        amplitude: a of a cos(...), m.
+        mode: A mode near its frequency, which amplifies it; None if there is none.
+        contacts: In which state of the contacts the mechanism has that mode.
+    """
+
+    kind: LineKind
+    numerator: int
+    denominator: int
+    frequency: float
+    amplitude: float
+    mode: LinearMode | None
+    contacts: Contacts | None
+
+
+@dataclass(frozen=True, eq=False)
+class OutputSpectrum:
+    """The lines of an output.
+
+    Attributes:
+        output: Its name.
+        lines: The largest ones, by rising frequency.
+        left_out: How many lines of the first harmonics are smaller than what is listed.
+        floor: Amplitude below which none is listed, m.
+        share: Share of the output's mean square that the listed lines hold.
+    """
+
+    output: str
+    lines: tuple[Line, ...]
+    left_out: int
+    floor: float
+    share: float
+
+
+def spectra(
+    motion: FoundMotion, frequency: float | None, states: tuple[LinearState, ...]
+) -> Mapping[str, OutputSpectrum]:
+    """Explain the lines of each output of a motion.
+
+    Args:
+        motion: The motion; one that does not repeat has its harmonics alone.
+        frequency: That of the drive, Hz; None for a motion by itself.
+        states: The linear mechanism, whose modes may amplify a line.
+    """
+    base = frequency if frequency is not None else (1 / motion.period if motion.period else None)
+    if base is None:
+        return {}
+    return {name: _of_output(motion, name, base, frequency is None, states) for name in motion.outputs}
+
+
+def _of_output(
+    motion: FoundMotion, name: str, base: float, by_itself: bool, states: tuple[LinearState, ...]
+) -> OutputSpectrum:
+    measures = motion.outputs[name]
+    found = [(p, k, size) for p, k, size in measures.lines if size > 0]
+    floor = SMALLEST * max((size for _, _, size in found), default=0.0)
+    largest = sorted((each for each in found if each[2] >= floor), key=lambda each: -each[2])[:MOST_LINES]
+    lines = tuple(
+        _line(p, k, size, base, by_itself, states)
+        for p, k, size in sorted(largest, key=lambda e: e[0] / e[1])
+    )
+    held = sum(0.5 * line.amplitude**2 for line in lines)
+    share = min(held / measures.rms**2, 1.0) if measures.rms else 1.0
+    return OutputSpectrum(name, lines, len(found) - len(lines), floor, share)
+
+
+def _line(p: int, k: int, size: float, base: float, by_itself: bool, states: tuple[LinearState, ...]) -> Line:
+    frequency = base * p / k
+    mode, contacts = _mode_beside(frequency, states)
+    if p % k:
+        kind = LineKind.FRACTION
+    elif by_itself:
+        kind = LineKind.OWN
+    else:
+        kind = LineKind.DRIVE if p == k else LineKind.HARMONIC
+    if p % k == 0:
+        p, k = p // k, 1
+    return Line(kind, p, k, frequency, size, mode, contacts)
+
+
+def _mode_beside(
+    frequency: float, states: tuple[LinearState, ...]
+) -> tuple[LinearMode | None, Contacts | None]:
+    near = [
+        (abs(frequency / mode.frequency - 1), mode, state.contacts)
+        for state in states
+        for mode in state.modes
+        if mode.frequency and abs(frequency / mode.frequency - 1) <= max(BESIDE, mode.damping_ratio)
+    ]
+    if not near:
+        return None, None
+    _, mode, contacts = min(near, key=lambda each: each[0])
+    return mode, contacts

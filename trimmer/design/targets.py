@@ -1,0 +1,140 @@
+"""What a designer wants of a mechanism: the table ``[targets]`` of its file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.problems import Problem
+from trimmer.mechanism.quantities import Quantity, Range
+from trimmer.mechanism.units import UnitError, quantity
+from trimmer.messages import listed, near_match
+
+
+class Measure(Enum):
+    """What is measured of a motion. The value is the unit."""
+
+    STROKE = "m"
+    RMS_ACCELERATION = "m/s²"
+    IMPACT_SPEED = "m/s"
+    PERIOD = "drive periods"
+    WEAR_POWER = "W"
+
+
+@dataclass(frozen=True)
+class Target:
+    """A bound on a measure.
+
+    Attributes:
+        key: The key in ``[targets]``.
+        measure: What is bounded.
+        part: The output, body or contact; empty for the period of the motion.
+        bound: In SI units: the least stroke, or the most of the others.
+    """
+
+    key: str
+    measure: Measure
+    part: str
+    bound: float
+
+    @property
+    def at_least(self) -> bool:
+        """Whether the bound is the smallest value that will do."""
+        return self.measure is Measure.STROKE
+
+    def met_by(self, value: float) -> bool:
+        """Say whether a value will do; one that is no number will not."""
+        return value >= self.bound if self.at_least else value <= self.bound
+
+
+_NOT_NEGATIVE = Range.NOT_NEGATIVE
+BOUNDS: Mapping[str, tuple[Measure, Quantity]] = {
+    "stroke_at_least": (Measure.STROKE, Quantity("m", "2.5 mm", _NOT_NEGATIVE)),
+    "rms_acceleration_at_most": (Measure.RMS_ACCELERATION, Quantity("m/s²", "90 m/s²", _NOT_NEGATIVE)),
+    "impact_speed_at_most": (Measure.IMPACT_SPEED, Quantity("m/s", "0.2 m/s", _NOT_NEGATIVE)),
+}
+"""What each key bounds, and in which unit."""
+ONLY_DRIVE_PERIOD = "only_drive_period"
+KEYS = (*BOUNDS, ONLY_DRIVE_PERIOD)
+
+
+def targets_of(
+    content: Mapping[str, Any], mechanism: Mechanism, problems: list[Problem]
+) -> tuple[Target, ...]:
+    """Read the targets of a file; what cannot be used is added to the problems.
+
+    Args:
+        content: What stands in ``[targets]``.
+        mechanism: The mechanism that they are for.
+        problems: The list that gets what is wrong.
+    """
+    if not isinstance(content, dict):
+        problems.append(Problem(("targets",), "is a section: write [targets] on a line of its own", content))
+        return ()
+    found: list[Target] = []
+    for key, value in content.items():
+        if key in BOUNDS:
+            found += _bounds(key, value, mechanism, problems)
+        elif key == ONLY_DRIVE_PERIOD:
+            found += _of_period(value, mechanism, problems)
+        else:
+            advice = near_match(key, KEYS) or f"[targets] may hold {listed(KEYS)}"
+            problems.append(Problem(("targets", key), f"unknown key; {advice}"))
+    return tuple(found)
+
+
+def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
+    place = ("targets", ONLY_DRIVE_PERIOD)
+    if not isinstance(value, bool):
+        problems.append(Problem(place, "write true or false", value))
+    elif value and mechanism.frequency is None:
+        problems.append(Problem(place, "the mechanism has no drive, so there is no period to keep", value))
+    elif value:
+        yield Target(ONLY_DRIVE_PERIOD, Measure.PERIOD, "", 1.0)
+
+
+def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
+    measure, wanted = BOUNDS[key]
+    parts = _parts(measure, mechanism)
+    if not parts:
+        reason = f"the mechanism has no {_NAMES[measure]} that this could bound; leave the line out"
+        problems.append(Problem(("targets", key), reason))
+        return
+    given = value if isinstance(value, dict) else dict.fromkeys(parts, value)
+    for part, bound in given.items():
+        place = ("targets", key, part) if isinstance(value, dict) else ("targets", key)
+        if part not in parts:
+            advice = near_match(part, parts) or f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
+            problems.append(Problem(place, f"there is no {_NAMES[measure]} {part!r}; {advice}", bound))
+        elif (number := _number(place, bound, wanted, problems)) is not None:
+            yield Target(key, measure, part, number)
+
+
+_NAMES = {Measure.STROKE: "output", Measure.RMS_ACCELERATION: "body", Measure.IMPACT_SPEED: "play or stop"}
+
+
+def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
+    match measure:
+        case Measure.STROKE:
+            return tuple(mechanism.outputs)
+        case Measure.RMS_ACCELERATION:
+            return tuple(mechanism.bodies)
+        case _:
+            return (*mechanism.plays, *mechanism.stops)
+
+
+def _number(place: tuple[str, ...], value: object, wanted: Quantity, problems: list[Problem]) -> float | None:
+    number = value
+    if isinstance(value, str):
+        try:
+            number = quantity(value, wanted.unit)
+        except UnitError as error:
+            problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
+            return None
+    if reason := wanted.reason_against(number):
+        problems.append(Problem(place, reason, value))
+        return None
+    return wanted.taken(number)

@@ -1,0 +1,131 @@
+"""What a mechanism with some other numbers does, cheaply enough for hundreds of trials."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+from trimmer.contact.flow import ExactFlow
+from trimmer.design.targets import Measure, Target
+from trimmer.errors import TrimmerError
+from trimmer.maps.inputs import varied
+from trimmer.maps.settle import Settled, settle
+from trimmer.response.measures import Measures
+from trimmer.response.response import MotionKind
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+
+WINDOW = 20
+"""Drive periods over which a motion is measured that does not repeat."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A measure that is asked for.
+
+    Attributes:
+        measure: What is measured.
+        part: The output, body, contact or friction; empty for the period.
+    """
+
+    measure: Measure
+    part: str
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a mechanism does from rest, or from its own start.
+
+    Attributes:
+        values: Of the places that were set, SI units.
+        kind: What the motion is; None where it failed.
+        period_count: Drive periods after which it repeats; None if it does not.
+        measures: By what was asked; not a number where the motion failed.
+    """
+
+    values: tuple[float, ...]
+    kind: MotionKind | None
+    period_count: int | None
+    measures: tuple[tuple[Asked, float], ...]
+
+    def value(self, measure: Measure, part: str) -> float:
+        """Return a measure that was asked for."""
+        return dict(self.measures)[Asked(measure, part)]
+
+    def meets(self, targets: tuple[Target, ...]) -> bool:
+        """Say whether it meets all targets; a motion that failed meets none."""
+        return all(target.met_by(self.value(target.measure, target.part)) for target in targets)
+
+
+@dataclass(frozen=True)
+class TrialWork:
+    """What is done with the values of a trial.
+
+    Attributes:
+        mechanism: The mechanism.
+        places: Dotted places of the values.
+        asked: What is measured.
+        most_periods: Drive periods to wait at most.
+    """
+
+    mechanism: Mechanism
+    places: tuple[str, ...]
+    asked: tuple[Asked, ...]
+    most_periods: int
+
+    def __call__(self, values: tuple[float, ...]) -> Trial:
+        """Return what the mechanism does with these values."""
+        try:
+            flow = ExactFlow(varied(self.mechanism, self.places, values))
+            settled = settle(flow, flow.rest(), self.most_periods)
+            return self._measured(values, flow, settled)
+        except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
+            return self._failed(values)
+
+    def _failed(self, values: tuple[float, ...]) -> Trial:
+        return Trial(values, None, None, tuple((each, float("nan")) for each in self.asked))
+
+    def _measured(self, values: tuple[float, ...], flow: ExactFlow, settled: Settled) -> Trial:
+        if settled.ending is not Ending.REACHED_END:
+            return self._failed(values)
+        orbit = settled.orbit
+        if orbit is not None:
+            measures = Measures(orbit.course, flow, orbit.period_count, orbit.periods)
+        else:
+            course = flow.course(settled.end, WINDOW)
+            if course.ending is not Ending.REACHED_END:
+                return self._failed(values)
+            measures = Measures(course, flow, 1, WINDOW)
+        count = None if orbit is None else orbit.period_count
+        found = tuple((each, measured(measures, each, count)) for each in self.asked)
+        return Trial(values, settled.kind, count, found)
+
+
+def measured(measures: Measures, asked: Asked, period_count: int | None) -> float:
+    """Return a measure of a motion; infinite for the period of one that does not repeat."""
+    match asked.measure:
+        case Measure.STROKE:
+            return measures.peak_to_peak[asked.part]
+        case Measure.RMS_ACCELERATION:
+            return measures.rms_acceleration[asked.part]
+        case Measure.IMPACT_SPEED:
+            return measures.contacts[asked.part].impact_speed if asked.part in measures.contacts else 0.0
+        case Measure.WEAR_POWER:
+            return measures.frictions[asked.part].power if asked.part in measures.frictions else 0.0
+        case Measure.PERIOD:
+            return float(period_count) if period_count else float("inf")
+
+
+def all_measures(mechanism: Mechanism) -> tuple[Asked, ...]:
+    """Return all that can be asked of a mechanism."""
+    return (
+        *(Asked(Measure.STROKE, name) for name in mechanism.outputs),
+        *(Asked(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
+        *(Asked(Measure.IMPACT_SPEED, name) for name in (*mechanism.plays, *mechanism.stops)),
+        *(Asked(Measure.WEAR_POWER, name) for name, each in mechanism.frictions.items() if each.force),
+        *([Asked(Measure.PERIOD, "")] if mechanism.frequency is not None else []),
+    )

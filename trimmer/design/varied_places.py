@@ -1,0 +1,126 @@
+"""Which numbers of a mechanism its maps, branches and margins are over, and how far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.mechanism.place_text import place_text
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.mechanism.mechanism import Mechanism
+
+STEPS = 6
+"""Cells of a map from zero to the number of the file, of 24."""
+SPEEDS = (0.5, 1.5)
+"""Range of the speed, as shares of that of the file."""
+SLACK = 0.2
+"""Range of a gap that is zero in the file, as a share of the largest stroke."""
+
+
+class Role(Enum):
+    """What a number is to the designer."""
+
+    GAP = "gap"
+    SPEED = "speed"
+    FRICTION = "friction"
+
+
+@dataclass(frozen=True)
+class Varied:
+    """A number that is varied.
+
+    Attributes:
+        role: What it is.
+        place: Its dotted place.
+        part: The play, stop or friction; empty for the speed.
+        unit: SI unit.
+        value: The number of the file.
+        lowest, highest: The range.
+        bounded: Whether a bound of its own cuts the range, as the static force does that of the kinetic one.
+    """
+
+    role: Role
+    place: str
+    part: str
+    unit: str
+    value: float
+    lowest: float
+    highest: float
+    bounded: bool = False
+
+    def values(self, cells: int) -> Reals:
+        """Return the values of a map's side: evenly spaced, with that of the file among them if they can be.
+
+        Args:
+            cells: A multiple of 24, or fewer for a coarse map.
+        """
+        if self.role is Role.SPEED:
+            first, last = 0, cells - 1
+        else:
+            first, last = 1, cells
+        step = (self.highest - self.lowest) / cells
+        values: Reals = self.lowest + step * np.arange(first, last + 1, dtype=np.float64)
+        return values
+
+
+def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Varied, ...]:
+    """Return gap, speed and friction, as far as the mechanism has them.
+
+    Of several plays and stops it is the one that is met fastest, of several frictions the one that turns most
+    into heat; without a motion the first.
+    """
+    return (*_gap(mechanism, motion), *_speed(mechanism), *_friction(mechanism, motion))
+
+
+def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
+    parts = {**{name: ("plays", play) for name, play in mechanism.plays.items()},
+             **{name: ("stops", stop) for name, stop in mechanism.stops.items()}}  # fmt: skip
+    live = [name for name, (_, part) in parts.items() if part.stiffness or part.damping]
+    if not live:
+        return
+    name = live[0]
+    if motion is not None:
+        # A difference of one part in a million is none, so that rounding does not choose between twins.
+        speeds = {each: float(f"{motion.contacts[each].impact_speed:.6g}") for each in live}
+        name = max(live, key=lambda each: speeds[each])
+    section, part = parts[name]
+    stroke = max((each.peak_to_peak for each in motion.outputs.values()), default=0.0) if motion else 0.0
+    reach = abs(part.gap) or SLACK * stroke
+    if not reach:
+        return
+    lowest, highest = (part.gap - reach, part.gap + 3 * reach) if part.gap else (0.0, reach)
+    if section == "plays":
+        lowest = max(lowest, 0.0)
+    yield Varied(Role.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest)
+
+
+def _speed(mechanism: Mechanism) -> Iterator[Varied]:
+    if mechanism.frequency is not None:
+        low, high = (share * mechanism.frequency for share in SPEEDS)
+        yield Varied(Role.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
+
+
+def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
+    live = [name for name, friction in mechanism.frictions.items() if friction.force > 0]
+    if not live:
+        return
+    name = live[0]
+    if motion is not None:
+        powers = {each: float(f"{motion.frictions[each].power:.6g}") for each in live}
+        name = max(live, key=lambda each: powers[each])
+    friction = mechanism.frictions[name]
+    place = place_text(("frictions", name, "force"))
+    if friction.static_force > friction.force:
+        highest, bounded = friction.static_force, True
+    elif friction.static is not None:
+        highest, bounded = friction.force, True
+    else:
+        highest, bounded = 4 * friction.force, False
+    yield Varied(Role.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)

@@ -1,0 +1,118 @@
+"""The verdict on the targets, and what it rests on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from trimmer.design.targets import Measure, Target
+
+if TYPE_CHECKING:
+    from trimmer.design.found_motion import FoundMotion
+    from trimmer.design.motions import Motions
+    from trimmer.design.ranges import RangeStudy
+
+NEAR = 0.02
+"""Distance from a bound, as a share of it, that counts as near."""
+
+
+class Outcome(Enum):
+    """What is said about all targets together."""
+
+    NO_TARGETS = "there are no targets"
+    MET = "all targets are met"
+    MISSED = "a target is missed"
+    DEPENDS = "it depends on what nobody knows, or on how the motion begins"
+    OPEN = "nothing can be said"
+
+
+class Sureness(Enum):
+    """How sure it is, within the model."""
+
+    SURE = "sure"
+    LIKELY = "likely"
+    UNSURE = "unsure"
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A target and what was found.
+
+    Attributes:
+        target: The target.
+        value: The measure of the motion that the first start settles to.
+        met: Whether it is met.
+    """
+
+    target: Target
+    value: float
+    met: bool
+
+    @property
+    def margin(self) -> float:
+        """How far the value is on the good side of the bound, as a share of the bound; negative if missed."""
+        if self.target.bound == 0:
+            return 0.0 if self.met else -float("inf")
+        share = self.value / self.target.bound - 1
+        return share if self.target.at_least else -share
+
+    @property
+    def near(self) -> bool:
+        """Whether the value is near its bound; a period is a whole number, and never is."""
+        return self.target.measure is not Measure.PERIOD and abs(self.margin) < NEAR
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The verdict.
+
+    Attributes:
+        outcome: On all targets together.
+        sureness: How sure it is, within the model.
+        judged: Each target.
+        otherwise: Share of the starts whose motion is judged otherwise than that from rest.
+        others_agree: Whether all other motions that were found are judged as that from rest is.
+    """
+
+    outcome: Outcome
+    sureness: Sureness
+    judged: tuple[Judged, ...]
+    otherwise: float
+    others_agree: bool
+
+    @property
+    def missed(self) -> tuple[Target, ...]:
+        """The targets that are missed."""
+        return tuple(each.target for each in self.judged if not each.met)
+
+
+def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy | None) -> Verdict:
+    """Judge the targets.
+
+    Args:
+        targets: What is wanted.
+        motions: The motions that were found.
+        study: What was seen over the ranges of what nobody knows, if there are any.
+    """
+    first = motions.first
+    if not targets or first is None:
+        outcome = Outcome.OPEN if targets else Outcome.NO_TARGETS
+        return Verdict(outcome, Sureness.UNSURE, (), 0.0, True)
+    judged = tuple(Judged(each, first.value(each), each.met_by(first.value(each))) for each in targets)
+    met = all(each.met for each in judged)
+    others = [each for each in motions.found[1:] if each.meets(targets) != met]
+    otherwise = sum(each.starts for each in others) / motions.starts
+    depends = bool(others) or (study is not None and study.doubt > 0)
+    if study is not None and not study.doubt:
+        met = bool(study.meeting)
+    outcome = Outcome.DEPENDS if depends else Outcome.MET if met else Outcome.MISSED
+    return Verdict(outcome, _sureness(judged, first, motions, depends), judged, otherwise, not others)
+
+
+def _sureness(judged: tuple[Judged, ...], first: FoundMotion, motions: Motions, depends: bool) -> Sureness:
+    if depends or not first.repeats or first.neutral:
+        return Sureness.UNSURE
+    near = any(each.near for each in judged)
+    alone = len(motions.found) == 1 and first.neighbour_agrees is not False and not motions.lost
+    return Sureness.SURE if alone and not near else Sureness.LIKELY

@@ -1,0 +1,39 @@
+"""The mechanisms that come with the package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from trimmer.errors import TrimmerError
+from trimmer.messages import listed, near_match
+
+_PACKAGE = Path(__file__).parent
+USUAL = "thesis-play"
+"""The example to start from, if none is named."""
+
+
+class UnknownExampleError(TrimmerError, ValueError):
+    """There is no example of this name; the message lists those there are."""
+
+
+def examples() -> tuple[str, ...]:
+    """Return the names of the examples, in alphabetical order."""
+    return tuple(sorted(path.stem for path in _folder().glob("*.toml")))
+
+
+def example_text(name: str = USUAL) -> str:
+    """Return the commented file of an example.
+
+    Raises:
+        UnknownExampleError: if there is none of this name.
+    """
+    if name not in examples():
+        advice = near_match(name, examples()) or f"there are {listed(examples())}"
+        raise UnknownExampleError(f"there is no example {name!r}; {advice}")
+    return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def _folder() -> Path:
+    """Return their folder: in an installed package inside of it, in a checkout at the top."""
+    installed = _PACKAGE / "examples"
+    return installed if installed.is_dir() else _PACKAGE.parent / "examples"
