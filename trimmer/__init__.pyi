@@ -13,9 +13,9 @@ from .balance.limit_cycle import LimitCycle as LimitCycle
 from .balance.limit_cycle import UndecidedRegion as UndecidedRegion
 from .balance.solve import harmonic_balance as harmonic_balance
 from .balance.solve import limit_cycles as limit_cycles
+from .branches.balanced import BalancedOrbit as BalancedOrbit
 from .branches.branch import BranchEnd as BranchEnd
 from .branches.follow import follow as follow
-from .branches.followed import BalancedOrbit as BalancedOrbit
 from .branches.followed import FollowedBranch as FollowedBranch
 from .branches.followed import FollowedOrbit as FollowedOrbit
 from .branches.loci.follow_special import follow_special as follow_special

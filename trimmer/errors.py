@@ -62,6 +62,10 @@ class MapFileError(TrimmerError, ValueError):
     """The file of a map cannot be gone on with; the message says why and what to do."""
 
 
+class UncertaintyError(TrimmerError, ValueError):
+    """Numbers that scatter in a way that cannot be sampled or analysed."""
+
+
 class WorkerError(TrimmerError, RuntimeError):
     """A process that did the work of cells ended at once, as when memory runs out."""
 

@@ -10,6 +10,8 @@ from trimmer.messages import near_match, shown_value
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
+SCATTER = "uncertainty"
+"""The table of a parameter file that only ``trimmer sample`` reads."""
 _TEMPLATE_HEAD = """\
 # Parameters of a hair trimmer, in SI units.
 # Every key is needed. Masses are positive; stiffness and damping are zero or positive.
@@ -33,7 +35,7 @@ def read_parameters(path: Path) -> TrimmerParameters:
     if problems:
         listed = "".join(f"\n  {problem}" for problem in problems)
         raise ParameterError(f"{path}: {_count(len(problems))} in the parameters:{listed}")
-    return TrimmerParameters(**content)
+    return TrimmerParameters(**{key: value for key, value in content.items() if key != SCATTER})
 
 
 def parameters_as_toml(parameters: TrimmerParameters) -> str:
@@ -63,7 +65,7 @@ def _parsed(path: Path) -> dict[str, Any]:
 def _unknown_keys(content: dict[str, Any]) -> Iterator[str]:
     known = [parameter.symbol for parameter in parameter_table()]
     for key, value in content.items():
-        if key in known:
+        if key in known or (key == SCATTER and isinstance(value, dict)):
             continue
         if isinstance(value, dict):
             yield f"[{key}]: tables are not used; write the keys without a heading"

@@ -7,36 +7,20 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from trimmer.arrays import Complexes, Reals
+from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
-from trimmer.branches.outputs import OutputMeasure, body_coefficients, output_measures
+from trimmer.branches.outputs import OutputMeasure, output_measures
 from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
-from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-
-@dataclass(frozen=True, eq=False)
-class BalancedOrbit:
-    """The same orbit by multi-harmonic balance.
-
-    Attributes:
-        distance: Root mean square of the difference from the exact displacements, relative to those, of the
-            body where it is largest; a number.
-        converged: Whether the forces balance.
-    """
-
-    distance: float
-    converged: bool
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -123,26 +107,11 @@ class FollowedOrbit(Shown):
             raise UnsupportedMotionError(
                 "harmonic balance runs beside driven motions only, and the mechanism has no frequency"
             )
-        course = self.passage.course
-        exact = body_coefficients(course, self.periods, self.periods * harmonics)
-        balance = harmonic_balance_of(self.passage.flow.mechanism, exact, self.periods)
-        moved = course.nodes.states[:, : len(exact)] - exact[:, 0].real
-        power = course.nodes.weights @ moved**2 / course.duration
-        # What the exact motion has beyond the last harmonic is a part of the difference.
-        beyond = np.maximum(power - _power(exact), 0.0)
-        apart = _power(balance.coefficients - exact) + beyond
-        distance = float(np.sqrt((apart / np.where(power > 0.0, power, 1.0)).max()))
-        return BalancedOrbit(distance, balance.converged)
+        return balanced_beside(self.passage.course, self.passage.flow.mechanism, self.periods, harmonics)
 
     def _told(self) -> str:
         kind = "stable" if self.stable else "not stable"
         return f"{self.map.place} = {self.value:.9g}, {kind}, {counted(self.periods, 'drive period')}"
-
-
-def _power(harmonics: Complexes) -> Reals:
-    """Return the mean square of displacements without their mean, (bodies,)."""
-    power: Reals = 0.5 * (abs(harmonics[:, 1:]) ** 2).sum(axis=1)
-    return power
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -30,8 +30,8 @@ from trimmer.messages import listed, near_match
 from trimmer.toml_files import is_parameter_file, parsed, read_text
 
 SECTIONS = (*PARTS, "outputs", "start")
-FOR_OTHERS = ("held", "targets")
-"""Keys that are no part of the mechanism: ``trimmer design`` reads them."""
+FOR_OTHERS = ("held", "targets", "uncertainty")
+"""Keys that are no part of the mechanism: ``trimmer design`` and ``trimmer sample`` read them."""
 KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
 NO_VALUES: Mapping[str, float | str] = MappingProxyType({})
 

@@ -47,7 +47,7 @@ COMMAND = Command(
     _configure,
     _run,
     examples=(
-        Example("trimmer init mine.toml", "a hair trimmer with play and friction, to change its numbers"),
+        Example("trimmer init machine.toml", "a hair trimmer with play and friction, to change its numbers"),
         Example("trimmer init shaver.toml --example foil-shaver", "two cutters that move against each other"),
     ),
 )

@@ -1,0 +1,70 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.points import Plan
+
+SHARES = np.array([1e-6, 0.1, 0.5, 0.9, 1 - 1e-6])
+
+
+def test_quantiles_are_those_of_scipy() -> None:
+    np.testing.assert_allclose(
+        Normal(3.0, 0.2).quantile(SHARES), stats.norm(3.0, 0.2).ppf(SHARES), rtol=1e-12
+    )
+    np.testing.assert_allclose(
+        Uniform(-1.0, 4.0).quantile(SHARES), stats.uniform(-1.0, 5.0).ppf(SHARES), rtol=1e-12
+    )
+
+
+@pytest.mark.parametrize("distribution", [Normal(3.0, 0.2), Uniform(-1.0, 4.0)])
+def test_shares_below_invert_quantiles(distribution) -> None:
+    values = distribution.quantile(SHARES)
+    np.testing.assert_allclose([distribution.share_below(value) for value in values], SHARES, rtol=1e-9)
+
+
+@pytest.mark.parametrize("plan", list(Plan))
+def test_samples_have_the_moments_that_were_asked_for(plan: Plan) -> None:
+    covariance = ((4.0, -1.5), (-1.5, 1.0))
+    scatters = (
+        Scatter("a", "m", Normal(1.0, 2.0)),
+        Scatter("b", "N", Uniform(2.0, 5.0)),
+        Scatter("c", "kg", Normal(-3.0, 1.0)),
+    )
+    uncertainty = Uncertainty(scatters, (Joint(("a", "c"), covariance),))
+    values = uncertainty.values(plan.points(2**14, 3, 7))
+    np.testing.assert_allclose(values.mean(axis=0), [1.0, 3.5, -3.0], atol=0.02)
+    found = np.cov(values.T)
+    np.testing.assert_allclose(found[np.ix_([0, 2], [0, 2])], covariance, atol=0.04)
+    assert found[1, 1] == pytest.approx(9.0 / 12.0, rel=0.01)
+    assert abs(found[1, [0, 2]]).max() < 0.06  # four standard errors
+
+
+def test_two_numbers_that_are_one_scatter_as_one() -> None:
+    scatters = (Scatter("a", "m", Normal(0.0, 1.0)), Scatter("b", "m", Normal(5.0, 2.0)))
+    values = Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 2.0), (2.0, 4.0))),)).values(
+        Plan.LATIN_HYPERCUBE.points(50, 2, 1)
+    )
+    np.testing.assert_allclose(values[:, 1] - 5.0, 2.0 * values[:, 0], atol=1e-7)
+
+
+def test_only_numbers_that_tell_of_each_other_are_dependent() -> None:
+    scatters = (Scatter("a", "m", Normal(0.0, 1.0)), Scatter("b", "m", Normal(5.0, 2.0)))
+    assert Uncertainty(scatters).independent
+    assert Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 0.0), (0.0, 4.0))),)).independent
+    assert not Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 0.1), (0.1, 4.0))),)).independent
+
+
+def test_a_latin_hypercube_has_one_point_in_each_slice() -> None:
+    points = Plan.LATIN_HYPERCUBE.points(40, 3, 5)
+    assert [sorted(np.floor(40 * column).astype(int).tolist()) for column in points.T] == [
+        list(range(40))
+    ] * 3
+
+
+def test_sobol_goes_on_with_the_same_points() -> None:
+    assert Plan.SOBOL.count(100) == 128
+    few, many = Plan.SOBOL.points(16, 3, 5), Plan.SOBOL.points(64, 3, 5)
+    np.testing.assert_array_equal(many[:16], few)

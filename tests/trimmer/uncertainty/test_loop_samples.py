@@ -1,0 +1,96 @@
+"""Samples of the thesis's loop."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
+from trimmer.command_line.main import main
+from trimmer.errors import UncertaintyError
+from trimmer.parameter_files import parameters_as_toml
+from trimmer.parameters import ParameterError
+from trimmer.uncertainty.loop_samples import read_loop_file, sample_loop
+from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.samples import SampleSettings
+
+GAP = 4e-5
+
+
+def written(path, lines: str):
+    path.write_text(
+        f"{parameters_as_toml(TrimmerParameters.thesis())}\n[uncertainty]\n{lines}\n", encoding="utf-8"
+    )
+    return path
+
+
+@pytest.fixture
+def path(tmp_path):
+    lines = 'k2 = { normal = "5 %" }\nc2 = { uniform = "5 %" }\ngap = { normal = "5 um" }'
+    return written(tmp_path / "series.toml", lines)
+
+
+def test_the_table_is_none_of_the_parameters(path) -> None:
+    assert TrimmerParameters.from_toml(path) == TrimmerParameters.thesis()
+
+
+def test_each_sample_has_its_own_limit_cycles(path) -> None:
+    samples = sample_loop(read_loop_file(path, GAP), SampleSettings(count=30, seed=2))
+    amplitude, frequency = samples.largest
+    for row in range(4):
+        values = dict(zip(samples.file.uncertainty.places, samples.values[row].tolist(), strict=True))
+        element = FrictionBacklash(values.pop("gap"))
+        changed = TrimmerParameters(**{**vars(TrimmerParameters.thesis()), **values})
+        largest = max(
+            (c for c in limit_cycles(pin_model(changed), element) if c.stable), key=lambda c: c.amplitude
+        )
+        assert amplitude[row] == pytest.approx(largest.amplitude, rel=1e-8)
+        assert frequency[row] == pytest.approx(largest.frequency, rel=1e-8)
+
+
+def test_existence_and_size_have_indices_apart(path) -> None:
+    pytest.importorskip("SALib")
+    samples = sample_loop(read_loop_file(path, GAP), SampleSettings(count=256), indices=True)
+    assert samples.indices["whether there is a stable limit cycle"].indices == ()
+    # The amplitude is as many times larger as the gap, which scatters most.
+    assert samples.indices["its amplitude"].indices[0].place == "gap"
+    gap = {each.place: each for each in samples.indices["its frequency"].indices}["gap"]
+    assert gap.total == pytest.approx(0.0, abs=1e-9)
+    assert samples.settings.plan is Plan.SOBOL
+
+
+@pytest.mark.parametrize(
+    ("lines", "error", "told"),
+    [
+        ("", ParameterError, "nothing scatters"),
+        ('m9 = { normal = "5 %" }', ParameterError, "there is no number 'm9'"),
+        ('m2 = { normal = "5 Hz" }', ParameterError, "line 2[0-9]: uncertainty.m2"),
+        ('m2 = { normal = "80 %" }', UncertaintyError, "most of them as m2 would be"),
+    ],
+)
+def test_what_cannot_be_used_is_named(tmp_path, lines: str, error: type[Exception], told: str) -> None:
+    with pytest.raises(error, match=told):
+        sample_loop(read_loop_file(written(tmp_path / "series.toml", lines), GAP), SampleSettings(count=200))
+
+
+def test_the_command(path, capsys) -> None:
+    words = ["sample", str(path), "--gap", "4e-5", "--count", "64"]
+    assert main(words) == 0
+    assert "a stable limit cycle is predicted for 100.0% of 64" in capsys.readouterr().out
+    assert main([*words, "--json", "--channels", "displacement"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["stable"]["share"] == 1.0
+    assert np.isfinite(data["amplitude"]["mean"])
+
+
+@pytest.mark.parametrize("words", [["--gap", "4e-5", "--plot", "x.svg"], ["--channels", "both"]])
+def test_options_without_effect_are_refused(path, capsys, words) -> None:
+    assert main(["sample", str(path), *words]) == 2
+    assert "has no effect without" in capsys.readouterr().err
+
+
+def test_a_parameter_file_without_a_gap_is_told(path, capsys) -> None:
+    assert main(["sample", str(path)]) == 2
+    assert "parameter file" in capsys.readouterr().err

@@ -1,0 +1,154 @@
+"""Samples of mechanisms, their file, and the command."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from trimmer import respond
+from trimmer.command_line.main import main
+from trimmer.design.targets import Measure
+from trimmer.design.trial import Asked
+from trimmer.errors import MapFileError, UncertaintyError
+from trimmer.maps.inputs import varied
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
+from trimmer.uncertainty.kept import Keeping
+from trimmer.uncertainty.sample_file import sample_file_of_text
+from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
+from trimmer.uncertainty.study import study_samples
+
+TEXT = """
+frequency = 0.2
+[bodies]
+mass = { mass = 1.0 }
+[links]
+spring = { between = ["ground", "mass"], stiffness = 4.0, damping = 0.3 }
+[stops]
+stop = { between = ["ground", "mass"], stiffness = 10.0, gap = 0.4 }
+[forces]
+drive = { on = "mass", amplitude = 2.0 }
+[outputs]
+x = { mass = 1 }
+[targets]
+stroke_at_least = 0.9
+[uncertainty]
+"stops.stop.gap" = { uniform = [0.3, 0.5] }
+"links.spring.stiffness" = { normal = "5 %" }
+"""
+FILE = sample_file_of_text(TEXT, "stop.toml")
+SETTINGS = SampleSettings(count=10, seed=4, most_periods=60)
+STROKE = Asked(Measure.STROKE, "x")
+
+
+@pytest.fixture(scope="module")
+def samples():
+    return sample_mechanism(FILE, SETTINGS, runner=SerialRunner())
+
+
+def test_each_is_what_respond_finds(samples) -> None:
+    for trial in samples.trials[:3]:
+        found = respond(varied(FILE.mechanism, FILE.uncertainty.places, trial.values))
+        assert trial.value(STROKE.measure, "x") == pytest.approx(found.motion.peak_to_peak["x"], rel=1e-8)
+        assert trial.period_count == found.period_count
+
+
+def test_yield_counts_what_meets_the_targets(samples) -> None:
+    np.testing.assert_array_equal(samples.met, samples.measured(STROKE) >= 0.9)
+    assert sum(samples.kinds.values()) == 10
+
+
+def test_who_does_them_changes_no_digit(samples) -> None:
+    assert sample_mechanism(FILE, SETTINGS, runner=ProcessRunner(2, chunk=1)).trials == samples.trials
+
+
+def test_a_killed_run_goes_on_to_the_same(samples, tmp_path) -> None:
+    path = tmp_path / "samples.jsonl"
+    assert (
+        sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path)).trials
+        == samples.trials
+    )
+    lines = path.read_bytes().splitlines(keepends=True)
+    path.write_bytes(b"".join(lines[:5]) + lines[5][:20])  # as a killed run leaves it
+    resumed = sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path, resume=True))
+    assert resumed.trials == samples.trials
+    assert sorted(path.read_bytes().splitlines()) == sorted(line.rstrip() for line in lines)
+
+
+def test_a_file_of_others_is_kept(tmp_path) -> None:
+    path = tmp_path / "samples.jsonl"
+    sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(path))
+    with pytest.raises(MapFileError, match="holds samples already"):
+        sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(path))
+    with pytest.raises(MapFileError, match=r"another settings|other distributions"):
+        sample_mechanism(FILE, SampleSettings(count=3), keeping=Keeping(path, resume=True))
+    with pytest.raises(MapFileError, match="cannot be read"):
+        sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(tmp_path / "none", resume=True))
+
+
+def test_impossible_samples_are_refused_or_told() -> None:
+    wide = sample_file_of_text(TEXT.replace('"5 %"', '"60 %"'), "stop.toml")
+    with pytest.raises(UncertaintyError, match=r"% of the samples are impossible.*must be zero or greater"):
+        sample_mechanism(wide, SETTINGS)
+    rare = sample_file_of_text(TEXT.replace('"5 %"', '"42 %"'), "stop.toml")
+    found = sample_mechanism(rare, SampleSettings(count=130, most_periods=2), runner=SerialRunner())
+    assert found.impossible == 1
+    assert len(found.trials) == 129
+    assert "1 samples that no mechanism can have were left out" in found.message
+
+
+def test_without_a_drive_there_are_none() -> None:
+    free = TEXT.replace("frequency = 0.2", "").replace('drive = { on = "mass", amplitude = 2.0 }', "")
+    with pytest.raises(UncertaintyError, match="no frequency"):
+        sample_mechanism(sample_file_of_text(free, "free.toml"), SETTINGS)
+
+
+def test_indices_find_what_matters() -> None:
+    pytest.importorskip("SALib")
+    study = study_samples(
+        FILE, SampleSettings(count=16, most_periods=60), indices=True, runner=SerialRunner()
+    )
+    by_name = {quantity.name: found for quantity, found in study.indices.items()}
+    assert by_name["peak to peak of x"].indices[0].place == "stops.stop.gap"
+    assert by_name["whether the motion repeats with the drive"].blocks == 16
+    assert len(study.samples.trials) == 16 * 4
+
+
+def test_balance_is_near_the_exact_orbits() -> None:
+    study = study_samples(FILE, SampleSettings(count=3, most_periods=60), balanced=2, runner=SerialRunner())
+    assert study.balanced.converged.all()
+    assert (study.balanced.distances < 1e-2).all()
+
+
+def test_the_command(tmp_path, capsys) -> None:
+    path, picture = tmp_path / "stop.toml", tmp_path / "scatter.svg"
+    path.write_text(TEXT, encoding="utf-8")
+    words = ["sample", str(path), "--count", "10", "--seed", "4", "--periods", "60", "--jobs", "1"]
+    assert main([*words, "--plot", str(picture)]) == 0
+    text = capsys.readouterr().out
+    assert "all targets are met by" in text
+    assert "10 samples (latin-hypercube, seed 4)" in text
+    assert picture.read_text(encoding="utf-8").startswith("<?xml")
+    assert main([*words, "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["count"] == 10
+    assert 0 <= data["yield"]["interval"][0] <= data["yield"]["share"] <= data["yield"]["interval"][1] <= 1
+    assert {each["place"] for each in data["scatters"]} == {"stops.stop.gap", "links.spring.stiffness"}
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--resume"], "--resume goes on with the file of --output"),
+        (["--seed", "-1"], "--seed -1"),
+        (["--indices", "--plan", "sobol"], "leave out --plan"),
+        (["--jobs", "0"], "--jobs 0"),
+    ],
+)
+def test_wrong_use_is_told(tmp_path, capsys, words, told: str) -> None:
+    path = tmp_path / "stop.toml"
+    path.write_text(TEXT, encoding="utf-8")
+    assert main(["sample", str(path), *words]) == 2
+    assert told in capsys.readouterr().err

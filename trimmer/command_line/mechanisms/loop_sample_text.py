@@ -1,0 +1,71 @@
+"""Samples of the thesis's loop as text and as JSON."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.command_line.mechanisms.sample_text import (
+    distribution_data,
+    index_data,
+    index_lines,
+    quantile_text,
+    share_data,
+    share_text,
+)
+from trimmer.command_line.table import table
+from trimmer.uncertainty.statistics import distribution_of, share_of
+
+if TYPE_CHECKING:
+    from trimmer.uncertainty.loop_samples import LoopSamples
+
+
+def as_text(samples: LoopSamples) -> str:
+    """Return what samples of a loop tell, for people."""
+    found, total = samples.found, len(samples.found.count)
+    stable = share_of(int(found.exists.sum()), total)
+    lines = [f"a stable limit cycle is predicted for {share_text(stable)}", "", "limit cycles"]
+    for count in np.unique(found.count).tolist():
+        lines.append(f"  {count}  {share_text(share_of(int((found.count == count).sum()), total))}")
+    lines += ["", "the largest stable one (in brackets: 95 % interval of a quantile)"]
+    amplitude, frequency = samples.largest
+    rows = []
+    for name, values, unit in (("amplitude", amplitude, "m"), ("frequency", frequency, "Hz")):
+        told = distribution_of(values)
+        if told is not None:
+            numbers = (f"{told.mean:.4g}", f"{told.deviation:.3g}", *map(quantile_text, told.quantiles))
+            rows.append((name, *numbers, unit))
+    lines += table(("", "mean", "deviation", "5 %", "50 %", "95 %", "unit"), rows)
+    for name, indices in samples.indices.items():
+        lines += ["", f"what matters for {name}", *index_lines(indices)]
+    return "\n".join([*lines, "", samples.message, f"{samples.per_second:.3g} samples per second."])
+
+
+def as_json(samples: LoopSamples) -> str:
+    """Return what samples of a loop tell, for programs; see docs/json.md."""
+    found, total = samples.found, len(samples.found.count)
+    amplitude, frequency = samples.largest
+    data = {
+        "count": len(samples.values),
+        "impossible": int((~samples.possible).sum()),
+        "plan": samples.settings.plan.word,
+        "seed": samples.settings.seed,
+        "scatters": [{"place": each.place, "unit": each.unit} for each in samples.file.uncertainty.scatters],
+        "stable": share_data(share_of(int(found.exists.sum()), total)),
+        "limit_cycles": {
+            str(count): share_data(share_of(int((found.count == count).sum()), total))
+            for count in np.unique(found.count).tolist()
+        },
+        "amplitude": distribution_data(distribution_of(amplitude)),
+        "frequency": distribution_data(distribution_of(frequency)),
+        "searched_again": int(found.searched_again.sum()),
+        "undecided": int(found.undecided.sum()),
+        "indices": [
+            {"of": name, "message": each.message, "numbers": [index_data(index) for index in each.indices]}
+            for name, each in samples.indices.items()
+        ],
+        "message": samples.message,
+    }
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)

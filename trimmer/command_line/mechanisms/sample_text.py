@@ -1,0 +1,203 @@
+"""Samples as text and as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.command_line.json_values import finite
+from trimmer.command_line.table import table
+from trimmer.design.targets import Measure
+from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distribution_of, share_of
+from trimmer.uncertainty.study import name_of
+
+if TYPE_CHECKING:
+    from trimmer.uncertainty.balance import Balanced
+    from trimmer.uncertainty.indices import Index, Indices
+    from trimmer.uncertainty.samples import Samples
+    from trimmer.uncertainty.study import Study
+
+MOST_LINES = 8
+"""Numbers that the text lists for each quantity."""
+
+
+def as_text(study: Study) -> str:
+    """Return what samples tell, for people."""
+    samples = study.samples
+    lines = [*_yield_lines(samples), "what it settles to"]
+    total = len(samples.trials)
+    lines += [f"  {kind:<12} {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()]
+    lines += ["", "how measures scatter (in brackets: 95 % interval of a quantile)"]
+    heads = ("", "mean", "deviation", "5 %", "50 %", "95 %", "unit")
+    lines += table(heads, [row for row in _measure_rows(samples) if row])
+    for quantity, indices in study.indices.items():
+        lines += ["", f"what matters for {quantity.name}", *index_lines(indices)]
+    if study.balanced is not None:
+        lines += ["", *_balanced_lines(study.balanced)]
+    lines += ["", samples.message]
+    if math.isfinite(study.per_second):
+        lines.append(f"{study.per_second:.3g} samples per second.")
+    return "\n".join(lines)
+
+
+def _yield_lines(samples: Samples) -> Iterator[str]:
+    if not samples.targets:
+        yield "no targets: write what is wanted below [targets] to learn the yield"
+    else:
+        met = share_of(int(samples.met.sum()), len(samples.trials))
+        yield f"all targets are met by {share_text(met)}"
+        if len(samples.targets) > 1:
+            for target in samples.targets:
+                count = sum(trial.meets((target,)) for trial in samples.trials)
+                name = f"{target.key} {target.part}".strip()
+                yield f"  {name}: {share_text(share_of(count, len(samples.trials)))}"
+    yield ""
+
+
+def share_text(share: Share) -> str:
+    """Return a share with its interval."""
+    return f"{share.value:.1%} of {share.total} ({share.lowest:.1%} to {share.highest:.1%})"
+
+
+def _measure_rows(samples: Samples) -> Iterator[tuple[str, ...]]:
+    for asked in samples.asked:
+        if asked.measure is Measure.PERIOD:
+            continue
+        found = distribution_of(samples.measured(asked))
+        if found is not None:
+            yield (
+                name_of(asked),
+                f"{found.mean:.4g}",
+                f"{found.deviation:.3g}",
+                *(quantile_text(each) for each in found.quantiles),
+                asked.measure.value,
+            )
+
+
+def quantile_text(quantile: Quantile) -> str:
+    """Return a quantile with its interval."""
+    return f"{quantile.value:.4g} [{quantile.lowest:.4g}, {quantile.highest:.4g}]"
+
+
+def index_lines(indices: Indices) -> Iterator[str]:
+    """Return the table of indices, and what they rest on."""
+    rows = [
+        (
+            each.place,
+            f"{each.first:.3f} +- {each.first_error:.3f}",
+            f"{each.total:.3f} +- {each.total_error:.3f}",
+        )
+        for each in indices.indices[:MOST_LINES]
+    ]
+    if rows:
+        yield from table(("", "first order", "total"), rows)
+    yield f"  {indices.message}"
+
+
+def _balanced_lines(balanced: Balanced) -> Iterator[str]:
+    if not balanced.numbers:
+        yield "harmonic balance: no sample repeats, so there is nothing to hold it against"
+        return
+    far, converged = balanced.distances, int(balanced.converged.sum())
+    yield (
+        f"harmonic balance with {balanced.harmonics} harmonics, of {len(far)} samples: {converged} balance; "
+        f"distance to the exact orbit {np.median(far):.2g} in the middle, {far.max():.2g} at most"
+    )
+
+
+def as_json(study: Study) -> str:
+    """Return what samples tell, for programs; see docs/json.md."""
+    samples = study.samples
+    total = len(samples.trials)
+    data = {
+        "count": len(samples.inputs.values),
+        "impossible": samples.impossible,
+        "failed": samples.failed,
+        "plan": samples.inputs.settings.plan.word,
+        "seed": samples.inputs.settings.seed,
+        "periods": samples.inputs.settings.most_periods,
+        "scatters": [
+            {"place": each.place, "unit": each.unit, "assumed": each.assumed}
+            for each in samples.inputs.uncertainty.scatters
+        ],
+        "yield": share_data(share_of(int(samples.met.sum()), total)) if samples.targets else None,
+        "targets": [
+            {
+                "key": target.key,
+                "part": target.part,
+                "bound": target.bound,
+                **share_data(share_of(sum(trial.meets((target,)) for trial in samples.trials), total)),
+            }
+            for target in samples.targets
+        ],
+        "kinds": {kind: share_data(share_of(count, total)) for kind, count in samples.kinds.items()},
+        "measures": [
+            {
+                "measure": asked.measure.name.lower(),
+                "part": asked.part,
+                "unit": asked.measure.value,
+                **distribution_data(distribution_of(samples.measured(asked))),
+            }
+            for asked in samples.asked
+            if asked.measure is not Measure.PERIOD
+        ],
+        "indices": [
+            {
+                "of": quantity.name,
+                "message": indices.message,
+                "numbers": [index_data(each) for each in indices.indices],
+            }
+            for quantity, indices in study.indices.items()
+        ],
+        "balance": None if study.balanced is None else _balanced(study.balanced),
+        "message": samples.message,
+    }
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def share_data(share: Share) -> dict[str, Any]:
+    """Return a share as data for JSON."""
+    return {"count": share.count, "share": share.value, "interval": [share.lowest, share.highest]}
+
+
+def distribution_data(found: Distribution | None) -> dict[str, Any]:
+    """Return a distribution as data for JSON."""
+    if found is None:
+        return {"count": 0, "mean": None, "deviation": None, "quantiles": []}
+    return {
+        "count": found.count,
+        "mean": found.mean,
+        "deviation": found.deviation,
+        "quantiles": [
+            {
+                "share": each.share,
+                "value": each.value,
+                "interval": [finite(each.lowest), finite(each.highest)],
+            }
+            for each in found.quantiles
+        ],
+    }
+
+
+def index_data(index: Index) -> dict[str, Any]:
+    """Return an index as data for JSON."""
+    return {
+        "place": index.place,
+        "first": finite(index.first),
+        "total": finite(index.total),
+        "first_error": finite(index.first_error),
+        "total_error": finite(index.total_error),
+    }
+
+
+def _balanced(balanced: Balanced) -> dict[str, Any]:
+    return {
+        "harmonics": balanced.harmonics,
+        "samples": list(balanced.numbers),
+        "distances": balanced.distances.tolist(),
+        "converged": balanced.converged.tolist(),
+    }

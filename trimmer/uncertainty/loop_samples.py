@@ -1,0 +1,212 @@
+"""Samples of the thesis's loop, whose parameters and gap scatter: which of them have a limit cycle."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.ensembles.limit_cycles import SampledLimitCycles, sampled_limit_cycles
+from trimmer.errors import UncertaintyError
+from trimmer.linear.model import InputChannels
+from trimmer.mechanism.problems import Problem, as_message_of_file
+from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.parameter_files import SCATTER, read_parameters
+from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
+from trimmer.toml_files import parsed, read_text
+from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
+from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.table import uncertainty_of
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Flags, Reals
+    from trimmer.uncertainty.distributions import Uncertainty
+    from trimmer.uncertainty.samples import SampleSettings
+
+GAP = "gap"
+MOST_IMPOSSIBLE = 0.01
+"""Share of samples that may be impossible, such as a negative mass, before the distributions are refused."""
+
+
+@dataclass(frozen=True)
+class LoopNumbers:
+    """The numbers of a loop as places: the symbols of its parameters, and ``gap``.
+
+    Attributes:
+        parameters: The trimmer.
+        gap: Total clearance of the play, m.
+    """
+
+    parameters: TrimmerParameters
+    gap: float
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """The SI unit of each place."""
+        return {**{each.symbol: each.unit for each in parameter_table()}, GAP: "m"}
+
+    def value(self, place: str) -> float:
+        """Return the number at a place, in that unit."""
+        return self.gap if place == GAP else float(getattr(self.parameters, place))
+
+
+@dataclass(frozen=True)
+class LoopFile:
+    """A parameter file with what scatters."""
+
+    numbers: LoopNumbers
+    uncertainty: Uncertainty
+
+
+def read_loop_file(path: Path, gap: float) -> LoopFile:
+    """Read a parameter file with ``[uncertainty]``.
+
+    Args:
+        path: The file, which is read twice, so no stream.
+        gap: Total clearance of the play, m.
+
+    Raises:
+        ParameterError: if it cannot be read, holds what cannot be used, or nothing in it scatters.
+    """
+    numbers = LoopNumbers(read_parameters(path), gap)
+    text = read_text(path, ParameterError, "name a parameter file")
+    content = parsed(text, str(path), ParameterError, "write one 'key = number' per line")
+    problems: list[Problem] = []
+    uncertainty = uncertainty_of(content.get(SCATTER, {}), numbers, problems)
+    if problems:
+        raise ParameterError(as_message_of_file(str(path), problems, content, lines_of_keys(text)))
+    if not uncertainty.scatters:
+        raise ParameterError(
+            f'{path}: nothing scatters: say what does below [{SCATTER}], as in gap = {{ normal = "5 um" }}'
+        )
+    return LoopFile(numbers, uncertainty)
+
+
+@dataclass(frozen=True, eq=False)
+class LoopSamples:
+    """Limit cycles of samples of a loop.
+
+    Attributes:
+        file: The loop and what scatters.
+        settings: How samples were drawn.
+        values: The samples, SI units, shape (n, numbers that scatter).
+        possible: Whether a trimmer can have such numbers, shape (n,).
+        found: Limit cycles of the possible ones.
+        indices: Sobol indices by what they are of: whether there is a stable limit cycle stands apart from
+            how large it is.
+        per_second: Samples per second that were computed.
+    """
+
+    file: LoopFile
+    settings: SampleSettings
+    values: Reals
+    possible: Flags
+    found: SampledLimitCycles
+    indices: Mapping[str, Indices]
+    per_second: float
+
+    @property
+    def largest(self) -> tuple[Reals, Reals]:
+        """Amplitude, m, and frequency, Hz, of the largest stable limit cycle of each; NaN without one."""
+        return _largest(self.found)
+
+    @property
+    def message(self) -> str:
+        """What was drawn and searched, in sentences."""
+        told = f"{len(self.values)} samples ({self.settings.plan.word}, seed {self.settings.seed}). "
+        left = int((~self.possible).sum())
+        if left:
+            told += f"{left} samples that no trimmer can have were left out. "
+        return told + self.found.message
+
+
+def _largest(found: SampledLimitCycles) -> tuple[Reals, Reals]:
+    if not found.amplitude.shape[1]:
+        nothing = np.full(len(found.count), np.nan)
+        return nothing, nothing
+    sizes = np.where(found.stable, found.amplitude, -np.inf)
+    column = sizes.argmax(axis=1)[:, None]
+    amplitude = np.take_along_axis(found.amplitude, column, axis=1)[:, 0]
+    frequency = np.take_along_axis(found.frequency, column, axis=1)[:, 0]
+    return np.where(found.exists, amplitude, np.nan), np.where(found.exists, frequency, np.nan)
+
+
+def sample_loop(
+    file: LoopFile,
+    settings: SampleSettings,
+    *,
+    indices: bool = False,
+    output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
+    channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
+) -> LoopSamples:
+    """Draw samples of the thesis's loop with friction-controlled play, and find their limit cycles.
+
+    Args:
+        file: The loop, and what scatters.
+        settings: How samples are drawn; drive periods are of no use here.
+        indices: Whether Sobol indices are wanted; they choose the samples themselves.
+        output: The displacement at the input of the play.
+        channels: How the pin acts.
+
+    Raises:
+        UncertaintyError: if too many samples are impossible, or indices of dependent numbers are wanted.
+    """
+    count = len(file.uncertainty.scatters)
+    if indices:
+        require_independent(file.uncertainty)
+        settings = replace(settings, plan=Plan.SOBOL)
+        shares = saltelli_points(count, Plan.SOBOL.count(settings.count), settings.seed)
+    else:
+        shares = settings.plan.points(settings.plan.count(settings.count), count, settings.seed)
+    values = file.uncertainty.values(shares)
+    possible = _possible(file, values)
+    begin = time.perf_counter()
+    found = _limit_cycles(file, values[possible], output, channels)
+    seconds = time.perf_counter() - begin
+    told = _indices(file, possible, found, settings.seed) if indices else {}
+    return LoopSamples(file, settings, values, possible, found, told, len(found.count) / seconds)
+
+
+def _limit_cycles(
+    file: LoopFile, values: Reals, output: Displacement | str, channels: InputChannels | str
+) -> SampledLimitCycles:
+    samples = dict(zip(file.uncertainty.places, values.T, strict=True))
+    gap = samples.pop(GAP, np.full(len(values), file.numbers.gap))
+    return sampled_limit_cycles(
+        samples, gap=gap, base=file.numbers.parameters, output=output, channels=channels
+    )
+
+
+def _possible(file: LoopFile, values: Reals) -> Flags:
+    """Return which samples a trimmer can have, if these are nearly all."""
+    positive = {each.symbol for each in parameter_table() if each.quantity is ParameterKind.MASS} | {GAP}
+    within = np.array([place in positive for place in file.uncertainty.places])
+    right = np.where(within, values > 0, values >= 0)
+    possible = np.asarray(right.all(axis=1))
+    if (~possible).mean() > MOST_IMPOSSIBLE:
+        wrong = file.uncertainty.places[int((~right).sum(axis=0).argmax())]
+        raise UncertaintyError(
+            f"{(~possible).mean():.1%} of the samples are impossible, most of them as {wrong} would be "
+            "negative or zero; let it scatter less, or uniformly between values that it can have"
+        )
+    return possible
+
+
+def _indices(file: LoopFile, possible: Flags, found: SampledLimitCycles, seed: int) -> dict[str, Indices]:
+    amplitude, frequency = _largest(found)
+    quantities = {
+        "whether there is a stable limit cycle": found.exists.astype(float),
+        "its amplitude": amplitude,
+        "its frequency": frequency,
+    }
+    told = {}
+    for name, column in quantities.items():
+        whole = np.full(len(possible), np.nan)
+        whole[possible] = column
+        told[name] = indices_of(whole, file.uncertainty.places, seed)
+    return told

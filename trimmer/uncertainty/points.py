@@ -1,0 +1,45 @@
+"""Points of the unit cube that fill it more evenly than random ones do."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.choices import Choice
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+
+_EDGE = 2.0**-40
+"""Least distance from the faces of the cube, where a normal distribution has no value."""
+
+
+class Plan(Choice):
+    """How points are chosen."""
+
+    LATIN_HYPERCUBE = "latin-hypercube"
+    SOBOL = "sobol"
+
+    @property
+    def word(self) -> str:
+        """``latin-hypercube`` or ``sobol``."""
+        return str(self.value)
+
+    def count(self, wanted: int) -> int:
+        """Return how many points there will be: of Sobol a power of two, since others are not even."""
+        return 2 ** math.ceil(math.log2(wanted)) if self is Plan.SOBOL else wanted
+
+    def points(self, count: int, dimensions: int, seed: int) -> Reals:
+        """Return points in the open unit cube, shape (count, dimensions).
+
+        A point of Sobol depends on its number and the seed alone, so more points go on with the same ones.
+        """
+        from scipy.stats import qmc
+
+        if self is Plan.SOBOL:
+            drawn = qmc.Sobol(dimensions, rng=seed).random(count)
+        else:
+            drawn = qmc.LatinHypercube(dimensions, rng=seed).random(count)
+        return np.asarray(np.clip(drawn, _EDGE, 1.0 - _EDGE))

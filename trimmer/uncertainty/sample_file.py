@@ -1,0 +1,63 @@
+"""A mechanism's file with what scatters: the mechanism, the targets, the distributions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from trimmer.design.design_file import OpenRange, design_file_of_text
+from trimmer.design.targets import Target
+from trimmer.errors import MechanismError
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.problems import Problem, as_message_of_file
+from trimmer.mechanism.reading import content_of_text, text_of_file
+from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.table import SECTION, uncertainty_of
+
+
+@dataclass(frozen=True)
+class SampleFile:
+    """What a file says.
+
+    Attributes:
+        mechanism: The mechanism, with the middle of each range that nobody knows better.
+        targets: What is wanted of it.
+        uncertainty: What scatters. A number that the file leaves open scatters evenly over its range.
+    """
+
+    mechanism: Mechanism
+    targets: tuple[Target, ...]
+    uncertainty: Uncertainty
+
+
+def read_sample_file(path: Path) -> SampleFile:
+    """Read a mechanism with ``[uncertainty]``, or standard input if the path is ``-``.
+
+    Raises:
+        MechanismError: if it cannot be read, holds what cannot be used, or nothing in it scatters. Every
+            problem is named, with file, line, key and value, and what to do.
+    """
+    return sample_file_of_text(text_of_file(path), str(path))
+
+
+def sample_file_of_text(text: str, name: str) -> SampleFile:
+    """Read the text of such a file; see ``read_sample_file``."""
+    design = design_file_of_text(text, name)
+    content = content_of_text(text, name)
+    problems: list[Problem] = []
+    known = tuple(map(_evenly, design.ranges))
+    uncertainty = uncertainty_of(content.get(SECTION, {}), design.mechanism, problems, known)
+    if problems:
+        raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
+    if not uncertainty.scatters:
+        raise MechanismError(
+            f"{name}: nothing scatters: say what does below [{SECTION}], as in "
+            '"plays.bridge.gap" = { normal = "5 um" }'
+        )
+    return SampleFile(design.mechanism, design.targets, uncertainty)
+
+
+def _evenly(left_open: OpenRange) -> Scatter:
+    distribution = Uniform(left_open.lowest, left_open.highest)
+    return Scatter(left_open.place, left_open.unit, distribution, assumed=True)

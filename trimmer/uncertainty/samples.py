@@ -1,0 +1,265 @@
+"""Samples of a mechanism whose numbers scatter: what each of them does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.design.targets import Target
+from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
+from trimmer.errors import MechanismError, UncertaintyError
+from trimmer.maps.inputs import varied
+from trimmer.progress import progress_bar
+from trimmer.response.response import MotionKind
+from trimmer.runners.processes import ProcessRunner
+from trimmer.runners.runner import SerialRunner
+from trimmer.uncertainty import kept
+from trimmer.uncertainty.kept import NOWHERE, Keeping
+from trimmer.uncertainty.points import Plan
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Flags, Reals
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.runners.runner import Runner
+    from trimmer.uncertainty.distributions import Uncertainty
+    from trimmer.uncertainty.sample_file import SampleFile
+
+MOST_IMPOSSIBLE = 0.01
+"""Share of samples that may be impossible, such as a negative gap, before the distributions are refused."""
+FEW = 12
+"""Samples up to which other processes are not worth their beginning."""
+MOST_SAMPLES = 1_000_000
+
+
+@dataclass(frozen=True)
+class SampleSettings:
+    """How samples are drawn and looked at.
+
+    Attributes:
+        count: How many; of Sobol points the next power of two.
+        plan: How points are chosen.
+        seed: Of the points.
+        most_periods: Drive periods to wait for each to settle.
+    """
+
+    count: int = 512
+    plan: Plan = Plan.LATIN_HYPERCUBE
+    seed: int = 0
+    most_periods: int = 300
+
+
+@dataclass(frozen=True, eq=False)
+class SampleInputs:
+    """All that the samples depend on.
+
+    Attributes:
+        mechanism: The mechanism.
+        uncertainty: What scatters.
+        settings: How samples are drawn and looked at.
+        values: The samples, SI units, shape (n, numbers that scatter).
+        possible: Whether a mechanism can have such numbers, shape (n,).
+    """
+
+    mechanism: Mechanism
+    uncertainty: Uncertainty
+    settings: SampleSettings
+    values: Reals
+    possible: Flags
+
+
+@dataclass(frozen=True)
+class SampleWork:
+    """What is done with a sample: its number and its values."""
+
+    trial: TrialWork
+
+    def __call__(self, sample: tuple[int, tuple[float, ...]]) -> tuple[int, Trial]:
+        """Return the number and what the mechanism does."""
+        return sample[0], self.trial(sample[1])
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """What the samples of a mechanism do, from rest or from its own start.
+
+    Attributes:
+        inputs: What they depend on.
+        targets: What is wanted.
+        asked: What was measured.
+        trials: One for each possible sample, in the order of the samples.
+    """
+
+    inputs: SampleInputs
+    targets: tuple[Target, ...]
+    asked: tuple[Asked, ...]
+    trials: tuple[Trial, ...]
+
+    @property
+    def impossible(self) -> int:
+        """How many samples no mechanism can have; they are left out."""
+        return int((~self.inputs.possible).sum())
+
+    @property
+    def failed(self) -> int:
+        """How many motions could not be followed to their end."""
+        return sum(trial.kind is None for trial in self.trials)
+
+    def measured(self, asked: Asked) -> Reals:
+        """Return a measure of each trial, shape (trials,); not a number where the motion failed."""
+        return np.array([trial.value(asked.measure, asked.part) for trial in self.trials], dtype=float)
+
+    @property
+    def met(self) -> Flags:
+        """Whether each trial meets all targets, shape (trials,)."""
+        return np.array([trial.meets(self.targets) for trial in self.trials], dtype=bool)
+
+    @property
+    def kinds(self) -> dict[str, int]:
+        """How many trials do what, by words such as ``period 3``, the most frequent first."""
+        words = [_described(trial) for trial in self.trials]
+        return {
+            word: words.count(word)
+            for word in sorted(set(words), key=lambda word: (-words.count(word), word))
+        }
+
+    @property
+    def message(self) -> str:
+        """What was drawn and looked at, in sentences."""
+        settings = self.inputs.settings
+        told = (
+            f"{len(self.inputs.values)} samples ({settings.plan.word}, seed {settings.seed}), each from rest "
+            f"or the file's own start, for at most {settings.most_periods} drive periods; other motions were "
+            "not looked for."
+        )
+        if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
+            told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
+        if self.impossible:
+            told += f" {self.impossible} samples that no mechanism can have were left out."
+        return told + (f" {self.failed} motions could not be followed to their end." if self.failed else "")
+
+
+def _described(trial: Trial) -> str:
+    if trial.kind is None:
+        return "failed"
+    words = {MotionKind.TORUS: "torus", MotionKind.CHAOTIC: "chaotic", MotionKind.UNDECIDED: "not settled"}
+    return words.get(trial.kind) or f"period {trial.period_count}"
+
+
+def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
+    """Draw samples.
+
+    Raises:
+        UncertaintyError: if too many of them are impossible, or the mechanism has no drive.
+    """
+    count = settings.plan.count(settings.count)
+    shares = settings.plan.points(count, len(uncertainty.scatters), settings.seed)
+    return inputs_at(mechanism, uncertainty, settings, uncertainty.values(shares))
+
+
+def inputs_at(
+    mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
+) -> SampleInputs:
+    """Return samples of given values, shape (n, numbers), after it was checked which are possible.
+
+    Raises:
+        UncertaintyError: as ``sample_inputs`` does.
+    """
+    if mechanism.frequency is None:
+        raise UncertaintyError(
+            "the mechanism has no frequency, and samples are of driven motions: give it one"
+        )
+    reasons = [_reason_against(mechanism, uncertainty.places, tuple(row)) for row in values.tolist()]
+    possible = np.array([not reason for reason in reasons], dtype=bool)
+    if (~possible).mean() > MOST_IMPOSSIBLE:
+        reason = next(reason for reason in reasons if reason)
+        raise UncertaintyError(
+            f"{(~possible).mean():.1%} of the samples are impossible, the first one because {reason}; "
+            "let the number scatter less, or uniformly between values that it can have"
+        )
+    return SampleInputs(mechanism, uncertainty, settings, values, possible)
+
+
+def _reason_against(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> str:
+    try:
+        varied(mechanism, places, values)
+    except MechanismError as error:
+        return str(error)
+    return ""
+
+
+def sample_mechanism(
+    file: SampleFile,
+    settings: SampleSettings | None = None,
+    *,
+    runner: Runner | None = None,
+    keeping: Keeping = NOWHERE,
+    quiet: bool = False,
+) -> Samples:
+    """Draw samples of a mechanism and find what each of them settles to.
+
+    A sample belongs to its number: who computes it, and in what order, changes no digit.
+
+    Args:
+        file: The mechanism, its targets, and what scatters.
+        settings: How samples are drawn and looked at.
+        runner: Who does the work; by default processes on all cores, for a few samples this one.
+        keeping: Where each sample is kept as soon as it is done.
+        quiet: Show no progress bar.
+
+    Raises:
+        UncertaintyError: if too many samples are impossible, or the mechanism has no drive.
+        MapFileError: if the file cannot be gone on with.
+        FileWriteError: if the file cannot be written.
+    """
+    inputs = sample_inputs(file.mechanism, file.uncertainty, settings or SampleSettings())
+    trials = trials_of(inputs, runner, keeping, quiet=quiet)
+    return Samples(inputs, file.targets, all_measures(file.mechanism), trials)
+
+
+def trials_of(
+    inputs: SampleInputs,
+    runner: Runner | None = None,
+    keeping: Keeping = NOWHERE,
+    *,
+    quiet: bool = False,
+) -> tuple[Trial, ...]:
+    """Return what each possible sample does, in the order of the samples."""
+    asked = all_measures(inputs.mechanism)
+    done: dict[int, Trial] = {}
+    if keeping.path is not None and keeping.resume:
+        done = dict(kept.resumed(keeping.path, inputs, asked))
+    elif keeping.path is not None:
+        kept.begin(keeping.path, inputs, overwrite=keeping.overwrite)
+    for number, trial in _computed(inputs, asked, done, runner, keeping.path, quiet):
+        done[number] = trial
+    return tuple(done[number] for number in np.flatnonzero(inputs.possible).tolist())
+
+
+def _computed(
+    inputs: SampleInputs,
+    asked: tuple[Asked, ...],
+    done: dict[int, Trial],
+    runner: Runner | None,
+    path: Path | None,
+    quiet: bool,
+) -> Iterator[tuple[int, Trial]]:
+    """Yield the samples that are left as they come, behind a progress bar, and keep them in the file."""
+    left = [number for number in np.flatnonzero(inputs.possible).tolist() if number not in done]
+    if not left:
+        return
+    if runner is None:
+        runner = ProcessRunner() if len(left) > FEW else SerialRunner()
+    places = inputs.uncertainty.places
+    work = SampleWork(TrialWork(inputs.mechanism, places, asked, inputs.settings.most_periods))
+    samples = ((number, tuple(inputs.values[number].tolist())) for number in left)
+    results = runner.results(work, samples)
+    with progress_bar(
+        description="samples", total=len(left) + len(done), initial=len(done), quiet=quiet
+    ) as bar:
+        for result in results if path is None else kept.appended(path, results):
+            bar.update()
+            yield result

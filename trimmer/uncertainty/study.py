@@ -1,0 +1,146 @@
+"""Samples of a mechanism with all that is asked of them: indices, and harmonic balance beside them."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.design.targets import Measure
+from trimmer.design.trial import Asked, TrialWork, all_measures
+from trimmer.uncertainty.balance import Balanced, balanced_samples
+from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
+from trimmer.uncertainty.kept import NOWHERE, Keeping
+from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.samples import (
+    Samples,
+    SampleSettings,
+    inputs_at,
+    sample_mechanism,
+    trials_of,
+)
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.runners.runner import Runner
+    from trimmer.uncertainty.sample_file import SampleFile
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What indices are of.
+
+    Attributes:
+        name: What it is, in words.
+        asked: The measure whose size it is; None for whether something is so, which is 0 or 1.
+    """
+
+    name: str
+    asked: Asked | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """Samples, and what else was asked of them.
+
+    Attributes:
+        samples: The samples.
+        indices: Sobol indices by what they are of; whether something is so stands apart from how large it is.
+        balanced: Harmonic balance beside exact orbits.
+        per_second: Samples per second that were computed in this run; not a number if none was.
+    """
+
+    samples: Samples
+    indices: Mapping[Quantity, Indices]
+    balanced: Balanced | None
+    per_second: float
+
+
+def study_samples(
+    file: SampleFile,
+    settings: SampleSettings,
+    *,
+    indices: bool = False,
+    balanced: int = 0,
+    runner: Runner | None = None,
+    keeping: Keeping = NOWHERE,
+    quiet: bool = False,
+) -> Study:
+    """Draw samples and look at them. Errors are those of ``sample_mechanism``.
+
+    Args:
+        file: The mechanism, its targets, and what scatters.
+        settings: How samples are drawn and looked at.
+        runner: Who does the work.
+        keeping: Where each sample is kept as soon as it is done.
+        quiet: Show no progress bar.
+        indices: Whether Sobol indices are wanted; they choose the samples themselves.
+        balanced: How many samples are looked at by harmonic balance too.
+    """
+    warm_up(file)
+    begin = time.perf_counter()
+    if indices:
+        samples, found = _with_indices(file, settings, runner, keeping, quiet)
+    else:
+        samples, found = sample_mechanism(file, settings, runner=runner, keeping=keeping, quiet=quiet), {}
+    seconds = time.perf_counter() - begin
+    rate = len(samples.trials) / seconds if not keeping.resume else math.nan
+    beside = balanced_samples(samples, balanced) if balanced else None
+    return Study(samples, found, beside, rate)
+
+
+def warm_up(file: SampleFile) -> None:
+    """Follow a motion for two periods, so that all is compiled once, and before the clock runs."""
+    TrialWork(file.mechanism, (), (), 2)(())
+
+
+def _with_indices(
+    file: SampleFile,
+    settings: SampleSettings,
+    runner: Runner | None,
+    keeping: Keeping,
+    quiet: bool,
+) -> tuple[Samples, dict[Quantity, Indices]]:
+    require_independent(file.uncertainty)
+    places = file.uncertainty.places
+    blocks = Plan.SOBOL.count(settings.count)
+    values = file.uncertainty.values(saltelli_points(len(places), blocks, settings.seed))
+    inputs = inputs_at(file.mechanism, file.uncertainty, replace(settings, plan=Plan.SOBOL), values)
+    trials = trials_of(inputs, runner, keeping, quiet=quiet)
+    samples = Samples(inputs, file.targets, all_measures(file.mechanism), trials)
+    found = {}
+    for quantity, column in _quantities(samples):
+        whole = np.full(len(values), np.nan)
+        whole[inputs.possible] = column
+        found[quantity] = indices_of(whole, places, settings.seed)
+    return samples, found
+
+
+def _quantities(samples: Samples) -> list[tuple[Quantity, Reals]]:
+    """Return what is so, as 0 and 1, and then the size of each measure, where it exists."""
+    repeats = np.array([trial.period_count == 1 for trial in samples.trials], dtype=float)
+    found = [(Quantity("whether the motion repeats with the drive"), repeats)]
+    if samples.targets:
+        found.append((Quantity("whether all targets are met"), samples.met.astype(float)))
+    for asked in samples.asked:
+        if asked.measure is not Measure.PERIOD:
+            found.append((Quantity(name_of(asked), asked), samples.measured(asked)))
+    return found
+
+
+_NAMES = {
+    Measure.STROKE: "peak to peak of {}",
+    Measure.RMS_ACCELERATION: "rms acceleration of {}",
+    Measure.IMPACT_SPEED: "impact speed of {}",
+    Measure.WEAR_POWER: "wear power of {}",
+    Measure.PERIOD: "drive periods",
+}
+
+
+def name_of(asked: Asked) -> str:
+    """Return what is measured, in words."""
+    return _NAMES[asked.measure].format(asked.part)

@@ -1,0 +1,220 @@
+"""The table ``[uncertainty]`` of a mechanism's file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Protocol
+
+import numpy as np
+
+from trimmer.errors import MechanismError
+from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.mechanism.problems import NOTHING, Problem
+from trimmer.mechanism.quantities import is_number
+from trimmer.mechanism.units import UnitError, quantity
+from trimmer.messages import listed, near_match
+from trimmer.uncertainty.distributions import Distribution, Joint, Normal, Scatter, Uncertainty, Uniform
+
+SECTION = "uncertainty"
+COVARIANCE = "covariance"
+FORMS = '{ normal = "5 um" }, { normal = "5 %" } or { uniform = ["20 um", "60 um"] }'
+
+
+class Numbers(Protocol):
+    """What has numbers at places, such as a mechanism."""
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """The SI unit of each place."""
+        ...
+
+    def value(self, place: str) -> float:
+        """Return the number at a place, in that unit."""
+        ...
+
+
+def uncertainty_of(
+    content: object, mechanism: Numbers, problems: list[Problem], known: tuple[Scatter, ...] = ()
+) -> Uncertainty:
+    """Read what scatters; what cannot be used is added to the problems.
+
+    Args:
+        content: What stands in ``[uncertainty]``.
+        mechanism: The mechanism, whose own numbers are the means that are not given.
+        problems: The list that gets what is wrong.
+        known: What scatters without being in the table, such as the ranges of what nobody knows.
+    """
+    if not isinstance(content, Mapping):
+        reason = f"is a section: write [{SECTION}] on a line of its own"
+        problems.append(Problem((SECTION,), reason, content))
+        return Uncertainty(())
+    found: dict[str, Scatter] = {}
+    joints: list[Joint] = []
+    for key, value in content.items():
+        if key == COVARIANCE:
+            for joint, scatters in _joints(value, mechanism, problems):
+                joints.append(joint)
+                _add(found, scatters, (SECTION, COVARIANCE), problems)
+        elif (place := _place((SECTION, key), key, mechanism, problems)) is not None:
+            distribution = _distribution((SECTION, key), place, value, mechanism, problems)
+            if distribution is not None:
+                scatter = Scatter(place, mechanism.places[place], distribution)
+                _add(found, [scatter], (SECTION, key), problems)
+    others = (each for each in known if each.place not in found)
+    return Uncertainty((*found.values(), *others), tuple(joints))
+
+
+def _add(
+    found: dict[str, Scatter], scatters: list[Scatter], place: tuple[str, ...], problems: list[Problem]
+) -> None:
+    for each in scatters:
+        if each.place in found:
+            problems.append(Problem(place, f"{each.place} scatters twice; say it once"))
+        found[each.place] = each
+
+
+def _place(where: tuple[str, ...], text: object, mechanism: Numbers, problems: list[Problem]) -> str | None:
+    try:
+        place = place_text(parse_place(str(text)))
+    except MechanismError as error:
+        problems.append(Problem(where, str(error)))
+        return None
+    if place in mechanism.places:
+        return place
+    advice = near_match(place, mechanism.places) or f"there are {listed(mechanism.places)}"
+    problems.append(Problem(where, f"there is no number {place!r}; {advice}"))
+    return None
+
+
+def _distribution(
+    where: tuple[str, ...], place: str, value: object, mechanism: Numbers, problems: list[Problem]
+) -> Distribution | None:
+    if not isinstance(value, Mapping):
+        problems.append(Problem(where, f"say how it scatters, as in {FORMS}", value))
+        return None
+    reader = _Reader(where, mechanism.places[place], mechanism.value(place), problems)
+    unknown = [key for key in value if key not in ("normal", "mean", "uniform")]
+    if unknown:
+        advice = near_match(unknown[0], ("normal", "mean", "uniform")) or f"write {FORMS}"
+        problems.append(Problem((*where, unknown[0]), f"unknown key; {advice}"))
+        return None
+    if ("normal" in value) == ("uniform" in value) or ("mean" in value and "uniform" in value):
+        problems.append(Problem(where, f"say how it scatters in one way, as in {FORMS}"))
+        return None
+    return reader.uniform(value["uniform"]) if "uniform" in value else reader.normal(value)
+
+
+class _Reader:
+    """Reads a distribution; what is wrong goes to the problems.
+
+    Args:
+        where: The place in the file.
+        unit: The SI unit of the number.
+        nominal: The number in the file.
+        problems: The list that gets what is wrong.
+    """
+
+    def __init__(self, where: tuple[str, ...], unit: str, nominal: float, problems: list[Problem]) -> None:
+        self._where, self._unit, self._nominal, self._problems = where, unit, nominal, problems
+
+    def normal(self, value: Mapping[str, Any]) -> Normal | None:
+        """Read a standard deviation, and a mean if there is one."""
+        mean = self._number("mean", value["mean"]) if "mean" in value else self._nominal
+        if mean is None:
+            return None
+        deviation = self._number("normal", value["normal"], of=mean)
+        if deviation is None:
+            return None
+        if deviation <= 0:
+            self._wrong("normal", "a standard deviation is positive", value["normal"])
+            return None
+        return Normal(mean, deviation)
+
+    def uniform(self, value: object) -> Uniform | None:
+        """Read both ends, or how far they lie from the number in the file."""
+        if isinstance(value, str) and value.strip().endswith("%"):
+            half = self._number("uniform", value, of=self._nominal)
+            ends: tuple[float | None, float | None] = (
+                (None, None) if half is None else (self._nominal - half, self._nominal + half)
+            )
+        elif isinstance(value, list) and len(value) == 2:
+            ends = (self._number("uniform", value[0]), self._number("uniform", value[1]))
+        else:
+            self._wrong("uniform", 'give both ends, as in ["20 um", "60 um"], or "10 %"', value)
+            return None
+        if ends[0] is None or ends[1] is None:
+            return None
+        if not ends[0] < ends[1]:
+            self._wrong("uniform", "the first end is the smaller one", value)
+            return None
+        return Uniform(ends[0], ends[1])
+
+    def _number(self, key: str, value: object, of: float | None = None) -> float | None:
+        """Read a number in the SI unit, as text with a unit, or as a share of another number."""
+        text = value.strip() if isinstance(value, str) else ""
+        try:
+            if of is not None and text.endswith("%"):
+                return quantity(text[:-1], "1") / 100.0 * abs(of)
+            if text:
+                return quantity(text, self._unit)
+        except UnitError as error:
+            self._wrong(key, f"{error}", value)
+            return None
+        if is_number(value) and np.isfinite(float(value)):  # type: ignore[arg-type]
+            return float(value)  # type: ignore[arg-type]
+        self._wrong(key, f"give a number in {self._unit}, or text with a unit", value)
+        return None
+
+    def _wrong(self, key: str, reason: str, value: object) -> None:
+        self._problems.append(Problem((*self._where, key), reason, _plain(value)))
+
+
+def _plain(value: object) -> object:
+    return value if isinstance(value, str) or is_number(value) else NOTHING
+
+
+def _joints(
+    value: object, mechanism: Numbers, problems: list[Problem]
+) -> Iterator[tuple[Joint, list[Scatter]]]:
+    where = (SECTION, COVARIANCE)
+    for each in value if isinstance(value, list) else [value]:
+        if not isinstance(each, Mapping) or set(each) != {"places", "matrix"} or not _is_list(each["places"]):
+            reason = 'write { places = ["plays.bridge.gap", "bodies.cutter.mass"], matrix = [[...], [...]] }'
+            problems.append(Problem(where, reason))
+            continue
+        places = [_place(where, text, mechanism, problems) for text in each["places"]]
+        if None in places:
+            continue
+        names = tuple(place for place in places if place is not None)
+        if reason := _reason_against(each["matrix"], names):
+            problems.append(Problem((*where, "matrix"), reason))
+            continue
+        matrix = np.array(each["matrix"], dtype=float)
+        scatters = [
+            Scatter(place, mechanism.places[place], Normal(mechanism.value(place), float(deviation)))
+            for place, deviation in zip(names, np.sqrt(np.diag(matrix)), strict=True)
+        ]
+        yield Joint(names, tuple(map(tuple, matrix.tolist()))), scatters
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list) and len(value) > 0
+
+
+def _reason_against(matrix: object, places: tuple[str, ...]) -> str:
+    """Return why something is no covariance matrix; empty if it is one."""
+    count = len(places)
+    rows = matrix if isinstance(matrix, list) else []
+    if len(rows) != count or any(not isinstance(row, list) or len(row) != count for row in rows):
+        return f"give {count} rows of {count} numbers, one for each of {listed(places)}"
+    if not all(is_number(entry) and np.isfinite(float(entry)) for row in rows for entry in row):
+        return "give numbers, in products of SI units"
+    values = np.array(rows, dtype=float)
+    scale = np.sqrt(np.abs(np.diag(values)))
+    if not (np.diag(values) > 0).all():
+        return "variances, on the diagonal, are positive"
+    if not np.allclose(values, values.T, rtol=1e-9, atol=0.0):
+        return "a covariance matrix is symmetric"
+    if np.linalg.eigvalsh(values / np.outer(scale, scale)).min() < -1e-9:
+        return "no numbers scatter like this: a correlation would exceed 1"
+    return ""
