@@ -22,6 +22,7 @@ from scripts.site.gallery import gallery_pages
 from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import with_mathml
 from scripts.site.notebooks import notebooks, write_page
+from scripts.site.output_lines import with_wrapped_sentences
 from scripts.site.pictures import kept, own_pictures
 from scripts.site.running import PageError, run_page
 from scripts.site.schema_tables import mechanism_keys, parameter_page
@@ -88,8 +89,8 @@ def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
 
 
 def on_page_content(html: str, **_: Any) -> str:
-    """Turn formulas into MathML."""
-    return with_mathml(html)
+    """Turn formulas into MathML, and wrap the sentences of what is printed."""
+    return with_wrapped_sentences(with_mathml(html))
 
 
 def on_post_build(*, config: MkDocsConfig) -> None:
