@@ -16,7 +16,7 @@ from queue import SimpleQueue
 from scripts.mutation import __doc__ as description
 from scripts.mutation.claims import Judged
 from scripts.mutation.judging import Judge, unaltered
-from scripts.mutation.line_map import digest, read_map, record
+from scripts.mutation.line_map import digest, read_map, record, unrecorded
 from scripts.mutation.mutants import Mutant, drawn
 from scripts.mutation.records import Noticed, Outcome, Records
 from scripts.mutation.summary import count, lines, one_line, read_equivalent
@@ -35,13 +35,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Do what the command line says; return the exit code."""
     wanted = _parser().parse_args(arguments)
     FOLDER.joinpath("printed").mkdir(parents=True, exist_ok=True)
+    try:
+        _act(wanted)
+    except BlockingIOError:
+        print("error: another run is using build/mutation; wait for it, or end it", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _act(wanted: argparse.Namespace) -> None:
     if wanted.action in ("map", "all"):
         record_map(wanted.processes, wanted.tests)
     if wanted.action in ("run", "all"):
         judge_mutants(wanted)
     if wanted.action in ("summary", "all"):
         summarise(wanted)
-    return 0
 
 
 def record_map(processes: int, tests: str) -> None:
@@ -53,6 +61,11 @@ def record_map(processes: int, tests: str) -> None:
 def judge_mutants(wanted: argparse.Namespace) -> None:
     """Judge what has no outcome yet, in as many copies of the project as there are processes."""
     trees = [copied(PROJECT, FOLDER / str(number)) for number in range(1, wanted.processes + 1)]
+    if missing_files := unrecorded(trees[0].root, FOLDER):
+        raise SystemExit(
+            f"error: which lines {len(missing_files)} test files run is not known, or has changed "
+            f"({missing_files[0]}); run the action map first"
+        )
     line_map = read_map(trees[0].root, FOLDER)
     for failed in line_map.unusable:
         print(f"not used, it fails in the unaltered copy: {failed}", flush=True)
@@ -96,6 +109,8 @@ def summarise(wanted: argparse.Namespace) -> None:
     judged = [found[key] for key in keys if key in found]
     if len(judged) < len(keys):
         print(f"{len(keys) - len(judged)} of {len(keys)} are not judged yet")
+    if not judged:
+        return
     equivalent = read_equivalent()
     print("\n".join(lines(judged, equivalent)))
     if wanted.write:

@@ -80,13 +80,18 @@ def read_map(root: Path, folder: Path) -> LineMap:
 
 def record(tree: Tree, folder: Path, processes: int, only: str = "") -> Iterator[TestFile]:
     """Run each test file that has no true record, or those of a folder; yield it when it is recorded."""
-    known = {file.path for file in read_map(tree.root, folder).files}
-    missing = [path for path in test_files(tree.root) if path not in known and path.startswith(only)]
+    missing = [path for path in unrecorded(tree.root, folder) if path.startswith(only)]
     with ThreadPoolExecutor(processes) as pool:
         for file in pool.map(partial(_record, tree, folder), missing):
             with (folder / MAP).open("a", encoding="utf-8") as lines:
                 lines.write(json.dumps(file.as_json()) + "\n")
             yield file
+
+
+def unrecorded(root: Path, folder: Path) -> list[str]:
+    """Return the paths of the test files of which nothing is known that still holds."""
+    known = {file.path for file in read_map(root, folder).files}
+    return [path for path in test_files(root) if path not in known]
 
 
 def test_files(root: Path) -> list[str]:

@@ -103,7 +103,12 @@ WRAPPERS = frozenset(
     ]
 )
 """Functions of one argument that can be left out without an error at once."""
-UNORDERED = frozenset(["range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print"])
+UNORDERED = frozenset(
+    [
+        *("range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print"),
+        *("minimum", "maximum", "fmin", "fmax", "allclose", "array_equal", "logical_and", "logical_or"),
+    ]
+)
 """Functions whose arguments, when swapped, give the same or an error at once."""
 
 

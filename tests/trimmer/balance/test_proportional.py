@@ -15,9 +15,10 @@ from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.proportional import FALLBACK_REACH, proportional_range, solve_proportional
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion
 from trimmer.elements.relay import Relay
 from trimmer.elements.viscous_friction import ViscousFriction
-from trimmer.errors import LinearElementError
+from trimmer.errors import LinearElementError, UnsupportedElementError
 
 FACTOR = 4.0 / math.pi
 """N of a relay of level 1 is 4/(pi A), that of Coulomb friction of 1 N is 4j/(pi A)."""
@@ -142,6 +143,11 @@ def test_without_damping_nothing_beyond_the_range_is_proven() -> None:
     _, highest, proven = proportional_range(Plant(1.0, (2j, -2j)).inverse(2.0), FACTOR)
     assert highest == pytest.approx(2.0 * FALLBACK_REACH)
     assert not proven
+    # The outermost of several roots counts.
+    lowest, _, _ = proportional_range(Plant(-1.0, (2j, -2j, 7j, -7j), (5j, -5j)).inverse(2.0), FACTOR)
+    _, highest, _ = proportional_range(Plant(1.0, (2j, -2j, 7j, -7j), (5j, -5j)).inverse(2.0), FACTOR)
+    assert lowest == pytest.approx(2.0 / FALLBACK_REACH)
+    assert highest == pytest.approx(7.0 * FALLBACK_REACH)
 
 
 @pytest.mark.parametrize("turn", [-1.0, 1.0, 1j, -1j, np.exp(0.3j), -np.exp(1e-3j)])
@@ -172,8 +178,10 @@ def test_a_pole_or_zero_on_the_axis_is_no_solution_and_leaves_nothing_undecided(
         Plant(1.0, (*on_axis, -1.0, -2.0, -3.0)),
         Plant(-3.0, (-1.0, -2.0, -4.0, 0.0), on_axis),
         Plant(3.0, (-1.0, -2.0, -3.0, -0.1), on_axis),
+        Plant(1.0, (*on_axis, -1.0, 0.0)),
     ):
-        searched = solve_proportional(plant.inverse(), ElementCurve(Relay(1.0)), None)
+        with np.errstate(divide="raise"):  # a root at 0 is at no finite ln omega
+            searched = solve_proportional(plant.inverse(), ElementCurve(Relay(1.0)), None)
         expected = [each for each, _ in plant.crossings(1.0)]
         assert np.exp(searched.result.x) == pytest.approx(expected, rel=1e-9), plant
         assert len(searched.result.undecided) == 0
@@ -193,6 +201,33 @@ def test_where_f_stays_real_and_negative_all_is_undecided_there() -> None:
     u = (np.exp(2 * middle) - 4.0) / FACTOR
     above = u > 0
     assert ((boxes.u_lower <= u) & (u <= boxes.u_upper))[above].all()
+
+
+@dataclass(frozen=True)
+class Bent:
+    """N = u within limits of u, and not proportional to u beyond them."""
+
+    lowest: float = 0.0
+    highest: float = math.inf
+    depends_on_x: bool = False
+    element: str = "bent"
+
+    def value(self, u: Reals, x: Reals) -> Complexes:
+        return np.where((u >= self.lowest) & (u <= self.highest), u, u**2).astype(complex)
+
+    def expansion(self, u: Reals, x: Reals) -> Expansion:
+        return Expansion(self.value(u, x), np.ones_like(self.value(u, x)), np.zeros_like(self.value(u, x)))
+
+
+@pytest.mark.parametrize("curve", [Bent(lowest=0.5), Bent(highest=2.0), Bent(depends_on_x=True)])
+def test_an_unbounded_n_that_is_not_proportional_is_refused(curve: Bent) -> None:
+    inverse = Plant(1.0, (0.0, -1.0, -2.0)).inverse()
+    with pytest.raises(UnsupportedElementError, match="unbounded and not proportional"):
+        solve_proportional(inverse, curve, None)
+    searched = solve_proportional(inverse, Bent(), None)
+    # 1/(s(s+1)(s+2)) is -1/6 at sqrt(2) rad/s, by hand, and N = u.
+    assert np.exp(searched.result.x) == pytest.approx([math.sqrt(2.0)])
+    assert searched.result.u == pytest.approx([6.0])
 
 
 def test_an_element_that_is_linear_has_no_limit_cycle_of_its_own() -> None:

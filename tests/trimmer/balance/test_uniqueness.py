@@ -58,7 +58,40 @@ class Plane:
         return np.asarray(regions.u_upper <= self.edge)
 
     def test(self, boxes: Cells, regions: Cells | None = None) -> CellTest:
-        return examine(self, self, boxes, boxes if regions is None else regions)
+        return examine(*halves(self), boxes, boxes if regions is None else regions)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """N of a plane alone: what takes the one half for the other fails."""
+
+    plane: Plane
+
+    def expansion(self, u: Reals, x: Reals) -> Expansion:
+        return self.plane.expansion(u, x)
+
+    def variation(self, regions: Cells) -> tuple[Reals, Reals]:
+        return self.plane.variation(regions)
+
+    def inside(self, regions: Cells) -> Flags:
+        return self.plane.inside(regions)
+
+
+@dataclass(frozen=True)
+class Inverse:
+    """1/G of a plane alone."""
+
+    plane: Plane
+
+    def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
+        return self.plane.enclose(lower, upper)
+
+    def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
+        return self.plane.value_and_slope(x)
+
+
+def halves(plane: Plane) -> tuple[Inverse, Curve]:
+    return Inverse(plane), Curve(plane)
 
 
 def cells(*limits: float) -> Cells:
@@ -172,7 +205,7 @@ def test_newtons_step_solves_a_linear_f_at_once() -> None:
         p, q = slopes(random)
         plane = Plane(p, q, *random.uniform(-1, 1, 2))
         u, x = random.uniform(-1, 1, (2, 5))
-        u_step, x_step = newton_step(plane, plane, u, x)
+        u_step, x_step = newton_step(*halves(plane), u, x)
         assert u + u_step == pytest.approx(np.full(5, plane.u), abs=1e-9)
         assert x + x_step == pytest.approx(np.full(5, plane.x), abs=1e-9)
 
@@ -187,9 +220,9 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
         np.array([1.8, 4.0, 1.9]),
         np.array([2.2, 4.1, 2.3]),
     )
-    u, x, solved = solve_in(plane, plane, boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
+    u, x, solved = solve_in(*halves(plane), boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
     assert solved.tolist() == [True, False, False]
     assert (u[0], x[0]) == (pytest.approx(1.0, abs=1e-12), pytest.approx(2.0, abs=1e-12))
-    (alone,) = (solve_in(plane, plane, boxes.take(np.array([2])), np.array([1.4]), np.array([2.3])),)
+    (alone,) = (solve_in(*halves(plane), boxes.take(np.array([2])), np.array([1.4]), np.array([2.3])),)
     assert alone[2].tolist() == [True]
     assert alone[0] == pytest.approx([1.0], abs=1e-12)

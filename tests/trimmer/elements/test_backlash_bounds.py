@@ -11,7 +11,7 @@ from scipy.optimize import minimize_scalar
 
 from trimmer.elements.backlash_bounds import LARGEST_LAG, BacklashBox
 
-GAMMAS = [(0.01, 0.012), (0.4, 0.5), (1.0, 1.0), (3.0, 4.0), (80.0, 90.0)]
+GAMMAS = [(0.01, 0.012), (0.4, 0.5), (1.0, 1.0), (3.0, 4.0), (80.0, 90.0), (0.05, 2.0), (1.0, 100.0)]
 FLIGHTS = [(0.0, 0.001), (0.1, 0.4), (1.0, 1.2), (2.5, 3.1)]
 """From the separation at the earliest and the latest, both counted from that of the highest gamma."""
 
@@ -81,7 +81,9 @@ def test_the_slope_by_gamma_changes_by_no_more_than_its_parts(
     parts = p.max() * (flights[1] - flights[0])
     parts += np.abs(by_gamma).max() * flights[1] * math.log(gammas[1] / gammas[0])
     found = float(box(gammas, flights).change_of_slope_by_log_gamma()[0])
-    assert 1.0 - 1e-3 * (flights[1] < 0.01) <= found / (2.0 / math.pi * parts) < 8.0
+    assert found / (2.0 / math.pi * parts) >= 1.0 - 1e-3 * (flights[1] < 0.01)
+    if gammas[1] < 1.5 * gammas[0]:
+        assert found / (2.0 / math.pi * parts) < 8.0
 
 
 def test_outside_of_the_domain_the_flight_is_the_longest_there_may_be() -> None:
