@@ -23,6 +23,11 @@ if TYPE_CHECKING:
     from trimmer.design.settings import DesignSettings
     from trimmer.runners.runner import Runner
 
+
+class DesignInterruptedError(KeyboardInterrupt):
+    """The work on a design was interrupted; the message says how to go on."""
+
+
 CACHE = ".kept"
 """Folder beside the report in which each step is kept as soon as it is done."""
 
@@ -64,9 +69,18 @@ def looked_at(
     *,
     short: bool = False,
 ) -> Design:
-    """Look at a design, from what is kept of it on."""
+    """Look at a design, from what is kept of it on.
+
+    Raises:
+        DesignInterruptedError: after an interrupt.
+    """
     study = Study(file, settings, runner, keeper_of(file, store), told)
-    return study.short() if short else study.whole()
+    try:
+        return study.short() if short else study.whole()
+    except KeyboardInterrupt:
+        raise DesignInterruptedError(
+            f"interrupted; what is done is kept in {store.folder}, and the same call goes on from there"
+        ) from None
 
 
 def report_on(design: Design, store: StageStore) -> DesignReport:

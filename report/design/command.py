@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import webbrowser
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
-from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
+from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
 
 if TYPE_CHECKING:
@@ -59,12 +61,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         default=Paper.A4.word,
         help="size of the pages of the PDF (default: %(default)s)",
     )
-    parser.add_argument(
-        "--processes",
-        type=int,
-        metavar="N",
-        help="how many processes do the work (default: one for each core)",
-    )
+    add_runner_options(parser)
     add_overwrite_option(parser)
 
 
@@ -84,14 +81,14 @@ def runner_of(arguments: Namespace) -> Runner:
     """Return who does the work.
 
     Raises:
-        OptionError: if the number of processes cannot be used.
+        OptionError: if it cannot be had.
     """
     from trimmer.runners.processes import ProcessRunner
-    from trimmer.runners.runner import SerialRunner
 
-    if arguments.processes is not None and arguments.processes < 1:
-        raise OptionError(f"--processes {arguments.processes}: give a whole number from 1 on")
-    return SerialRunner() if arguments.processes == 1 else ProcessRunner(arguments.processes)
+    check_runner_options(arguments)
+    if arguments.jobs is not None and arguments.jobs < 1:
+        raise OptionError(f"--jobs {arguments.jobs}: must be a whole number from 1 on")
+    return chosen_runner(arguments) or ProcessRunner()
 
 
 def stem_of(path: Path) -> str:
@@ -108,6 +105,21 @@ def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> No
     for form in formats:
         if not overwrite:
             check_replaceable(place.file(form), KINDS[form])
+
+
+def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], int]:
+    """Return a command's action that tells after an interrupt how to go on."""
+
+    def told(arguments: Namespace) -> int:
+        from report.design.building import DesignInterruptedError
+
+        try:
+            return run(arguments)
+        except DesignInterruptedError as interruption:
+            tell(str(interruption))
+            return INTERRUPTED
+
+    return told
 
 
 def _run(arguments: Namespace) -> int:
@@ -154,14 +166,14 @@ COMMAND = Command(
     "design",
     "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
     _configure,
-    _run,
+    told_how_to_go_on(_run),
     examples=(
         Example(
             "trimmer design examples/den-hartog.toml --format html",
             "all that is known of an oscillator with dry friction, as build/design/den-hartog.html",
         ),
         Example(
-            "trimmer design examples/thesis.toml --format html --processes 1",
+            "trimmer design examples/thesis.toml --format html --jobs 1",
             "the same of a trimmer without play, on one core",
         ),
     ),

@@ -13,6 +13,7 @@ from report.design.command import (
     plain_text,
     runner_of,
     stem_of,
+    told_how_to_go_on,
 )
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
@@ -78,7 +79,7 @@ COMMAND = Command(
     "compare",
     "report on two mechanisms side by side, before and after a change; HTML and PDF",
     _configure,
-    _run,
+    told_how_to_go_on(_run),
     examples=(
         Example(
             "trimmer compare examples/thesis-play.toml examples/held.toml --format html",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from typing import TYPE_CHECKING, Any
 
-from report.design import comparison, sentences, tables, words
+from report.design import comparison, sentences, sentences_around, tables, words
 from report.design.quantities import percent, place_words, shown, written
 from report.rendering.links import check_links
 from report.rendering.markdown import formula, plain_environment
@@ -66,7 +66,7 @@ def environment() -> Environment:
     made.globals.update(
         {
             name: vars(module)[name]
-            for module in (comparison, tables, sentences, words)
+            for module in (comparison, tables, sentences, sentences_around, words)
             for name in _own(module)
         }
     )

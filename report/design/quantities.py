@@ -45,8 +45,8 @@ def scale_for(values: Iterable[float], unit: str) -> Scale:
     if unit == "kg":
         return Scale(1.0, "kg") if largest >= FITS else Scale(1e-3, "g")
     allowed = [each for each in PREFIXES if each[0] <= 1 or unit in LARGE_TOO]
-    if unit in ROUND and 0.1 <= largest < 1:
-        return Scale(1.0, unit)
+    if unit == "Hz" or (unit in ROUND and largest >= 0.1 * FITS):
+        allowed = [each for each in allowed if each[0] >= 1]
     factor, prefix = next((each for each in allowed if largest >= FITS * each[0]), allowed[-1])
     return Scale(factor, prefix + unit)
 

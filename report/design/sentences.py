@@ -6,14 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
-from report.design.words import SPECIAL, capital, count, kind_words, measure_words
+from report.design.words import capital, count, kind_words
 from report.rendering.escaping import plain
-from trimmer.branches.branch import BranchEnd
 from trimmer.design.plausible import Oddity
-from trimmer.design.targets import Measure
-from trimmer.maps.cells import described
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -21,8 +17,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from trimmer.design.design import Design
-    from trimmer.design.kept_map import DesignMap
-    from trimmer.design.paths import NumberPath, Side
     from trimmer.design.plausible import Question
     from trimmer.design.spectrum import OutputSpectrum
 
@@ -177,156 +171,6 @@ def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
             f" {more} up to the twentieth harmonic {'is' if spectrum.left_out == 1 else 'are'} below {floor}."
         )
     return told + " Harmonics above the twentieth were not computed."
-
-
-def map_sentences(drawn: DesignMap) -> str:
-    """Say what a map shows around the working point, and what failed."""
-    result = drawn.result
-    own = f"In the cell of the file, or the nearest one, the motion is {_cell_words(drawn)}."
-    starts = "Each cell was followed from the file's start alone, so other motions may exist in it."
-    failed = len(result.failures)
-    told = f"{own} {starts}"
-    return told + (
-        f" {capital(count(failed, 'cell'))} could not be followed and are left white." if failed else ""
-    )
-
-
-def _cell_words(drawn: DesignMap) -> str:
-    columns, rows = drawn.result.values
-    column = int(np.argmin(abs(columns - drawn.first.value)))
-    row = int(np.argmin(abs(rows - drawn.second.value)))
-    motion = drawn.result.cells[row * len(columns) + column].motions[0]
-    return {
-        MotionKind.TORUS: "on a torus",
-        MotionKind.CHAOTIC: "chaotic",
-        MotionKind.UNDECIDED: "not known, because the motion had not settled",
-    }.get(motion.kind, f"of {described(motion)}")
-
-
-def no_maps(design: Design) -> str:
-    """Say why there is no map."""
-    if design.file.mechanism.frequency is None:
-        return "Maps are of driven motions, and this mechanism has no drive."
-    return "A map needs two of gap, speed and friction, and this mechanism does not have two of them."
-
-
-def no_branches(design: Design) -> str:
-    """Say why there are no branches and margins."""
-    motion = design.motion
-    if motion is None:
-        return "There is no motion to follow."
-    if not motion.repeats:
-        return (
-            "The motion does not repeat, so it is no orbit that could be followed over a number. The maps "
-            "say where "
-            "motions that repeat are found."
-        )
-    if motion.neutral:
-        return "A shift of the motion stays as it is, so no single orbit goes on when a number changes."
-    if design.file.mechanism.frequency is None:
-        return "The mechanism moves by itself; `trimmer follow` traces its motion over any number."
-    return "The mechanism has no number that branches are followed over."
-
-
-def margin_sentences(design: Design) -> str:
-    """Say which margin is the narrowest, and what ends each."""
-    shares = [
-        (side.reaches / path.varied.value - 1, path, side)
-        for path in design.paths
-        for side in (path.down, path.up)
-        if side is not None and side.reaches is not None and path.varied.value
-    ]
-    if not shares:
-        return "Within these ranges the motion stays stable: nothing ends it."
-    share, path, side = min(shares, key=lambda each: abs(each[0]))
-    way = "a smaller" if share < 0 else "a larger"
-    told = (
-        f"The narrowest margin is towards {way} {plain(place_words(path.varied.place))}: after "
-        f"{plain(percent(abs(share)))} {_ended(side)}."
-    )
-    return told + " Beyond each value the mechanism takes another motion, which may still meet the targets."
-
-
-def _ended(side: Side) -> str:
-    if side.losing is not None:
-        return SPECIAL[side.losing]
-    if side.reason is BranchEnd.TORN:
-        return "the motion jumps"
-    return "the orbit could not be followed further, or loses its stability"
-
-
-def branch_sentences(path: NumberPath) -> str:
-    """Say where each side of a branch ends, and why."""
-    told = []
-    for side, way in ((path.down, "smaller"), (path.up, "larger")):
-        if side is None:
-            continue
-        reach = (
-            "stays stable to the end of the range"
-            if side.reaches is None
-            else (f"is stable up to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}")
-        )
-        told.append(f"Towards {way} values it {reach}; {len(side.values)} orbits were solved.")
-        if not side.reason.is_success:
-            told.append(f"It was not followed to the end: {plain(side.reason.value)}.")
-    if path.varied.bounded:
-        told.append("The range ends at the static force, which the kinetic one never exceeds.")
-    return " ".join(told)
-
-
-def first_changes(design: Design) -> str:
-    """Say for each important measure which number to change first, and in which direction."""
-    found = design.sensitivities
-    assert found is not None
-    told = []
-    for asked in important(design)[:4]:
-        ranked = found.ranked(asked)
-        if not ranked:
-            continue
-        entry = ranked[0]
-        size = entry.of(asked)
-        assert size is not None
-        wanted = asked.measure is Measure.STROKE
-        way = "raise" if (size.value > 0) == wanted else "lower"
-        effect = "raises" if wanted else "lowers"
-        told.append(
-            f"- To {'raise' if wanted else 'lower'} the **{measure_words(asked.measure, asked.part)}**, "
-            f"{way} the "
-            f"{plain(place_words(entry.place))}: one per cent {effect} it by "
-            f"{plain(written(abs(size.value), 2))} %."
-        )
-    return "\n".join(told)
-
-
-def unsmooth(design: Design) -> str:
-    """Name the slopes that half of the step does not confirm; empty if there are none."""
-    found = design.sensitivities
-    if found is None:
-        return ""
-    rough = [each.place for each in found.entries if any(not e.smooth for e in each.elasticities)]
-    told = ""
-    if rough:
-        told += (
-            f"For the {places_listed(rough)} the two differ by more than a tenth, because an impact or a "
-            f"phase of stick "
-            "comes or goes nearby: these slopes say little."
-        )
-    if found.failed:
-        told += f" For the {places_listed(found.failed)} no orbit was found beside this one."
-    return told
-
-
-def no_sensitivities(design: Design) -> str:
-    """Say why there are no slopes."""
-    if design.motion is None:
-        return "There is no motion whose slopes could be taken."
-    if not design.motion.repeats:
-        return (
-            "The motion does not repeat, so it has no slopes: a small change of a number changes every "
-            "detail of it. "
-            "The maps say where calmer motions are."
-        )
-    return "No number of the file changes a measure of the motion."
 
 
 def exposure_sentences(design: Design) -> str:

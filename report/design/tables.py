@@ -253,7 +253,7 @@ def _reach(side: Side | None, unit: str) -> str:
     if side is None:
         return "not looked at"
     if side.reaches is None:
-        return f"beyond {_value(side.end, unit)}"
+        return f"beyond {_value(side.end, unit)}" if side.end else "zero"
     return _value(side.reaches, unit, 4)
 
 

@@ -71,14 +71,14 @@ def blocks(page: str) -> list[Block]:
 
 def with_outputs(page: str, printed: dict[int, str]) -> str:
     """Return a page in which what blocks print is replaced, by the line of the block."""
+    last = 0
 
     def again(match: re.Match[str]) -> str:
         nonlocal last
         block = _block(match, page)
-        text, last = (printed.get(last), None) if block.language == _OUTPUT else (None, block.line)
+        text, last = (printed.get(last), 0) if block.language == _OUTPUT else (None, block.line)
         return match.group() if text is None else f"```text\n{text}```"
 
-    last: int | None = None
     return _BLOCK.sub(again, page)
 
 

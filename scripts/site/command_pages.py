@@ -61,7 +61,9 @@ def _page(command: Command, parser: argparse.ArgumentParser) -> str:
         rows = [_row(action, parser) for action in group._group_actions if action.help != argparse.SUPPRESS]
         if rows:
             title = GROUPS.get(group.title or "", group.title)
-            parts.append(f"## {title}\n\n| | meaning |\n| --- | --- |\n" + "\n".join(rows))
+            parts.append(
+                f"## {title}\n\n| {title or 'option'} | meaning |\n| --- | --- |\n" + "\n".join(rows)
+            )
     parts.append("Exit codes are those of [all commands](index.md#exit-codes).")
     return "\n\n".join(parts) + "\n"
 

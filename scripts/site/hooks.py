@@ -22,6 +22,7 @@ from scripts.site.gallery import gallery_pages
 from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import with_mathml
 from scripts.site.notebooks import notebooks, write_page
+from scripts.site.output_lines import with_wrapped_sentences
 from scripts.site.pictures import kept, own_pictures
 from scripts.site.running import PageError, run_page
 from scripts.site.schema_tables import mechanism_keys, parameter_page
@@ -44,31 +45,31 @@ ARCHIVE = "examples.zip"
 NEEDS_EXAMPLES = re.compile(r"^(?!from|import).*(?<![/\w])examples/[\w-]+\.toml", re.MULTILINE)
 OUTSIDE = re.compile(r"\]\((?:\.\./)+(examples/|docs/)")
 
-_pages: dict[str, dict[str, tuple[str, str]]] = {}
+Pages = Mapping[str, tuple[str, str]]
+"""Title and Markdown by the name of the page."""
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Add the generated pages to the navigation."""
-    _pages[COMMANDS], _pages[LIBRARY] = command_pages(), library_pages(PROJECT)
-    _pages[GALLERY] = gallery_pages(example_scripts())
+    pages = _generated()
     reference = _section(config, "Reference")
-    reference.append({"Command line": _entries(COMMANDS)})
-    reference.append({"Library": _entries(LIBRARY)})
-    _section(config, "Examples").insert(0, {"Gallery": _entries(GALLERY)})
+    reference.append({"Command line": _entries(COMMANDS, pages[COMMANDS])})
+    reference.append({"Library": _entries(LIBRARY, pages[LIBRARY])})
+    _section(config, "Examples").insert(0, {"Gallery": _entries(GALLERY, pages[GALLERY])})
     return config
 
 
 def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     """Add the generated pages, the pictures, and the files that stand elsewhere."""
-    for folder, pages in _pages.items():
+    for folder, pages in _generated().items():
         for name, (_, content) in pages.items():
             files.append(File.generated(config, f"{folder}/{name}.md", content=content))
     files.append(File.generated(config, PARAMETERS, content=parameter_page()))
     for source, target in {**COPIED, **_downloads()}.items():
         files.append(File.generated(config, target, abs_src_path=str(PROJECT / source)))
     files.append(File.generated(config, ARCHIVE, content=_archive()))
-    for target, source in [*_pictures(files), *_gallery(), *_notebooks()]:
-        files.append(File.generated(config, target, abs_src_path=str(source)))
+    for target, path in [*_pictures(files), *_gallery(), *_notebooks()]:
+        files.append(File.generated(config, target, abs_src_path=str(path)))
     return files
 
 
@@ -88,8 +89,8 @@ def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
 
 
 def on_page_content(html: str, **_: Any) -> str:
-    """Turn formulas into MathML."""
-    return with_mathml(html)
+    """Turn formulas into MathML, and wrap the sentences of what is printed."""
+    return with_wrapped_sentences(with_mathml(html))
 
 
 def on_post_build(*, config: MkDocsConfig) -> None:
@@ -98,12 +99,21 @@ def on_post_build(*, config: MkDocsConfig) -> None:
         raise BuildError("loaded from elsewhere:\n" + "\n".join(found))
 
 
+def _generated() -> Mapping[str, Pages]:
+    """Return the pages that are written by code, by their folder."""
+    return {
+        COMMANDS: command_pages(),
+        LIBRARY: library_pages(PROJECT),
+        GALLERY: gallery_pages(example_scripts()),
+    }
+
+
 def _section(config: MkDocsConfig, title: str) -> list[Any]:
-    return next(entry[title] for entry in config.nav if title in entry)
+    return next(entry[title] for entry in config.nav or [] if title in entry)
 
 
-def _entries(folder: str) -> list[Mapping[str, str] | str]:
-    index, *others = _pages[folder].items()
+def _entries(folder: str, pages: Pages) -> list[Mapping[str, str] | str]:
+    index, *others = pages.items()
     return [f"{folder}/{index[0]}.md", *({title: f"{folder}/{name}.md"} for name, (title, _) in others)]
 
 

@@ -10,6 +10,8 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 KEPT = PROJECT / "build" / "site-pictures"
+TOOLS = ("blocks.py", "example_scripts.py", "notebooks.py", "running.py")
+"""What runs pages, scripts and notebooks."""
 _DONE = "done"
 
 
@@ -44,5 +46,6 @@ def _digest(source: Path) -> str:
 
 
 def _sources() -> list[Path]:
-    code = [*(PROJECT / "trimmer").rglob("*.py"), *(PROJECT / "scripts" / "site").rglob("*.py")]
+    tools = [PROJECT / "scripts" / "site" / name for name in TOOLS]
+    code = [*(PROJECT / "trimmer").rglob("*.py"), *tools]
     return [*code, *(PROJECT / "examples").glob("*.toml"), PROJECT / "requirements-dev.lock"]

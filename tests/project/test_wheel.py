@@ -42,14 +42,15 @@ def test_wheel_holds_every_file_of_the_packages(wheel: Path, project_folder: Pat
         if path.is_file() and "__pycache__" not in path.parts
     }
     sources |= {
-        f"report/{path.relative_to(project_folder).as_posix()}"
-        for path in (project_folder / "templates").rglob("*")
-        if path.is_file()
+        f"{package}/{path.relative_to(project_folder).as_posix()}"
+        for package, folder in (("report", "templates"), ("trimmer", "examples"))
+        for path in (project_folder / folder).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
     }
     shipped = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(PACKAGES)}
     assert sources == {name for name in shipped if ".dist-info/" not in name}
-    assert not any(name.startswith("templates/") for name in zipfile.ZipFile(wheel).namelist())
-    for folder in ("report/templates/", "report/fonts/", "trimmer/generated/"):
+    assert not any(name.startswith(("templates/", "examples/")) for name in zipfile.ZipFile(wheel).namelist())
+    for folder in ("report/templates/", "report/fonts/", "trimmer/generated/", "trimmer/examples/"):
         assert any(name.startswith(folder) for name in shipped), folder
 
 

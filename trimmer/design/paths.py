@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
+from trimmer.branches.followed import FollowedOrbit
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 
@@ -158,7 +159,9 @@ def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most
 
 def _side(branch: FollowedBranch, end: float) -> Side:
     names = list(branch.map.mechanism.outputs)
-    strokes = [{name: point.outputs[name].peak_to_peak for name in names} for point in branch.points]
+    # Each orbit keeps its whole motion once it was measured: hundreds of them would fill the memory.
+    found = [FollowedOrbit(point.point, point.map).outputs for point in branch.points]
+    strokes = [{name: measures[name].peak_to_peak for name in names} for measures in found]
     special = tuple(
         Special(
             each.kind,

@@ -98,7 +98,8 @@ def _points(count: int, settings: DesignSettings) -> Reals:
     from scipy.stats import qmc
 
     points = int(np.ceil(np.log2(settings.range_points))) + min(count, EACH) - 1
-    return np.asarray(qmc.Sobol(count, rng=settings.seed).random_base2(points))
+    # Not scrambled, so that no random number is in it; moved off the corner in which it begins.
+    return np.asarray(qmc.Sobol(count, scramble=False).random_base2(points) + 0.5 / 2**points)
 
 
 def _narrowing(

@@ -81,13 +81,13 @@ def test_a_file_to_start_from_is_written_once(folder: Path, capsys: pytest.Captu
 def test_a_design_is_written_whole_and_again_from_what_is_kept(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["design", "block.toml", "--processes", "1", "--directory", "out"]) == 0
+    assert main(["design", "block.toml", "--jobs", "1", "--directory", "out"]) == 0
     first = (folder / "out" / "block.html").read_text()
     assert (folder / "out" / "block.pdf").read_bytes().startswith(b"%PDF-")
     told = capsys.readouterr()
     assert "The file names no targets" in told.out
     assert "branch over the gap of fork" in told.err
-    assert main(["design", "block.toml", "--processes", "1", "--directory", "out", "--format", "html"]) == 0
+    assert main(["design", "block.toml", "--jobs", "1", "--directory", "out", "--format", "html"]) == 0
     assert (folder / "out" / "block.html").read_text() == first
     assert "branch over the gap of fork: kept" in capsys.readouterr().err
     assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.html", "block.pdf"}
@@ -101,7 +101,7 @@ def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixt
                 "compare",
                 "block.toml",
                 "tight.toml",
-                "--processes",
+                "--jobs",
                 "1",
                 "--format",
                 "html",
@@ -121,7 +121,7 @@ def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixt
     ("arguments", "told"),
     [
         (["design", "none.toml"], "none.toml: no such file; 'trimmer init FILE' writes one to start from"),
-        (["design", "block.toml", "--processes", "0"], "--processes 0: give a whole number from 1 on"),
+        (["design", "block.toml", "--jobs", "0"], "--jobs 0"),
         (["design", "block.toml", "--format", "html", "--paper", "a4"], "--paper has no effect without pdf"),
         (["design", "block.toml", "--format", "pdf", "--open"], "--open shows the HTML"),
         (["compare", "-", "-"], "both files are standard input"),
@@ -154,12 +154,12 @@ def test_an_interrupted_design_leaves_nothing_half_written(
 
     whole = Keeper.made
     monkeypatch.setattr(Keeper, "made", interrupt)
-    arguments = ["design", "block.toml", "--processes", "1", "--format", "html", "--directory", "out"]
+    arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
     assert main(arguments) == 130
+    assert "what is done is kept in out/.kept" in capsys.readouterr().err
     assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
     assert not list((folder / "out" / CACHE).glob("*.part"))
     monkeypatch.setattr(Keeper, "made", whole)
-    capsys.readouterr()
     assert main(arguments) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
 
@@ -195,5 +195,5 @@ def test_help_names_each_option() -> None:
     command.COMMAND.configure(parser)
     told = parser.format_help()
     assert all(
-        option in told for option in ("--full", "--directory", "--format", "--paper", "--processes", "--open")
+        option in told for option in ("--full", "--directory", "--format", "--paper", "--jobs", "--open")
     )

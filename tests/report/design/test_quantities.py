@@ -20,6 +20,9 @@ from report.design.quantities import percent, place_words, shown, written
         (0.0, "m", "0 m"),
         (2000.0, "m", "2000 m"),
         (1142.7, "Hz", "1.14 kHz"),
+        (0.1123, "Hz", "0.112 Hz"),
+        (0.0999999, "W", "0.1 W"),
+        (1.5e5, "N", "150 kN"),
         (float("nan"), "m", "unknown"),
     ],
 )

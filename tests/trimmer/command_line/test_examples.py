@@ -19,7 +19,7 @@ TAKES_LONG = (
     "trimmer derive",
     "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
     "trimmer design examples/den-hartog.toml --format html",
-    "trimmer design examples/thesis.toml --format html --processes 1",
+    "trimmer design examples/thesis.toml --format html --jobs 1",
     "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
 )
 OF_THE_REPORT = "trimmer report"

@@ -161,7 +161,7 @@ def test_python_control_finds_limit_cycles_with_ours(element: Element) -> None:
         (Saturation(2.0), control.saturation_nonlinearity(2.0)),
         (Relay(2.0, 0.3), control.relay_hysteresis_nonlinearity(2.0, 0.3)),
     ],
-    ids=repr,
+    ids=["saturation", "relay"],
 )
 def test_values_are_those_of_python_control(element: Element, peer) -> None:
     amplitude = np.geomspace(0.301, 300.0, 50)
