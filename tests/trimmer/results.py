@@ -8,6 +8,8 @@ import control
 import numpy as np
 
 import trimmer
+from tests.trimmer.fitting.made import record
+from tests.trimmer.fitting.made import trimmer as driven_trimmer
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.runners.runner import SerialRunner
 
@@ -80,6 +82,13 @@ def averaged() -> trimmer.AveragedSpectrum:
 @cache
 def comparison() -> trimmer.Comparison:
     return trimmer.compare_motions(signal(), trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0))
+
+
+@cache
+def fit() -> trimmer.Fit:
+    settings = trimmer.FitSettings(starts=1)
+    measured = {"stroke": record(driven_trimmer(), 2e-6)}
+    return trimmer.fit_mechanism(driven_trimmer(), measured, ["plays.bridge.gap"], settings=settings)
 
 
 @cache

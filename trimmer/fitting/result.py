@@ -30,8 +30,8 @@ class FittedNumber:
     Attributes:
         place: Its dotted place.
         unit: SI unit.
-        start: What it was before.
-        value: What it is after.
+        before: What it was.
+        value: What it is after the fit.
         lower, upper: Ends of its interval of 95 %; None where it is open.
         lowest, highest: How far the profile was followed to either side and still fitted.
         lower_note, upper_note: Why an end is open, without a full stop; empty where it is not.
@@ -39,7 +39,7 @@ class FittedNumber:
 
     place: str
     unit: str
-    start: float
+    before: float
     value: float
     lower: float | None
     upper: float | None
@@ -134,5 +134,5 @@ class Fit(Tabular):
         return f"{counted(len(self.numbers), 'number')}, {self.judgement.sentences[0]}"
 
     def _table(self) -> Table:
-        columns = attributes(place="", unit="", start="", value="", lower="", upper="")
+        columns = attributes(place="", unit="", before="", value="", lower="", upper="")
         return Table("Fitted numbers, in their units", self.numbers, columns)

@@ -62,6 +62,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "Peak": lambda: results.analysis().peaks[0].peak,
     "AveragedSpectrum": results.averaged,
     "Comparison": results.comparison,
+    "Fit": results.fit,
     "SimulatedLines": lambda: trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
     "Recording": lambda: trimmer.Recording((results.signal(),)),
     "Conversion": lambda: trimmer.convert(results.signal(), "velocity"),
@@ -83,6 +84,7 @@ JSON = {
     "MotionMap": ("trimmer map", ""),
     "SpectrumAnalysis": ("trimmer spectrum", "peaks[]."),
     "Comparison": ("trimmer overlay", "lines[]."),
+    "Fit": ("trimmer fit", "numbers[]."),
 }
 """Section of the document of the JSON, and what stands before the keys."""
 NOT_IN_JSON = {"largest_multiplier", "branch", "period_count", "distance_bins"}

@@ -66,7 +66,7 @@ def _head(shown: ShownFit) -> Iterator[str]:
 def _numbers(fit: Fit) -> Iterator[str]:
     yield f"Fitted numbers of {fit.before.title}" if fit.before.title else "Fitted numbers"
     rows = [
-        (each.place, each.unit, f"{each.start:.6g}", f"{each.value:.6g}", *_ends(each))
+        (each.place, each.unit, f"{each.before:.6g}", f"{each.value:.6g}", *_ends(each))
         for each in fit.numbers
     ]
     interval = f"interval of {100 * fit.confidence:g} %"
@@ -160,7 +160,7 @@ def _number_json(number: FittedNumber) -> dict[str, Any]:
     return {
         "place": number.place,
         "unit": number.unit,
-        "before": number.start,
+        "before": number.before,
         "value": number.value,
         "lower": number.lower,
         "upper": number.upper,
