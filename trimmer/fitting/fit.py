@@ -17,8 +17,9 @@ from trimmer.fitting.misfit import Misfit
 from trimmer.fitting.model import SETTLED_WITHIN, Model
 from trimmer.fitting.profile import Profile, Side
 from trimmer.fitting.result import Fit, FittedNumber
-from trimmer.fitting.search import search
-from trimmer.fitting.unknowns import unknowns_of
+from trimmer.fitting.search import AGREES, search
+from trimmer.fitting.stray import in_words
+from trimmer.fitting.unknowns import REACH, unknowns_of
 from trimmer.fitting.weak import weak_directions
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import near_match
@@ -37,6 +38,8 @@ OTHER_FREQUENCY = 1e-4
 """Relative difference from which the measured drive is told to be another one."""
 MOST_RESTARTS = 4
 """How often the fit begins anew where a profile has met a better one."""
+AT_END = 0.98
+"""Share of the reach of a coordinate from which on it is told to be at its end."""
 OPPOSITE = 0.5
 """Share of chi-square below which the opposite sign of the measurement is told to fit better."""
 
@@ -142,17 +145,13 @@ def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     from trimmer.response.settling import orbit_from_rest
 
     orbit = orbit_from_rest(misfit.model.mechanism, SETTLED_WITHIN)
-    does = f"repeats after {_periods(orbit.period_count)}" if orbit else "does not repeat"
+    does = f"repeats after {in_words(orbit.period_count)}" if orbit else "does not repeat"
     where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
     return (
-        f"the measured motion repeats after {_periods(misfit.measured.period_count)}, but from {where} "
+        f"the measured motion repeats after {in_words(misfit.measured.period_count)}, but from {where} "
         f"that of the mechanism does not; with the numbers of the file it {does}: begin with other numbers "
         "(--set), or with more starts (--starts)"
     )
-
-
-def _periods(count: int) -> str:
-    return "one drive period" if count == 1 else f"{count} drive periods"
 
 
 def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: FitSettings) -> Fit:
@@ -161,6 +160,9 @@ def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: 
     measured, unknowns = misfit.measured, misfit.model.unknowns
     allowed = float(f.ppf(settings.confidence, 1, measured.freedom))
     best, jacobian, sides = _profiled(misfit, searched.best, allowed)
+    if best.chi_square < searched.best.chi_square - AGREES:
+        came_to = (searched.best.chi_square,) * searched.agreeing
+        searched = replace(searched, agreeing=0, elsewhere=(*came_to, *searched.elsewhere))
     searched = replace(searched, best=best)
     numbers = tuple(
         _number(unknown, float(at), *each)
@@ -199,8 +201,8 @@ def _profiled(misfit: Misfit, best: Fitted, allowed: float) -> tuple[Fitted, Rea
         if better is None:
             return best, jacobian, sides
         best = nearby_minimum(misfit, better, np.ones(count, dtype=bool))
-    unknown = Side(None, 0.0)
-    return best, misfit.jacobian(best), [*sides, *[(unknown, unknown)] * (count - len(sides))]
+    unknown = [Side(None, float(at), better=best) for at in best.coordinates]
+    return best, misfit.jacobian(best), list(zip(unknown, unknown, strict=True))
 
 
 def _number(unknown: Unknown, at: float, lower: Side, upper: Side) -> FittedNumber:
@@ -254,6 +256,12 @@ def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
             "with the opposite sign of the measurement the fit would be better: is the sensor mounted the "
             "other way round (--scale -1)?"
         )
+    for unknown, at in zip(misfit.model.unknowns, best.coordinates, strict=True):
+        if abs(at) > AT_END * unknown.reach:
+            yield (
+                f"{unknown.place}: {unknown.value(float(at)):.4g} {unknown.unit} is at the end of what was "
+                f"searched, a factor of {REACH:g} from its start"
+            )
     yield from _kind(measured, best)
 
 
@@ -261,6 +269,6 @@ def _kind(measured: MeasuredLines, best: Fitted) -> Iterator[str]:
     orbit = best.motion.orbit
     if orbit.period_count != measured.period_count:
         yield (
-            f"the measured motion repeats after {_periods(measured.period_count)}, the fitted one after "
-            f"{_periods(orbit.period_count)}: no start led to a motion of the measured kind"
+            f"the measured motion repeats after {in_words(measured.period_count)}, the fitted one after "
+            f"{in_words(orbit.period_count)}: no start led to a motion of the measured kind"
         )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.fitting.stray import in_words
 from trimmer.messages import listed
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> It
     if named:
         yield (
             f"the measurement has lines at {_first(named)} of the drive, which a motion that repeats after "
-            f"{_periods(measured.period_count)} does not have"
+            f"{in_words(measured.period_count)} does not have"
         )
     others = [each for each in measured.strays if each.fraction is None]
     if others:
@@ -148,10 +149,6 @@ def _first(names: Iterable[str]) -> str:
     every = list(names)
     more = [] if len(every) <= NAMED else [f"{len(every) - NAMED} more places"]
     return listed([*every[:NAMED], *more])
-
-
-def _periods(count: int) -> str:
-    return "one drive period" if count == 1 else f"{count} drive periods"
 
 
 def _where(judged: Judgement) -> str:

@@ -97,6 +97,8 @@ class Fit(Tabular):
     def agreement(self) -> str:
         """What the starts came to, as a sentence without a full stop."""
         searched = self.searched
+        if not searched.agreeing:
+            return "no start came to this fit, which was met on the way to an interval: try more (--starts)"
         if searched.starts == 1:
             return "one start alone was tried, so a better fit elsewhere is not excluded (--starts)"
         told = f"{searched.agreeing} of {searched.starts} starts came to this fit"

@@ -80,3 +80,8 @@ def peaks_of(power: Reals, limit: float) -> list[int]:
     inside = power[1:-1]
     rising = (inside > limit) & (inside >= power[:-2]) & (inside > power[2:])
     return [int(place) + 1 for place in np.flatnonzero(rising)]
+
+
+def in_words(count: int) -> str:
+    """Return a number of drive periods in words."""
+    return "one drive period" if count == 1 else f"{count} drive periods"

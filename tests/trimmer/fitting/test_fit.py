@@ -119,12 +119,11 @@ def test_two_outputs_in_two_quantities_tell_more(two: Fit) -> None:
 
 def test_a_motion_that_repeats_after_six_periods() -> None:
     true = Mechanism.from_toml("examples/oscillator-stop.toml").with_value("frequency", 0.9)
-    signal = record(true, 1e-3, output="mass", samples=8000, sample_rate=40.0)
-    fit = fit_mechanism(true, {"mass": signal}, ["stops.stop.gap", "stops.stop.stiffness"], settings=ONCE)
+    signal = record(true, 1e-3, output="mass", samples=4000, sample_rate=40.0)
+    fit = fit_mechanism(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
     assert fit.measured.period_count == fit.orbit.period_count == 6
     assert fit.judgement.sentences[1] == "the measured motion repeats after 6 drive periods"
     assert fit.numbers[0].value == pytest.approx(10.0, rel=1e-4)
-    assert fit.numbers[1].value == pytest.approx(1000.0, rel=1e-2)
     assert fit.judgement.explained
 
 
