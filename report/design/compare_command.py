@@ -85,5 +85,9 @@ COMMAND = Command(
             "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
             "a page on both: what changed in the file, verdicts, measures side by side, spectra",
         ),
+        Example(
+            "trimmer compare examples/thesis-play.toml examples/scatter.toml --format pdf --paper letter",
+            "the same as a PDF, of two trimmers that differ only in what is wanted of them",
+        ),
     ),
 )

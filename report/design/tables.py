@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 Rows = list[list[str]]
 DASH = "—"
+ROUNDING = 1e-9
+"""Damping ratio that rounding can give an undamped mode."""
 ACTION_VALUE = 2.5
 """Daily exposure action value, m/s²."""
 
@@ -109,7 +111,14 @@ def mode_rows(state: LinearState, design: Design) -> Rows:
         drive = design.file.mechanism.frequency
         if drive:
             frequency += f" ({plain(written(mode.frequency / drive, 3))} × drive)"
-        rows.append([str(number), frequency, plain(percent(mode.damping_ratio, 3)), ", ".join(moving)])
+        rows.append(
+            [
+                str(number),
+                frequency,
+                plain(percent(mode.damping_ratio if mode.damping_ratio > ROUNDING else 0.0, 3)),
+                ", ".join(moving),
+            ]
+        )
     return rows
 
 

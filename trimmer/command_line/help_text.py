@@ -42,4 +42,7 @@ def _typed(words: str) -> str:
 
 
 def _told(purpose: str) -> str:
-    return textwrap.fill(purpose, WIDTH, initial_indent=" " * 4, subsequent_indent=" " * 4)
+    indent = " " * 4
+    return textwrap.fill(
+        purpose, WIDTH, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False
+    )

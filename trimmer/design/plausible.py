@@ -70,7 +70,9 @@ def questions(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Questio
         found += _sizes(mechanism)
     if motion is not None:
         found += [*_contacts(mechanism, motion), *_held(mechanism, motion)]
-    return tuple(found)
+    return tuple({each.place: each for each in reversed(found)}.values())[
+        ::-1
+    ]  # one of each place: the first
 
 
 def _is_of_hand(mechanism: Mechanism) -> bool:

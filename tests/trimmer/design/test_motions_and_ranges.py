@@ -115,7 +115,7 @@ def test_the_number_that_matters_is_the_one_to_measure() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "oddity", "place"),
     [
-        ("cutter = { mass = 0.003 }", "cutter = { mass = 3.0 }", Oddity.HEAVY_FOR_HAND, "bodies.cutter.mass"),
+        ("cutter = { mass = 0.003 }", "cutter = { mass = 3.0 }", Oddity.HEAVY_BODY, "bodies.cutter.mass"),
         ("amplitude = 1.5e-3", "amplitude = 1.0", Oddity.LONG_STROKE, "pins.pin.amplitude"),
         ("gap = 40e-6", "gap = 4e-3", Oddity.GAP_ABOVE_STROKE, "plays.bridge.gap"),
         ("frequency = 110.0", "frequency = 6600.0", Oddity.SLOW_OR_FAST, "frequency"),
@@ -124,7 +124,7 @@ def test_the_number_that_matters_is_the_one_to_measure() -> None:
 def test_what_is_unlikely_is_asked_about(old: str, new: str, oddity: Oddity, place: str) -> None:
     file = changed((old, new))
     asked = questions(file.mechanism, None)
-    assert (oddity, place) in [(each.oddity, each.place_text) for each in asked]
+    assert [(each.oddity, each.place_text) for each in asked] == [(oddity, place)]
 
 
 def test_nothing_is_asked_about_the_examples(trimmer_file: DesignFile, trimmer_motion: FoundMotion) -> None:

@@ -13,6 +13,7 @@ from trimmer.response.response_json import response_json
 REPEATING = {
     "thesis": 0,
     "thesis-play": 14,
+    "scatter": 14,
     "held": 6,
     "foil-shaver": 14,
     "servo": 16,
