@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -163,5 +164,4 @@ def _where(judged: Judgement) -> str:
 
 
 def _order(order: tuple[int, int]) -> str:
-    p, k = order
-    return f"{p // k}" if p % k == 0 else f"{p}/{k}"
+    return str(Fraction(*order))

@@ -22,6 +22,8 @@ from trimmer.spectra.window import Window
 
 MOST_ORDERS = 40
 """Multiples of the drive that are looked at."""
+MOST_SOUGHT = 60
+"""Lines at fractions and multiples of the drive by which its frequency is found."""
 FEWEST_PERIODS = 12
 """Periods of the motion in a record; with fewer no noise is seen between the lines."""
 FEWEST_BINS = 60
@@ -113,13 +115,20 @@ def measure_lines(
     if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:
         raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")
     found = drive_frequency is None
-    looked_for = SimulatedLines(np.ones(MOST_HARMONICS, dtype=complex), near)
-    frequency = found_frequency(first, looked_for) if drive_frequency is None else drive_frequency
+    frequency = _found(first, near, 1) if drive_frequency is None else drive_frequency
     measured = _Record(signals, frequency, found, 1).measured()
     periods = repeats_after(measured.strays)
     if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
+        # The lines at fractions spoil a little what was found without them.
+        frequency = _found(first, frequency, periods) if found else frequency
         return _Record(signals, frequency, found, periods).measured()
     return measured
+
+
+def _found(signal: Signal, near: float, periods: int) -> float:
+    """Return the frequency of the drive of a motion that repeats after some periods of it, Hz."""
+    count = min(MOST_HARMONICS * periods, MOST_SOUGHT)
+    return found_frequency(signal, SimulatedLines(np.ones(count, complex), near, periods))
 
 
 def _motion(signal: Signal) -> Signal:

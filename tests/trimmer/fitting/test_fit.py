@@ -10,7 +10,7 @@ from scipy.stats import binom
 
 from tests.trimmer.fitting.made import exact, record, trimmer
 from trimmer import Fit, FitSettings, Mechanism, Signal, fit_mechanism
-from trimmer.errors import FitError
+from trimmer.errors import FitError, WrongTypeError
 from trimmer.mechanism import Body, Force, Friction, Link, Output
 
 GAP, DAMPING, FORCE = "plays.bridge.gap", "plays.bridge.damping", "frictions.blade.force"
@@ -226,6 +226,18 @@ def test_starts_that_agree_are_counted() -> None:
 def test_numbers_that_cannot_be_fitted(free: list[str], told: str) -> None:
     with pytest.raises(ValueError, match=told.replace("?", r"\?")):
         fit_mechanism(trimmer(), {"stroke": Signal(np.ones(100), 1e3, "stroke", "m")}, free)
+
+
+def test_wrong_types_are_named() -> None:
+    signal = Signal(np.ones(100), 1e3, "stroke", "m")
+    with pytest.raises(WrongTypeError, match="mechanism"):
+        fit_mechanism("thesis-play.toml", {"stroke": signal})  # type: ignore[arg-type]
+    with pytest.raises(WrongTypeError, match="measured"):
+        fit_mechanism(trimmer(), signal)  # type: ignore[arg-type]
+    with pytest.raises(WrongTypeError, match="signal of stroke"):
+        fit_mechanism(trimmer(), {"stroke": np.ones(100)})  # type: ignore[dict-item]
+    with pytest.raises(WrongTypeError, match="drive_frequency"):
+        fit_mechanism(trimmer(), {"stroke": signal}, drive_frequency="110")  # type: ignore[arg-type]
 
 
 def test_a_mechanism_without_drive_or_output_is_refused() -> None:
