@@ -117,6 +117,7 @@ def test_two_outputs_in_two_quantities_tell_more(two: Fit) -> None:
         assert number.upper - number.lower < 1.05 * (alone.upper - alone.lower)  # type: ignore[operator]
 
 
+@pytest.mark.slow
 def test_a_motion_that_repeats_after_six_periods() -> None:
     true = Mechanism.from_toml("examples/oscillator-stop.toml").with_value("frequency", 0.9)
     signal = record(true, 1e-3, output="mass", samples=4000, sample_rate=40.0)
