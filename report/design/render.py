@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Protocol
 
-from report.rendering.figure_colours import with_variables
 from report.rendering.html import Look, page, with_drawings
 from report.rendering.pdf import typeset
+from report.rendering.pictures.figure_colours import with_variables
 from report.rendering.pieces import Converter
 from report.rendering.request import Format, Paper
 

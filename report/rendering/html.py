@@ -15,10 +15,10 @@ from report.copy.reading import ReaderCopy
 from report.document.document import Document
 from report.grade import grade
 from report.octave.archive import archive
-from report.rendering.drawings import drawings
-from report.rendering.figure_colours import variables, with_variables
 from report.rendering.markdown import ARCHIVE
 from report.rendering.passages import passages
+from report.rendering.pictures.drawings import drawings
+from report.rendering.pictures.figure_colours import variables, with_variables
 from report.rendering.pieces import TEMPLATES
 from report.rendering.sources import sources
 from report.rendering.summary import GRADES, SYMBOLS

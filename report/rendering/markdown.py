@@ -18,13 +18,12 @@ from report.rendering import (
     escaping,
     outline,
     places,
-    spread_picture,
     summary,
-    verdict_picture,
 )
-from report.rendering.latex import width
-from report.rendering.line_breaking import fit
+from report.rendering.formulas.latex import width
+from report.rendering.formulas.line_breaking import fit
 from report.rendering.links import check_claims, check_links
+from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources

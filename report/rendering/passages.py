@@ -12,7 +12,7 @@ from report.copy.places import NUMBER
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
 from report.finding import Finding
-from report.rendering.foreign_mathematics import to_mathml
+from report.rendering.formulas.foreign_mathematics import to_mathml
 
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 

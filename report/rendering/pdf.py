@@ -12,7 +12,7 @@ from typing import Any
 from report.cache.stage_store import StageStore
 from report.document.document import Document
 from report.octave.archive import files
-from report.rendering.drawings import drawings
+from report.rendering.pictures.drawings import drawings
 from report.rendering.pieces import TEMPLATES
 from report.rendering.request import Paper
 

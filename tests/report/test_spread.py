@@ -8,7 +8,7 @@ import pytest
 
 from report.document.overview import Follows
 from report.inventory import read_inventory
-from report.rendering.spread_picture import description, spread, spread_picture
+from report.rendering.pictures.spread_picture import description, spread, spread_picture
 from report.spread import SpreadError, in_order, read_follows
 from report.verdict import Verdict
 from tests.report.rendering.sample import sample

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 from report.cache.stage_store import StageStore
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
-from report.rendering.foreign_mathematics import to_mathml
+from report.rendering.formulas.foreign_mathematics import to_mathml
 from report.rendering.html import to_html
 from report.rendering.markdown import to_markdown
 from report.rendering.pieces import Converter

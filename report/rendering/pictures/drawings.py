@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from report.document.document import Document
-from report.rendering import spread_picture
-from report.rendering.verdict_picture import NAME, verdict_picture
+from report.rendering.pictures import spread_picture
+from report.rendering.pictures.verdict_picture import NAME, verdict_picture
 
 
 def drawings(document: Document) -> dict[str, str]:

@@ -12,8 +12,8 @@ from report.document.document import Document
 from report.document.overview import Follows
 from report.finding import Finding
 from report.grade import Grade, grade
+from report.rendering.pictures.verdict_picture import COLOURS
 from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
-from report.rendering.verdict_picture import COLOURS
 
 NAME: Final = "spread"
 """Name of the picture among the drawings of the report."""
