@@ -169,6 +169,7 @@ def look(path: Path, folder: Path) -> None:
     looked_at(read_design_file(path), TINY, SerialRunner(), StageStore(folder), lambda *_: None)
 
 
+@pytest.mark.slow
 def test_two_runs_in_one_folder_do_not_spoil_each_other(folder: Path) -> None:
     (folder / "other.toml").write_text(SMALL.replace("0.1 mm", "0.2 mm"))
     paths, kept = [folder / "block.toml", folder / "block.toml", folder / "other.toml"], folder / CACHE

@@ -168,6 +168,7 @@ def test_maps_are_made_resumed_and_read(tmp_path, capsys):
     capsys.readouterr()
 
 
+@pytest.mark.slow
 def test_maps_of_other_code_are_not_gone_on_with(tmp_path, monkeypatch):
     now = make_maps.work_folder(tmp_path)
     assert now == make_maps.work_folder(tmp_path)

@@ -21,6 +21,8 @@ TAKES_LONG = (
     "trimmer design examples/den-hartog.toml --format html",
     "trimmer design examples/thesis.toml --format html --jobs 1",
     "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
+    "trimmer compare examples/thesis-play.toml examples/scatter.toml --format pdf --paper letter",
+    "trimmer sample examples/scatter.toml --count 32 --indices",
 )
 OF_THE_REPORT = "trimmer report"
 """Lines that begin so take minutes, open a browser, or read a file that a report has written."""

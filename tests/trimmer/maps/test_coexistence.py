@@ -50,6 +50,7 @@ def test_a_search_that_ends_early_says_so(swept) -> None:
     assert "ended before it was done" in found.searched
 
 
+@pytest.mark.slow
 def test_processes_find_the_same(swept, found) -> None:
     assert coexisting_motions(swept, runner=ProcessRunner(2)).result.cells == found.result.cells
 

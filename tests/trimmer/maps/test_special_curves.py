@@ -72,6 +72,7 @@ def test_a_curve_that_was_lost_near_another_one_ends_there() -> None:
     assert meeting.distance == pytest.approx(0.01)
 
 
+@pytest.mark.slow
 def test_curves_do_not_depend_on_who_follows_them() -> None:
     mechanism = Mechanism.from_toml(EXAMPLES / "oscillator-stop.toml")
     result = motion_map(mechanism, {"frequency": [0.86, 0.8865], "stops.stop.gap": [9.9, 10.1]}, quiet=True)

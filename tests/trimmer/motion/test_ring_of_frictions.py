@@ -179,6 +179,7 @@ def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -
     assert (abs(forces[[1, 2, 4]]).max(axis=1) <= [0.2, 1.7, 0.1]).all()
 
 
+@pytest.mark.slow
 def test_complementarity_decides_as_the_integration_does() -> None:
     """The integration goes from event to event within an instant; or all frictions are decided together."""
     decided = 0
