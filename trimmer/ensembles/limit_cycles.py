@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from trimmer.arguments import real_values, require_instance
-from trimmer.balance.solve import harmonic_balance
+from trimmer.balance.solve import limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import crossings
@@ -18,6 +19,7 @@ from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import responses_of
+from trimmer.errors import UndecidedWarning
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.messages import listed, near_match
 from trimmer.parameters import (
@@ -35,11 +37,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes, Flags, Integers, Places, Reals
-    from trimmer.balance.limit_cycle import HarmonicBalance
+    from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.ensembles.responses import Responses
 
-BLOCK = 128
-"""Trimmers that are computed together: few enough for the processor's cache, enough to make calls cheap."""
+BLOCK = 2048
+"""Trimmers that are computed together: enough to make calls cheap, few enough to need little memory."""
 NEAR_TANGENCY = np.sin(np.radians(5.0))
 """Sine of the angle between the curves below which a sample is searched once more, with a certificate."""
 
@@ -55,7 +57,7 @@ class SampledLimitCycles(Tabular):
         count: Limit cycles of each trimmer, shape (n,).
         searched_again: Trimmers whose limit cycles are those of ``limit_cycles``, one by one, because the
             curves nearly touch or the search of all was too coarse, shape (n,).
-        undecided: Those of them whose certificate is not complete, shape (n,).
+        undecided: Those of them about which that search leaves a doubt too, shape (n,).
     """
 
     amplitude: Reals
@@ -160,9 +162,7 @@ def sampled_limit_cycles(
         found.append(_Columns(rows, one.amplitude[certain], one.omega[certain], one.stable[certain]))
     undecided = np.zeros(len(gaps), dtype=bool)
     for row in np.flatnonzero(again):
-        balance = _searched_again(values[row], gaps[row], *chosen)
-        undecided[row] = not balance.success
-        cycles = balance.limit_cycles
+        cycles, undecided[row] = _searched_again(values[row], gaps[row], *chosen)
         amplitude, omega = np.array([(cycle.amplitude, cycle.omega) for cycle in cycles]).reshape(-1, 2).T
         stable = np.array([cycle.stable for cycle in cycles], dtype=bool)
         found.append(_Columns(np.full(len(cycles), row), amplitude, omega, stable))
@@ -203,11 +203,13 @@ def _near_poles(base: TrimmerParameters) -> Complexes:
 
 def _searched_again(
     values: Reals, gap: float, output: Displacement, channels: InputChannels
-) -> HarmonicBalance:
-    system = pin_model(
-        TrimmerParameters(**dict(zip(_SYMBOLS, values.tolist(), strict=True))), output, channels
-    )
-    return harmonic_balance(system, FrictionBacklash(float(gap)))
+) -> tuple[tuple[LimitCycle, ...], bool]:
+    """Return the limit cycles of one trimmer by the search that proves, and whether that left a doubt."""
+    parameters = TrimmerParameters(**dict(zip(_SYMBOLS, values.tolist(), strict=True)))
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always", UndecidedWarning)
+        cycles = limit_cycles(pin_model(parameters, output, channels), FrictionBacklash(float(gap)))
+    return cycles, any(issubclass(each.category, UndecidedWarning) for each in told)
 
 
 def _in_rows(found: list[_Columns], again: Flags, undecided: Flags) -> SampledLimitCycles:

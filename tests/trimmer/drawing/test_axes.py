@@ -44,6 +44,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "AveragedSpectrum": lambda ax=None: results.averaged().plot(ax),
     "Comparison": lambda ax=None: results.comparison().plot(ax),
     "HarmonicFit": lambda ax=None: results.analysis().harmonics.plot(ax),
+    "Fit": lambda ax=None: results.fit().plot(ax),
 }
 """A way to draw each kind of result."""
 
