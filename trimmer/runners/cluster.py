@@ -33,9 +33,9 @@ class ClusterRunner:
 
     The workers need the same Python and the same libraries; that is checked with each chunk. Results are then
     those of this computer, to the last digit if its linear algebra runs on one thread as that of Dask's
-    workers does (``OPENBLAS_NUM_THREADS=1``); else the last digit may differ. What a worker had not handed back when it ended is done by
-    another one. A worker does one chunk after the other however many threads it has: begin it with
-    ``--nthreads 1``.
+    workers does (``OPENBLAS_NUM_THREADS=1``); else the last digit may differ. What a worker had not handed
+    back when it ended is done by another one. A worker does one chunk after the other however many threads it
+    has: begin it with ``--nthreads 1``.
 
     Attributes:
         address: Where the scheduler listens, such as ``tcp://127.0.0.1:8786``.
