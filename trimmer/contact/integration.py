@@ -62,6 +62,10 @@ class Place(NamedTuple):
     jumped: bool = False
 
 
+_Reached = tuple[int, int, int, float, int, int, bool]
+"""A ``Place`` without its name."""
+
+
 @inlined
 def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     """Begin a segment that no event begins."""
@@ -103,9 +107,9 @@ def _reason(tables: Tables, work: Work, mode: int, event: tuple[int, bool], casc
     return reason
 
 
-def _entry(sources: bytes) -> Callable[..., tuple[int, Place]]:
+def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     # One function and not two within each other: of those that are compiled into another each is copied.
-    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
+    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, _Reached]:
         sources  # noqa: B018
         done, row, mode, time, steps_left, fired, jumped = place
         cascade, recent, begun = 0, -2, fired != NO_EVENT
@@ -143,7 +147,8 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, Place]]:
             if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != STICK_BEGUN:
                 _begin(log, 0, time, mode, work.state)
                 row = 1
-        return reason, Place(done, row, mode, time, steps_left, fired, jumped)
+        # A plain tuple: making a named one runs Python, in which an interrupt would find nobody to take it.
+        return reason, (done, row, mode, time, steps_left, fired, jumped)
 
     return kept(entry)
 

@@ -61,7 +61,8 @@ class OpenValue:
         """Return what to tell where one number is needed."""
         place = place_text(self.place)
         what = "nobody knows this value" if self.is_unknown else "this is a range"
-        reason = f"{what}, and only 'trimmer design' carries it; write one number, or --set '{place}=VALUE'"
+        who = "'trimmer design' and 'trimmer sample'"
+        reason = f"{what}, which {who} carry; write one number, or --set '{place}=VALUE'"
         return Problem(self.place, reason, self.text)
 
 
