@@ -142,8 +142,9 @@ def test_other_commands_tell_what_to_do_about_a_range() -> None:
     text = TEXT.replace('gap = "40 um"', 'gap = "unknown"').replace("force = 0.5", 'force = "0.1..0.9 N"')
     with pytest.raises(MechanismError) as error:
         Mechanism.from_toml_text(text, "mine.toml")
-    assert "line 16: plays.bridge.gap = 'unknown': nobody knows this value, and only 'trimmer design'" in str(
-        error.value
+    assert (
+        "line 16: plays.bridge.gap = 'unknown': nobody knows this value, which 'trimmer design' and 'trimmer sample'"
+        in str(error.value)
     )
     assert "--set 'plays.bridge.gap=VALUE'" in str(error.value)
     assert "line 19: frictions.blade.force = '0.1..0.9 N': this is a range" in str(error.value)
