@@ -143,7 +143,7 @@ def test_other_commands_tell_what_to_do_about_a_range() -> None:
     with pytest.raises(MechanismError) as error:
         Mechanism.from_toml_text(text, "mine.toml")
     assert (
-        "line 16: plays.bridge.gap = 'unknown': nobody knows this value, which 'trimmer design' and 'trimmer sample'"
+        "line 16: plays.bridge.gap = 'unknown': nobody knows this value, which 'trimmer design' and"
         in str(error.value)
     )
     assert "--set 'plays.bridge.gap=VALUE'" in str(error.value)
