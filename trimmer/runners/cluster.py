@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
 import platform
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import CancelledError
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -83,13 +84,16 @@ class ClusterRunner:
             raise WorkerError(
                 "a cluster needs the package distributed: pip install 'trimmer[cluster]'"
             ) from error
+        # A client that finds nobody stays behind half made, and Dask may wait for ever as it is cleared away.
         try:
-            client = Client(self.address, timeout=self.patience, set_as_default=False)
+            with ThreadPoolExecutor(1) as thread:
+                thread.submit(asyncio.run, _reach(self.address, self.patience)).result()
         except (OSError, TimeoutError, ValueError) as error:
             raise WorkerError(
                 f"no Dask scheduler answers at {self.address}: begin one with 'dask scheduler', and give the "
                 "address that it prints"
             ) from error
+        client = Client(self.address, timeout=self.patience, set_as_default=False)
         try:
             client.wait_for_workers(1, timeout=self.patience)
         except TimeoutError as error:
@@ -99,6 +103,14 @@ class ClusterRunner:
                 f"{self.address} --nthreads 1'"
             ) from error
         return client
+
+
+async def _reach(address: str, patience: float) -> None:
+    """Connect with a scheduler, and leave it again."""
+    from distributed.comm import connect
+
+    comm = await connect(address, timeout=patience)
+    await comm.close()
 
 
 @contextmanager
