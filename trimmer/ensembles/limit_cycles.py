@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 BLOCK = 2048
 """Trimmers that are computed together: enough to make calls cheap, few enough to need little memory."""
-NEAR_TANGENCY = np.sin(np.radians(5.0))
+NEAR_TANGENCY = np.sin(np.radians(2.0))
 """Sine of the angle between the curves below which a sample is searched once more, with a certificate."""
 
 
