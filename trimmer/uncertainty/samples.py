@@ -231,7 +231,7 @@ def trials_of(
     asked = all_measures(inputs.mechanism)
     done: dict[int, Trial] = {}
     if keeping.path is not None and keeping.resume:
-        done = dict(kept.resumed(keeping.path, inputs, asked))
+        done = kept.resumed(keeping.path, inputs, asked)
     elif keeping.path is not None:
         kept.begin(keeping.path, inputs, overwrite=keeping.overwrite)
     for number, trial in _computed(inputs, asked, done, runner, keeping.path, quiet):
@@ -260,6 +260,6 @@ def _computed(
     with progress_bar(
         description="samples", total=len(left) + len(done), initial=len(done), quiet=quiet
     ) as bar:
-        for result in results if path is None else kept.appended(path, results):
+        for result in results if path is None else kept.append(path, results):
             bar.update()
             yield result
