@@ -1,4 +1,4 @@
-"""A file that keeps results as soon as they are done: a header with all that they depend on, then a line each.
+"""A file that keeps results as soon as they are done: a header with what they depend on, then a line each.
 
 Each line is JSON, and the header is the first. A line counts as soon as its end is there, so what a killed
 run leaves half-written is dropped.

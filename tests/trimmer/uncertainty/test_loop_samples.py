@@ -9,10 +9,11 @@ import pytest
 
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
 from trimmer.command_line.main import main
+from trimmer.ensembles.limit_cycles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
 from trimmer.parameter_files import parameters_as_toml
 from trimmer.parameters import ParameterError
-from trimmer.uncertainty.loop_samples import read_loop_file, sample_loop
+from trimmer.uncertainty.loop_samples import _largest, read_loop_file, sample_loop
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.samples import SampleSettings
 
@@ -48,6 +49,16 @@ def test_each_sample_has_its_own_limit_cycles(path) -> None:
         )
         assert amplitude[row] == pytest.approx(largest.amplitude, rel=1e-8)
         assert frequency[row] == pytest.approx(largest.frequency, rel=1e-8)
+
+
+def test_the_largest_is_sought_among_the_stable_ones() -> None:
+    amplitude, omega = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, np.nan]]), 2.0 * np.pi * np.ones((2, 3))
+    stable = np.array([[True, True, False], [False, False, False]])
+    nothing = np.zeros(2, dtype=bool)
+    found = SampledLimitCycles(amplitude, omega, stable, np.array([3, 2]), nothing, nothing)
+    sizes, frequencies = _largest(found)
+    np.testing.assert_array_equal(sizes, [2.0, np.nan])
+    np.testing.assert_array_equal(frequencies, [1.0, np.nan])
 
 
 def test_existence_and_size_have_indices_apart(path) -> None:

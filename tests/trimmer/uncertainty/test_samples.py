@@ -118,6 +118,7 @@ def test_indices_find_what_matters() -> None:
 
 def test_balance_is_near_the_exact_orbits() -> None:
     study = study_samples(FILE, SampleSettings(count=3, most_periods=60), balanced=2, runner=SerialRunner())
+    assert len(study.balanced.numbers) == 2
     assert study.balanced.converged.all()
     assert (study.balanced.distances < 1e-2).all()
 

@@ -31,6 +31,12 @@ def test_intervals_of_quantiles_hold_as_often_as_they_say() -> None:
     assert (held <= 0.995 * 400).all()
 
 
+def test_the_interval_of_a_median_lies_between_two_samples_in_order() -> None:
+    # Of 20 samples the sixth and the fifteenth: P(6 <= B < 15) = 0.9586 for B binomial with 20 and 1/2.
+    median = distribution_of(np.arange(1.0, 21.0)).quantiles[1]
+    assert (median.lowest, median.highest) == (6.0, 15.0)
+
+
 def test_too_few_samples_leave_an_end_open() -> None:
     found = distribution_of(np.arange(10.0))
     assert found.quantiles[0].lowest == -np.inf
