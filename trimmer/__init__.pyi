@@ -163,10 +163,10 @@ from .signals.convert import convert as convert
 from .signals.csv_layout import CsvLayout as CsvLayout
 from .signals.csv_layout import DecimalSign as DecimalSign
 from .signals.csv_layout import Delimiter as Delimiter
-from .signals.faults import Clipping as Clipping
-from .signals.faults import Dropout as Dropout
-from .signals.faults import FewSteps as FewSteps
-from .signals.faults import Offset as Offset
+from .signals.fault import Clipping as Clipping
+from .signals.fault import Dropout as Dropout
+from .signals.fault import FewSteps as FewSteps
+from .signals.fault import Offset as Offset
 from .signals.faults import faults as faults
 from .signals.missing import MissingValues as MissingValues
 from .signals.quantity import Quantity as Quantity

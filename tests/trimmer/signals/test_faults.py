@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer.signals.faults import Certainty, Clipping, Dropout, FewSteps, Offset, faults
+from trimmer.signals.fault import Certainty, Clipping, Dropout, FewSteps, Offset
+from trimmer.signals.faults import faults
 from trimmer.signals.signal import Signal
 
 RATE = 5000.0

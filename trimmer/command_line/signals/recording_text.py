@@ -60,7 +60,7 @@ def signal_json(signal: Signal) -> dict[str, Any]:
 
 def recording_json(chosen: ChosenRecording) -> dict[str, Any]:
     """Describe stretches, gaps and faults for JSON."""
-    from trimmer.signals.faults import Clipping
+    from trimmer.signals.fault import Clipping
 
     return {
         "stretches": [

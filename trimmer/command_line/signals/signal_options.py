@@ -14,7 +14,7 @@ from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
-    from trimmer.signals.faults import Fault
+    from trimmer.signals.fault import Fault
     from trimmer.signals.recording import Recording
     from trimmer.signals.signal import Signal
 
@@ -276,7 +276,7 @@ def _with_unit(arguments: Namespace, signal: Signal) -> Signal:
 
 
 def _refuse_clipped(arguments: Namespace, found: tuple[Fault, ...]) -> None:
-    from trimmer.signals.faults import Certainty, Clipping
+    from trimmer.signals.fault import Certainty, Clipping
 
     for fault in found:
         clipped = isinstance(fault, Clipping) and fault.certainty is not Certainty.POSSIBLE
