@@ -14,7 +14,7 @@ import numpy as np
 
 from benchmarks.calibration import sentence
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.limit_cycles import sampled_limit_cycles
 from trimmer.linear.model import pin_model
 from trimmer.parameters import TrimmerParameters

@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.motion.motion import Motion
 from trimmer.motion.simulation import simulate_loop as simulate

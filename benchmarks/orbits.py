@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.periodic_orbits import periodic_orbits

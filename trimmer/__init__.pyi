@@ -33,13 +33,14 @@ from .displacement import CUTTER_RELATIVE_TO_GUARD as CUTTER_RELATIVE_TO_GUARD
 from .displacement import Body as Body
 from .displacement import Displacement as Displacement
 from .displacement import DisplacementError as DisplacementError
+from .elements.backlashes.friction_backlash import FrictionBacklash as FrictionBacklash
+from .elements.backlashes.inertia_backlash import InertiaBacklash as InertiaBacklash
+from .elements.backlashes.viscous_backlash import ViscousBacklash as ViscousBacklash
 from .elements.control_element import ControlElement as ControlElement
 from .elements.coulomb_friction import CoulombFriction as CoulombFriction
 from .elements.dead_zone import DeadZone as DeadZone
 from .elements.element import Element as Element
 from .elements.element_at_frequency import ElementAtFrequency as ElementAtFrequency
-from .elements.friction_backlash import FrictionBacklash as FrictionBacklash
-from .elements.inertia_backlash import InertiaBacklash as InertiaBacklash
 from .elements.own_element import OwnElement as OwnElement
 from .elements.own_element import StaticElement as StaticElement
 from .elements.preload import Preload as Preload
@@ -48,7 +49,6 @@ from .elements.relay import Relay as Relay
 from .elements.saturation import Saturation as Saturation
 from .elements.scaled_element import ScaledElement as ScaledElement
 from .elements.sum_of_elements import SumOfElements as SumOfElements
-from .elements.viscous_backlash import ViscousBacklash as ViscousBacklash
 from .elements.viscous_friction import ViscousFriction as ViscousFriction
 from .ensembles.limit_cycles import SampledLimitCycles as SampledLimitCycles
 from .ensembles.limit_cycles import sampled_limit_cycles as sampled_limit_cycles

@@ -133,7 +133,7 @@ def inertia_harmonic() -> sympy.Expr:
 
 
 def general_fundamental() -> sympy.Expr:
-    """N_1 of viscous-controlled backlash, in the form that trimmer/elements/backlash_motion.py evaluates."""
+    """N_1 of viscous-controlled backlash, in the form that `trimmer.elements.backlashes` evaluates."""
     middle = cos(total(SEPARATION, -CONTACT_ANGLE / 2)) ** 2
     bracket = total(DECAY * cos(SEPARATION) ** 2, middle)
     real = total(CONTACT_ANGLE, -sin(CONTACT_ANGLE), product(2 * sin(CONTACT_ANGLE), bracket))

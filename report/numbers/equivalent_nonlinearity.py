@@ -18,7 +18,7 @@ from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
 from trimmer import CoulombFriction, Element, InputChannels, LimitCycle, limit_cycles, response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 FORCE = 0.6
 """Friction force of figure 5.23, N; its gap is ``SMALL_GAP``."""

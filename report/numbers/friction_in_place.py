@@ -16,7 +16,7 @@ import numpy as np
 from report.thesis import TURN
 from trimmer import Body, InputChannels, LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 BACKLASH = FrictionBacklash(1.0)
 POINTS = 49

@@ -14,8 +14,8 @@ from report.rendering.request import Format, Paper, Request
 from trimmer.balance.solve import limit_cycles
 from trimmer.choices import Choice, ChoiceError
 from trimmer.displacement import Body, Displacement, DisplacementError
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
 from trimmer.linear.summary import summarise
 from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop

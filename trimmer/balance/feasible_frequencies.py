@@ -19,8 +19,8 @@ import numpy as np
 from scipy.optimize import brentq
 
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlash_motion import GAMMA_LIMITS
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain

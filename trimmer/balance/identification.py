@@ -20,7 +20,7 @@ from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import Problem, find_all
 from trimmer.balance.stability import limit_cycles_at
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.showing.shown import Record, Shown, Tabular
 from trimmer.showing.table import Table, attributes
 

@@ -171,7 +171,7 @@ class FollowedBranch(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             MechanismError: if the mechanism has no such output, or none at all.
         """
-        from trimmer.drawing.branch import draw_branch
+        from trimmer.drawing.mechanisms.branch import draw_branch
 
         return draw_branch(self, ax, output)
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.backlash_bounds import ROUNDED_UP
+from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
 from trimmer.elements.bounds import range_shape, unlimited_domain
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation

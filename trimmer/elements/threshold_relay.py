@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.backlash_bounds import ROUNDED_UP
+from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
 from trimmer.elements.small_gains import SmallGains, real_small_gains
 
 if TYPE_CHECKING:

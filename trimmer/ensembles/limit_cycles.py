@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arguments import real_values, require_instance
 from trimmer.balance.solve import limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import crossings
 from trimmer.ensembles.frequencies import frequencies_near
 from trimmer.ensembles.other_poles import unstable_others

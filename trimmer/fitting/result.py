@@ -128,7 +128,7 @@ class Fit(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.fit import draw_waveform
+        from trimmer.drawing.signals.fit import draw_waveform
 
         return draw_waveform(self, self.measured.outputs[0], ax)
 

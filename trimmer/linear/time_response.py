@@ -52,7 +52,7 @@ class TimeResponse(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.samples import draw_time_response
+        from trimmer.drawing.signals.samples import draw_time_response
 
         return draw_time_response(self, ax)
 

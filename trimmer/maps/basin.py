@@ -64,7 +64,7 @@ class Basin(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             MapError: if it is not over two initial values.
         """
-        from trimmer.drawing.motion_map import draw_basin
+        from trimmer.drawing.mechanisms.motion_map import draw_basin
 
         if len(self.result.places) != 2:
             raise MapError("only a basin over two initial values can be drawn: vary two")

@@ -174,7 +174,7 @@ class MotionMap(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.motion_map import draw_map
+        from trimmer.drawing.mechanisms.motion_map import draw_map
 
         return draw_map(self, ax, curves)
 

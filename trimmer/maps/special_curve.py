@@ -165,7 +165,7 @@ class SpecialCurves(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.curves import draw_curves
+        from trimmer.drawing.mechanisms.curves import draw_curves
 
         places, units = self._axes
         return draw_curves(self.drawn, places, units, ax)

@@ -7,18 +7,18 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element_at_frequency import ElementAtFrequency
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.unbounded import UnboundedElement
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import UnsupportedMotionError
 from trimmer.motion.backlash_component import BacklashComponent

@@ -197,7 +197,7 @@ class MechanismMotion(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.motions import draw_motion
+        from trimmer.drawing.mechanisms.motions import draw_motion
 
         return draw_motion(self.flow, self.course, ax)
 

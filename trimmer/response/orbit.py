@@ -140,7 +140,7 @@ class MechanismOrbit(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.motions import draw_phase_plane
+        from trimmer.drawing.mechanisms.motions import draw_phase_plane
 
         return draw_phase_plane(self.flow, self.course, ax)
 

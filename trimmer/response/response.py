@@ -169,7 +169,7 @@ class Response(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             ValueError: if nothing was found that could be drawn.
         """
-        from trimmer.drawing.response import draw_settled
+        from trimmer.drawing.mechanisms.response import draw_settled
 
         return draw_settled(self.motion, ax)
 

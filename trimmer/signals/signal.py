@@ -112,7 +112,7 @@ class Signal(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.samples import draw_signal
+        from trimmer.drawing.signals.samples import draw_signal
 
         return draw_signal(self, ax)
 

@@ -63,7 +63,7 @@ class SpectrumAnalysis(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.spectrum import draw_analysis
+        from trimmer.drawing.signals.spectrum import draw_analysis
 
         return draw_analysis(self, ax)
 

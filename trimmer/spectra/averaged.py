@@ -112,7 +112,7 @@ class AveragedSpectrum(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.spectrum import draw_averaged
+        from trimmer.drawing.signals.spectrum import draw_averaged
 
         return draw_averaged(self, ax)
 

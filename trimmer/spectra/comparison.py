@@ -135,7 +135,7 @@ class Comparison(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.comparison import draw_comparison
+        from trimmer.drawing.signals.comparison import draw_comparison
 
         return draw_comparison(self, ax)
 

@@ -66,7 +66,7 @@ class HarmonicFit(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.spectrum import draw_harmonics
+        from trimmer.drawing.signals.spectrum import draw_harmonics
 
         return draw_harmonics(self, ax)
 

@@ -77,7 +77,7 @@ class Spectrum(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.spectrum import draw_spectrum
+        from trimmer.drawing.signals.spectrum import draw_spectrum
 
         return draw_spectrum(self, ax)
 

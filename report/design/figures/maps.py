@@ -9,7 +9,7 @@ import numpy as np
 from report.design.quantities import place_words, scale_for
 from report.drawing.style import new_figure
 from trimmer.drawing.cells import draw_cells
-from trimmer.drawing.kinds import categories, category, legend_of
+from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

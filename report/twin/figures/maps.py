@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-from trimmer.drawing.kinds import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
+from trimmer.drawing.mechanisms.kinds import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
 LONGER = len(PERIOD_COLOURS)
 NAMES = {

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from report.numbers.listed_blocks import PERIOD, contact_time, friction_block, inertia_block
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 
 POSITIONS = st.lists(st.floats(-5, 5), min_size=1, max_size=40)
 

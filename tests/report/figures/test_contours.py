@@ -10,8 +10,8 @@ from report.drawing import plane
 from report.drawing.letters import title_of
 from tests.report.figures.lines import curve
 from trimmer import response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 
 IDS = ("fig-5.5", "fig-5.10", "fig-5.15", "fig-5.16", "fig-5.21", "fig-5.22", "fig-5.23", "fig-5.24")
 

@@ -8,7 +8,7 @@ import pytest
 from report.numbers.drive_amplitudes import AMPLITUDES
 from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import response_at
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from report.numbers.driven_motion import FORCES, difference_energy, transient_pe
 from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
 from trimmer import linear_model, response_at
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 OMEGA = 2 * math.pi * MEASURED_DRIVE_FREQUENCY
 

@@ -15,7 +15,7 @@ from report.numbers.equivalent_nonlinearity import (
 from report.thesis import DRIVE_OMEGA, SMALL_GAP
 from trimmer import response_at
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 
 @pytest.fixture(scope="module")

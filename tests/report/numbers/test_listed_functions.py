@@ -8,7 +8,7 @@ import pytest
 
 from report.numbers import listed_functions
 from report.numbers.listed_functions import RATIOS, START, intersections, listing_contour
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 
 
 @pytest.mark.parametrize("gamma", [0.4, 1.25, 3.0])

@@ -22,7 +22,7 @@ from trimmer import (
     response_at,
     transfer_function,
 )
-from trimmer.elements.contact_equation import steady_motion
+from trimmer.elements.backlashes.contact_equation import steady_motion
 
 CLOSE = 1e-12
 PARAMETERS = TrimmerParameters.thesis()

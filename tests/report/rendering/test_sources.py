@@ -29,7 +29,10 @@ def test_a_part_of_the_report_has_the_files_of_its_findings_only(document: Docum
 
 
 def test_a_place_is_named_after_the_path() -> None:
-    assert identifier("trimmer/elements/friction_backlash.py") == "code-trimmer-elements-friction_backlash"
+    assert (
+        identifier("trimmer/elements/backlashes/friction_backlash.py")
+        == "code-trimmer-elements-backlashes-friction_backlash"
+    )
 
 
 @pytest.mark.parametrize("path", ["derivations/no_such_file.py", "derivations", ""])

@@ -15,12 +15,12 @@ import pytest
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 
 OMEGAS = 900
 SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 70), 1 - np.geomspace(0.5, 1e-11, 130)[1:]])

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.linalg import expm
 
 from trimmer.arrays import Complexes
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters

@@ -10,10 +10,10 @@ import pytest
 
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, THIRD_ORDER, s
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import FrequencyRangeError, LinearElementError, UnsupportedElementError
 from trimmer.linear.frequency_response import UnsupportedSystemError

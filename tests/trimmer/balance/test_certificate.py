@@ -12,11 +12,11 @@ import pytest
 from tests.trimmer.balance.loops import s
 from tests.trimmer.elements.oracle import ExactBacklash
 from trimmer.balance.solve import harmonic_balance, limit_cycles
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.errors import UndecidedWarning
 
 

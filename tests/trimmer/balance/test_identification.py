@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
 from trimmer.balance.identification import identify_time_constant
 from trimmer.balance.solve import limit_cycles
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.viscous_backlash import ViscousBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.model import pin_model

@@ -22,11 +22,11 @@ from tests.trimmer.balance.loops import (
 from tests.trimmer.trimmers import exact_response, stable_systems
 from trimmer.balance.limit_cycle import Certificate, LimitCycle
 from trimmer.balance.solve import harmonic_balance, limit_cycles
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.linear.frequency_response import response_at
 
 

@@ -6,7 +6,7 @@ import pytest
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
 from trimmer.balance.solve import limit_cycles
 from trimmer.balance.stability import sine_of_crossing
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
 UNSTABLE, STABLE = limit_cycles(THESIS_LOOP, FRICTION)
 

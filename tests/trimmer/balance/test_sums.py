@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP, THIRD_ORDER, resolved_by_grid, s, solutions_on_grid
 from tests.trimmer.trimmers import exact_response, stable_systems
 from trimmer.balance.solve import harmonic_balance, limit_cycles
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 
 

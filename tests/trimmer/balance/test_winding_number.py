@@ -13,12 +13,12 @@ from tests.trimmer.trimmers import stable_systems
 from trimmer.balance.loop import loop_equation
 from trimmer.balance.solve import harmonic_balance
 from trimmer.balance.winding_number import winding_number
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 
 ELEMENTS = (

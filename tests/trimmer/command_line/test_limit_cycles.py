@@ -7,7 +7,7 @@ import pytest
 
 from trimmer.balance.solve import limit_cycles
 from trimmer.command_line.main import main
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 

@@ -11,7 +11,7 @@ from trimmer.balance.solve import limit_cycles
 from trimmer.command_line.main import main
 from trimmer.command_line.signals.signal_options import DECIMAL_SIGNS, DELIMITERS, MISSING_VALUES
 from trimmer.command_line.signals.spectrum import BIT_DEPTHS, WINDOWS
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import pin_model
 from trimmer.linear.modes import modes
 from trimmer.parameters import TrimmerParameters

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
-from trimmer.drawing.branch import branch_figure
 from trimmer.drawing.look import BLACK
+from trimmer.drawing.mechanisms.branch import branch_figure
 
 FOLD = 8.566394 / (2 * np.pi)
 """Published of pyHarm's example, see ``machines.impact_oscillator``; Hz."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tests.trimmer import results
-from trimmer.drawing.fit import averaged, fit_figure
+from trimmer.drawing.signals.fit import averaged, fit_figure
 
 
 def test_the_picture_shows_what_was_measured_and_fitted() -> None:

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.drawing.cells import edges
-from trimmer.drawing.kinds import categories, category
+from trimmer.drawing.mechanisms.kinds import categories, category
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import MapInputs, Settings
 from trimmer.maps.measures import Measures

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
-from trimmer.drawing.response import motion_figure, response_figure
+from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 
 
@@ -77,7 +77,7 @@ def test_a_loop_without_drive_shows_no_input_that_is_its_output() -> None:
 
 def test_contact_of_a_mechanism_is_marked_as_long_as_it_lasts() -> None:
     orbit = results.forced()
-    axes = trimmer.drawing.motions.draw_motion(orbit.flow, orbit.course, new_axes())
+    axes = trimmer.drawing.mechanisms.motions.draw_motion(orbit.flow, orbit.course, new_axes())
     marked = bars(axes, "wall, contact")
     share = orbit.measures.contacts["wall"].share
     assert np.diff(marked).sum() / orbit.period == pytest.approx(share, rel=1e-6)

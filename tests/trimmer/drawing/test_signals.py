@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
-from trimmer.drawing.comparison import comparison_figure
 from trimmer.drawing.frequency_response import summary_figure
-from trimmer.drawing.samples import MOST_POINTS, thinned
+from trimmer.drawing.signals.comparison import comparison_figure
+from trimmer.drawing.signals.samples import MOST_POINTS, thinned
 
 
 def new_axes() -> Axes:

@@ -3,12 +3,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.friction_backlash import FrictionBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 
 BACKLASH = ViscousBacklash(2.0, 0.1)

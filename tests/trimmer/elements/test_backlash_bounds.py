@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
-from trimmer.elements.backlash_bounds import LARGEST_LAG, BacklashBox
+from trimmer.elements.backlashes.backlash_bounds import LARGEST_LAG, BacklashBox
 
 GAMMAS = [(0.01, 0.012), (0.4, 0.5), (1.0, 1.0), (3.0, 4.0), (80.0, 90.0), (0.05, 2.0), (1.0, 100.0)]
 FLIGHTS = [(0.0, 0.001), (0.1, 0.4), (1.0, 1.2), (2.5, 3.1)]

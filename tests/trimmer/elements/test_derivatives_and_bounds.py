@@ -5,15 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element import Element
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
 from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
-from trimmer.elements.viscous_backlash import ViscousBacklash
 from trimmer.elements.viscous_friction import ViscousFriction
 
 ELEMENTS: tuple[Element, ...] = (

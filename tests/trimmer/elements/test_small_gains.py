@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer.elements.friction_backlash import FrictionBacklash
-from trimmer.elements.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.relay import Relay
 from trimmer.elements.small_gains import BACKLASH_LARGEST, COASTING, GENTLEST, LEAST, STEEPEST
-from trimmer.elements.viscous_backlash import ViscousBacklash
 
 
 def places() -> tuple[np.ndarray, np.ndarray, np.ndarray]:

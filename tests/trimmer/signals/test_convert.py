@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
 
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.motion.loops import Drive
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer.elements.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.signals.read import read_signal
 from trimmer.signals.signal import Signal
 from trimmer.signals.write import write_signal

@@ -145,7 +145,7 @@ class Locus(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.curves import draw_curves
+        from trimmer.drawing.mechanisms.curves import draw_curves
 
         return draw_curves([(self.name, self.values)], self.places, self.units, ax)
 

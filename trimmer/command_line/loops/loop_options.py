@@ -40,19 +40,19 @@ class ElementChoice:
 
 
 def _friction(gap: float) -> Element:
-    from trimmer.elements.friction_backlash import FrictionBacklash
+    from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
     return FrictionBacklash(gap)
 
 
 def _inertia(gap: float) -> Element:
-    from trimmer.elements.inertia_backlash import InertiaBacklash
+    from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 
     return InertiaBacklash(gap)
 
 
 def _viscous(gap: float, time_constant: float) -> Element:
-    from trimmer.elements.viscous_backlash import ViscousBacklash
+    from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 
     return ViscousBacklash(gap, time_constant)
 

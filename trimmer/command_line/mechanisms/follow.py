@@ -118,7 +118,7 @@ def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
 
 def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
     if arguments.plot is not None and branch.points:
-        from trimmer.drawing.branch import branch_figure
+        from trimmer.drawing.mechanisms.branch import branch_figure
 
         write_picture(arguments, branch_figure(branch))
 

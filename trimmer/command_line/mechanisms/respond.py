@@ -82,7 +82,7 @@ def _draw(arguments: Namespace, response: Response) -> bool:
     if response.motion.orbit is None and response.motion.window is None:
         tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
         return False
-    from trimmer.drawing.response import response_figure
+    from trimmer.drawing.mechanisms.response import response_figure
 
     write_picture(arguments, response_figure(response))
     return True

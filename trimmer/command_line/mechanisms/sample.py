@@ -107,7 +107,7 @@ def _run(arguments: Namespace) -> int:
         tell(f"interrupted; what is done is in {arguments.output}: the same call with --resume goes on")
         return INTERRUPTED
     if arguments.plot is not None:
-        from trimmer.drawing.scatter import sample_figure
+        from trimmer.drawing.mechanisms.scatter import sample_figure
 
         write_picture(arguments, sample_figure(study.samples))
     show(as_json(study) if arguments.json else as_text(study), arguments.plot, arguments.output)

@@ -70,7 +70,7 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
 def draw(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Draw the picture that is wanted."""
     from trimmer.drawing.content import figure_of
-    from trimmer.drawing.response import motion_figure
+    from trimmer.drawing.mechanisms.response import motion_figure
     from trimmer.motion.motion import Motion
 
     figure = figure_of(motion.plot) if isinstance(motion, Motion) else motion_figure(motion)

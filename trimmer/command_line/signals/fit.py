@@ -108,7 +108,7 @@ def _run(arguments: Namespace) -> int:
     except SignalError as error:
         raise OptionError(f"{arguments.measured}: {error}") from error
     if arguments.plot is not None:
-        from trimmer.drawing.fit import fit_figure
+        from trimmer.drawing.signals.fit import fit_figure
 
         write_picture(arguments, fit_figure(fit))
     if arguments.output is not None:

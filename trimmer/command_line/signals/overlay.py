@@ -49,7 +49,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.signals.overlay_text import Compared, as_json, as_text
-    from trimmer.drawing.comparison import comparison_figure
+    from trimmer.drawing.signals.comparison import comparison_figure
     from trimmer.signals.signal import SignalError
     from trimmer.spectra.comparison import compare_motions
 

@@ -120,7 +120,7 @@ def _predictions(arguments: Namespace) -> Predictions:
     """Find natural modes, and limit cycles if a gap is given."""
     from trimmer.balance.solve import harmonic_balance
     from trimmer.command_line.signals.spectrum_text import Predictions
-    from trimmer.elements.friction_backlash import FrictionBacklash
+    from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
     from trimmer.linear.modes import modes
 
     cycles: tuple[LimitCycle, ...] = ()

@@ -42,7 +42,7 @@ from report.thesis import (
 from report.verdict import Impact, Severity
 from trimmer import InertiaBacklash
 
-SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/inertia_backlash.py"
+SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/backlashes/inertia_backlash.py"
 FRICTION_LINES = (
     *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
     *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),

@@ -96,7 +96,7 @@ def imaginary_part(_: Evidence) -> Record:
 
 @claim(
     "txt-2.3.6-roles",
-    source="trimmer/elements/friction_backlash.py",
+    source="trimmer/elements/backlashes/friction_backlash.py",
     impact=Impact.LOCAL,
     severity=Severity.SLIP,
     lines=(610, 610),

@@ -15,14 +15,14 @@ from report.drawing.style import BLACK, LINES, new_figure, panels
 from report.evidence import Evidence
 from report.record import figure
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
-from trimmer.elements.contact_equation import steady_motion
+from trimmer.elements.backlashes.contact_equation import steady_motion
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from trimmer.arrays import Flags, Reals
-    from trimmer.elements.backlash import Backlash
+    from trimmer.elements.backlashes.backlash import Backlash
 
 
 AMPLITUDES: Final = (2.0, 3.5)

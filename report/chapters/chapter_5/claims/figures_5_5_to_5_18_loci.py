@@ -42,7 +42,7 @@ STABLE_SIDE = TURN * 600
 """Angular frequency, rad/s, above which G is on the outer circle on its way to -1."""
 
 
-@claim("fig-5.5", source="trimmer/elements/friction_backlash.py", lines=(997, 997), paragraph=3)
+@claim("fig-5.5", source="trimmer/elements/backlashes/friction_backlash.py", lines=(997, 997), paragraph=3)
 def second_implementation(known: Evidence) -> Record:
     gain = control.friction_backlash_nonlinearity(LIBRARY_GAP).describing_function
     distance = max(abs(friction_listing(a, LIBRARY_GAP) / gain(a) - 1) for a in LIBRARY_GRID)

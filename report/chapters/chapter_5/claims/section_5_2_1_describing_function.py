@@ -19,7 +19,7 @@ from report.record import Record, claim, text
 from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
-SOURCE = "trimmer/elements/friction_backlash.py"
+SOURCE = "trimmer/elements/backlashes/friction_backlash.py"
 OURS = FrictionBacklash(1.0)
 LIBRARY = control.friction_backlash_nonlinearity(1.0)
 

@@ -129,7 +129,7 @@ def band(known: Evidence) -> Record:
 
 @claim(
     "txt-5.2.2-beta-range",
-    source="trimmer/elements/inertia_backlash.py",
+    source="trimmer/elements/backlashes/inertia_backlash.py",
     impact=Impact.LOCAL,
     lines=(1131, 1131),
     paragraph=1,

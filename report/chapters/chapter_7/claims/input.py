@@ -33,7 +33,7 @@ BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 @claim(
     "txt-7-input-amplitude",
-    source="trimmer/elements/friction_backlash.py",
+    source="trimmer/elements/backlashes/friction_backlash.py",
     impact=Impact.LOCAL,
     lines=(1393, 1394),
     paragraph=9,

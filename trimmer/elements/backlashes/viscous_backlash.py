@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.elements.arguments import require_not_negative
-from trimmer.elements.backlash import Backlash
-from trimmer.elements.backlash_motion import GAMMA_LIMITS
+from trimmer.elements.backlashes.backlash import Backlash
+from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
 from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
 
 if TYPE_CHECKING:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.backlash_motion import complex_of
+from trimmer.elements.backlashes.backlash_motion import complex_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.backlash_motion import BacklashMotion
+    from trimmer.elements.backlashes.backlash_motion import BacklashMotion
 
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
-from trimmer.drawing.motions import draw_motion, draw_phase_plane, draw_section
+from trimmer.drawing.mechanisms.motions import draw_motion, draw_phase_plane, draw_section
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.backlash_motion import SLOPE_BY_RATIO
+from trimmer.elements.backlashes.backlash_motion import SLOPE_BY_RATIO
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

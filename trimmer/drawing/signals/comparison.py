@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.drawing.axes import add_legend, axes_for
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.look import BLACK, COLOURS
-from trimmer.drawing.spectrum import outline
+from trimmer.drawing.signals.spectrum import outline
 from trimmer.drawing.units import name_axis
 from trimmer.spectra.spectrum import amplitude_spectrum
 

@@ -10,18 +10,18 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.arguments import positive_amplitudes
-from trimmer.elements.backlash_bounds import BacklashBox
-from trimmer.elements.backlash_frequency import slope_by_log_gamma
-from trimmer.elements.backlash_harmonics import harmonic_of
-from trimmer.elements.backlash_motion import (
+from trimmer.elements.backlashes.backlash_bounds import BacklashBox
+from trimmer.elements.backlashes.backlash_frequency import slope_by_log_gamma
+from trimmer.elements.backlashes.backlash_harmonics import harmonic_of
+from trimmer.elements.backlashes.backlash_motion import (
     SLOPE_BY_RATIO,
     BacklashMotion,
     fundamental,
     position,
     slope_by_ratio,
 )
+from trimmer.elements.backlashes.contact_equation import largest_ratio, steady_motion
 from trimmer.elements.bounds import range_shape
-from trimmer.elements.contact_equation import largest_ratio, steady_motion
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, Sensitivity, Variation
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.backlash import Backlash
-from trimmer.elements.backlash_motion import GAMMA_LIMITS
+from trimmer.elements.backlashes.backlash import Backlash
+from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

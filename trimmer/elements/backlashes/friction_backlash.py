@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.backlash import Backlash
-from trimmer.elements.backlash_bounds import PHASE_ERROR, ROUNDED_UP
-from trimmer.elements.backlash_motion import (
+from trimmer.elements.backlashes.backlash import Backlash
+from trimmer.elements.backlashes.backlash_bounds import PHASE_ERROR, ROUNDED_UP
+from trimmer.elements.backlashes.backlash_motion import (
     GAMMA_LIMITS,
     SLOPE_BY_RATIO,
     BacklashMotion,

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.short_flight import relative_velocity
+from trimmer.elements.backlashes.short_flight import relative_velocity
 from trimmer.elements.small_arguments import SMALL
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes
-    from trimmer.elements.backlash_motion import BacklashMotion
+    from trimmer.elements.backlashes.backlash_motion import BacklashMotion
 
 
 NODES_BESIDE_HARMONIC = 14

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.backlash_motion import BacklashMotion, separation
-from trimmer.elements.short_flight import short_residual
+from trimmer.elements.backlashes.backlash_motion import BacklashMotion, separation
+from trimmer.elements.backlashes.short_flight import short_residual
 from trimmer.elements.small_arguments import SMALL
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ import numpy as np
 
 from trimmer.drawing.axes import add_legend, axes_for
 from trimmer.drawing.cells import draw_cells
-from trimmer.drawing.curves import add_curves
-from trimmer.drawing.kinds import Category, categories, category, legend_of
+from trimmer.drawing.mechanisms.curves import add_curves
+from trimmer.drawing.mechanisms.kinds import Category, categories, category, legend_of
 from trimmer.drawing.units import name_axis
 from trimmer.response.response import MotionKind
 

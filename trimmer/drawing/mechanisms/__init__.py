@@ -1,0 +1,1 @@
+"""Pictures of mechanisms: motions, branches, maps, samples of a series."""

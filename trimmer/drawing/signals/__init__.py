@@ -1,0 +1,1 @@
+"""Pictures of signals: samples, spectra, measured over simulated or fitted motion."""
