@@ -86,8 +86,6 @@ def runner_of(arguments: Namespace) -> Runner:
     from trimmer.runners.processes import ProcessRunner
 
     check_runner_options(arguments)
-    if arguments.jobs is not None and arguments.jobs < 1:
-        raise OptionError(f"--jobs {arguments.jobs}: must be a whole number from 1 on")
     return chosen_runner(arguments) or ProcessRunner()
 
 

@@ -27,14 +27,28 @@ def check_runner_options(arguments: Namespace) -> None:
     """Refuse options that contradict each other.
 
     Raises:
-        OptionError: if both are given, or the address is empty.
+        OptionError: if both are given, or one of them cannot be used.
     """
+    if arguments.jobs is not None and arguments.jobs < 1:
+        raise OptionError(f"--jobs {arguments.jobs}: give a whole number from 1 on")
     if arguments.scheduler is None:
         return
     if arguments.jobs is not None:
         raise OptionError("--jobs is of this computer, and --scheduler of a cluster: leave one of them out")
     if not arguments.scheduler.strip():
         raise OptionError("--scheduler: give the address of a Dask scheduler, as in tcp://127.0.0.1:8786")
+
+
+def check_resuming(arguments: Namespace) -> None:
+    """Refuse ``--resume`` without the file of ``--output``, or beside ``--overwrite``.
+
+    Raises:
+        OptionError: if it is given so.
+    """
+    if arguments.resume and arguments.output is None:
+        raise OptionError("--resume goes on with the file of --output: name it")
+    if arguments.resume and arguments.overwrite:
+        raise OptionError("--resume and --overwrite contradict each other: leave one of them out")
 
 
 def chosen_runner(arguments: Namespace, chunk: int | None = None) -> Runner | None:

@@ -218,10 +218,7 @@ def _add(motions: list[CellMotion], motion: CellMotion) -> None:
 
 def described(motion: CellMotion) -> str:
     """Return what a motion is, in plain words, such as ``period 3`` or ``not settled``."""
-    if motion.failure:
-        return "failed"
-    words = {MotionKind.TORUS: "torus", MotionKind.CHAOTIC: "chaotic", MotionKind.UNDECIDED: "not settled"}
-    return words.get(motion.kind) or f"period {motion.period_count}"
+    return "failed" if motion.failure else motion.kind.described(motion.period_count)
 
 
 def same_motion(first: CellMotion, second: CellMotion) -> bool:

@@ -32,6 +32,16 @@ class MotionKind(Choice):
     CHAOTIC = "it is chaotic"
     UNDECIDED = "it is undecided"
 
+    def described(self, period_count: int | None) -> str:
+        """Return what a motion is, in few words, such as ``period 3`` or ``not settled``."""
+        match self:
+            case MotionKind.PERIODIC:
+                return f"period {period_count}"
+            case MotionKind.UNDECIDED:
+                return "not settled"
+            case _:
+                return self.word
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SettledMotion(Shown):

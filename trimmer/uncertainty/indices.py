@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.errors import UncertaintyError
 from trimmer.uncertainty.distributions import Uncertainty
+from trimmer.uncertainty.points import within_cube
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -88,8 +89,7 @@ def saltelli_points(dimensions: int, blocks: int, seed: int) -> Reals:
     if blocks & (blocks - 1):
         raise UncertaintyError(f"{blocks} blocks of samples: give a power of two, such as 512")
     points = _salib("sample").sample(_problem(dimensions), blocks, calc_second_order=False, seed=seed)
-    edge = 2.0**-40
-    return np.asarray(np.clip(points, edge, 1.0 - edge))
+    return within_cube(points)
 
 
 def indices_of(values: Reals, places: tuple[str, ...], seed: int) -> Indices:

@@ -12,7 +12,7 @@ from trimmer.choices import Choice
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
-_EDGE = 2.0**-40
+EDGE = 2.0**-40
 """Least distance from the faces of the cube, where a normal distribution has no value."""
 
 
@@ -42,4 +42,9 @@ class Plan(Choice):
             drawn = qmc.Sobol(dimensions, rng=seed).random(count)
         else:
             drawn = qmc.LatinHypercube(dimensions, rng=seed).random(count)
-        return np.asarray(np.clip(drawn, _EDGE, 1.0 - _EDGE))
+        return within_cube(drawn)
+
+
+def within_cube(points: Reals) -> Reals:
+    """Return points that lie on no face of the unit cube, but next to it."""
+    return np.asarray(np.clip(points, EDGE, 1.0 - EDGE))

@@ -14,7 +14,6 @@ from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 from trimmer.errors import MechanismError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.progress import progress_bar
-from trimmer.response.response import MotionKind
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty import kept
@@ -120,7 +119,10 @@ class Samples:
     @property
     def kinds(self) -> dict[str, int]:
         """How many trials do what, by words such as ``period 3``, the most frequent first."""
-        words = [_described(trial) for trial in self.trials]
+        words = [
+            "failed" if trial.kind is None else trial.kind.described(trial.period_count)
+            for trial in self.trials
+        ]
         return {
             word: words.count(word)
             for word in sorted(set(words), key=lambda word: (-words.count(word), word))
@@ -140,13 +142,6 @@ class Samples:
         if self.impossible:
             told += f" {self.impossible} samples that no mechanism can have were left out."
         return told + (f" {self.failed} motions could not be followed to their end." if self.failed else "")
-
-
-def _described(trial: Trial) -> str:
-    if trial.kind is None:
-        return "failed"
-    words = {MotionKind.TORUS: "torus", MotionKind.CHAOTIC: "chaotic", MotionKind.UNDECIDED: "not settled"}
-    return words.get(trial.kind) or f"period {trial.period_count}"
 
 
 def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:

@@ -23,7 +23,12 @@ from trimmer.command_line.mechanisms.mechanism_options import (
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
-from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
+from trimmer.command_line.runner_options import (
+    add_runner_options,
+    check_resuming,
+    check_runner_options,
+    chosen_runner,
+)
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
@@ -105,15 +110,12 @@ def _run(arguments: Namespace) -> int:
 
 def _check(arguments: Namespace) -> None:
     """Refuse what cannot be meant, before any work is done."""
-    if arguments.resume and arguments.output is None:
-        raise OptionError("--resume goes on with the file of --output: name it")
-    if arguments.resume and arguments.overwrite:
-        raise OptionError("--resume and --overwrite contradict each other: leave one of them out")
+    check_resuming(arguments)
     if arguments.special is not None and len(arguments.vary) < 2:
         raise OptionError("--special follows points over two numbers: give --vary twice")
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
-    for name, least in (("periods", 2), ("starts", 1), ("seed", 0), ("jobs", 1)):
+    for name, least in (("periods", 2), ("starts", 1), ("seed", 0)):
         value = getattr(arguments, name)
         if value is not None and value < least:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")

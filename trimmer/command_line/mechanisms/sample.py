@@ -17,7 +17,12 @@ from trimmer.command_line.file_options import (
 from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
-from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
+from trimmer.command_line.runner_options import (
+    add_runner_options,
+    check_resuming,
+    check_runner_options,
+    chosen_runner,
+)
 from trimmer.files import SAMPLES
 
 if TYPE_CHECKING:
@@ -130,14 +135,9 @@ def _run_loop(arguments: Namespace) -> int:
 
 def _check(arguments: Namespace) -> None:
     """Refuse what cannot be meant, before any work is done."""
-    if arguments.resume and arguments.output is None:
-        raise OptionError("--resume goes on with the file of --output: name it")
-    if arguments.resume and arguments.overwrite:
-        raise OptionError("--resume and --overwrite contradict each other: leave one of them out")
+    check_resuming(arguments)
     if arguments.seed < 0:
         raise OptionError(f"--seed {arguments.seed}: give a whole number from 0 on")
-    if arguments.jobs is not None and arguments.jobs < 1:
-        raise OptionError(f"--jobs {arguments.jobs}: give a whole number from 1 on")
     if arguments.indices and arguments.plan != PLANS[0]:
         raise OptionError("--indices chooses the samples itself: leave out --plan")
     check_runner_options(arguments)
