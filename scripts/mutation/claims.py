@@ -166,7 +166,7 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
 
 
 def _claims(records: Iterable[Any], evidence: Any, inventory: Any) -> tuple[dict[str, str], dict[str, str]]:
-    from report.claim import judge
+    from report.judge import judge
 
     findings = [judge(record.claim(evidence), inventory[record.id]) for record in records]
     verdicts = {each.id: ", ".join(part.verdict.value for part in each.parts) for each in findings}

@@ -18,13 +18,13 @@ from derivations.elements.backlash_slopes import (
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.proven_step import Equality
 from tests.derivations.symbolic_numpy import SymbolicNumPy, exact, integrated
-from trimmer.elements import (
+from trimmer.elements import small_arguments
+from trimmer.elements.backlashes import (
     backlash_frequency,
     backlash_harmonics,
     backlash_motion,
     contact_equation,
     short_flight,
-    small_arguments,
 )
 
 RATIO = sympy.Symbol("u", positive=True)
