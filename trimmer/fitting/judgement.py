@@ -13,7 +13,7 @@ from trimmer.fitting.stray import in_words
 from trimmer.messages import listed
 
 if TYPE_CHECKING:
-    from trimmer.fitting.measured import MeasuredLines
+    from trimmer.fitting.measured import WINDOW_SHARE, MeasuredLines
     from trimmer.fitting.misfit import Fitted
 
 UNLIKELY = 1e-3
@@ -94,7 +94,7 @@ def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int) -> Judgement:
 
 def _shared(measured: MeasuredLines) -> float:
     """Return how many lines share the noise that is seen between two of them."""
-    bins = measured.freedom * 1.944 / 2
+    bins = measured.freedom * WINDOW_SHARE / 2
     return max(bins / max(measured.periods, 1.0), 1.0)
 
 

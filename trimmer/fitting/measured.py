@@ -34,7 +34,7 @@ RARE = 1e-3
 """Probability with which noise alone makes a line somewhere."""
 SMALLEST_NOISE = 1e-7
 """Noise, as a share of an output's largest line, below which more is not asked of a fit."""
-_SHARED = 1.944
+WINDOW_SHARE = 1.944
 """Bins of a Hann window that scatter as one: 1 + 2 (4/9 + 1/36)."""
 _BLOCK = 8192
 
@@ -245,7 +245,7 @@ class _Record:
         least = (SMALLEST_NOISE * abs(lines).max(axis=0)) ** 2
         small = _diagonals(covariances) < least
         covariances += np.where(small, least, 0.0)[:, :, None] * np.eye(outputs)
-        return covariances, 2 * float(np.median(counts)) / _SHARED, bool(small.any())
+        return covariances, 2 * float(np.median(counts)) / WINDOW_SHARE, bool(small.any())
 
 
 def _diagonals(covariances: Complexes) -> Reals:

@@ -33,6 +33,14 @@ def test_the_noise_of_a_line_is_what_it_scatters_by() -> None:
     assert abs(parts.mean()) < 4 * told / np.sqrt(parts.size)
 
 
+def test_the_noise_is_known_as_well_as_its_freedom_says() -> None:
+    rng = np.random.default_rng(9)
+    found = [lines(0.01 * rng.normal(size=COUNT)) for _ in range(300)]
+    powers = np.array([each.deviations[0, 0] ** 2 for each in found])
+    # A chi-square of n degrees of freedom has a relative variance of 2/n.
+    assert 2 * powers.mean() ** 2 / powers.var(ddof=1) == pytest.approx(found[0].freedom, rel=0.25)
+
+
 def test_noise_follows_its_colour() -> None:
     from scipy.signal import lfilter
 
