@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import grimp
@@ -48,3 +51,53 @@ def test_the_contracts_see_every_module(project_folder: Path) -> None:
     }
     assert len(there) > 300
     assert there == seen
+
+
+FOLDERS = ("benchmarks", "derivations", "report", "scripts", "tests", "trimmer")
+
+
+@cache
+def names_of(path: Path | None) -> set[str]:
+    """Return all that a module binds at any depth, types that only a checker sees among it."""
+    if path is None:
+        return set()
+    bound = {"__doc__"}
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        match node:
+            case ast.ClassDef(name=name) | ast.FunctionDef(name=name):
+                bound.add(name)
+            case ast.Name(id=name, ctx=ast.Store()):
+                bound.add(name)
+            case ast.alias(name=name, asname=other):
+                bound.add(other or name)
+    return bound
+
+
+def missing_names(folder: Path, source: str) -> Iterator[str]:
+    """Yield what a source imports from the project's folders, also within functions, that is not there."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.ImportFrom) or (node.module or "").split(".")[0] not in FOLDERS:
+            continue
+        place = folder.joinpath(*node.module.split("."))
+        paths = place / "__init__.pyi", place / "__init__.py", place.with_suffix(".py")
+        bound = names_of(next(filter(Path.exists, paths), None))
+        for name in (alias.name for alias in node.names):
+            beside = place.joinpath(name)
+            if name not in bound and not beside.is_dir() and not beside.with_suffix(".py").exists():
+                yield f"{node.module}.{name}"
+
+
+def test_all_that_is_imported_is_there(project_folder: Path) -> None:
+    """A function's imports run late, and a test or script that nobody ran keeps an old place for long."""
+    missing = {
+        f"{path.relative_to(project_folder)}: {name}"
+        for folder in FOLDERS
+        for path in (project_folder / folder).rglob("*.py")
+        for name in missing_names(project_folder, path.read_text("utf-8"))
+    }
+    assert not missing
+
+
+def test_what_is_not_there_would_be_noticed(project_folder: Path) -> None:
+    late = "def f():\n    from trimmer.elements import relay, no_such_element"
+    assert list(missing_names(project_folder, late)) == ["trimmer.elements.no_such_element"]
