@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.fitting.measured import WINDOW_SHARE
 from trimmer.fitting.stray import in_words
 from trimmer.messages import listed
 
 if TYPE_CHECKING:
-    from trimmer.fitting.measured import WINDOW_SHARE, MeasuredLines
+    from trimmer.fitting.measured import MeasuredLines
     from trimmer.fitting.misfit import Fitted
 
 UNLIKELY = 1e-3

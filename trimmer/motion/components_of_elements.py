@@ -29,7 +29,6 @@ from trimmer.motion.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.elements.element import Element
-    from trimmer.motion.switched_component import Component
 
 
 @final
