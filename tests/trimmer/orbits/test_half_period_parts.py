@@ -1,8 +1,9 @@
-"""The half-period equation in its parts: intervals of durations, tanh of matrices, pieces, unequal switches."""
+"""The half-period equation in its parts: intervals, tanh of a matrix, pieces, unequal switches."""
 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -96,7 +97,7 @@ def test_what_is_left_after_many_pieces_is_undecided(monkeypatch: pytest.MonkeyP
 def test_pieces_cover_the_interval_in_a_fixed_ratio() -> None:
     pieces = _first_pieces((2.0, 2.0 * 1.4**3))
     ends = [2.0, 2.8, 3.92, 5.488]
-    expected = list(zip(ends[:-1], ends[1:], strict=True))[::-1]
+    expected = list(pairwise(ends))[::-1]
     assert [each for piece in pieces for each in piece] == pytest.approx(
         [each for piece in expected for each in piece]
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -65,7 +66,7 @@ def test_the_pieces_of_a_corner() -> None:
     pieces = corner_pieces(component, polynomial(np.exp(0.7j)))  # sin(x + 0.7)
     cuts = [0.0, 5 * PI / 6 - 0.7, 7 * PI / 6 - 0.7, PI]
     assert [piece[0] for piece in pieces] + [pieces[-1][1]] == pytest.approx(cuts, rel=1e-12)
-    assert all(one[1] == other[0] for one, other in zip(pieces[:-1], pieces[1:], strict=True))
+    assert all(one[1] == other[0] for one, other in pairwise(pieces))
     phases = np.array([0.3, 2.4, 3.1])
     sines = np.sin(phases + 0.7)
     assert sines[0] > 0.5 > abs(sines[1])
