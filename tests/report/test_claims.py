@@ -10,11 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from report.cache.source_closure import SourceTree
 from report.claim import Uncheckable
 from report.comparisons.expression import SameExpression, SameMatrix
 from report.inventory import PATH
-from report.judge import judge
 from report.verdict import Impact
 
 REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
@@ -43,21 +41,21 @@ def test_every_statement_of_the_thesis_is_judged_and_its_verdict_reviewed(claims
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
-def test_verdict_is_the_reviewed_one(claim_id, claims, inventory):
-    assert judge(claims[claim_id], inventory[claim_id]).verdict.value == ROWS[claim_id]["verdict"]
+def test_verdict_is_the_reviewed_one(claim_id, findings):
+    assert findings[claim_id].verdict.value == ROWS[claim_id]["verdict"]
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
-def test_severity_and_certainty_are_the_reviewed_ones(claim_id, claims, inventory):
-    finding = judge(claims[claim_id], inventory[claim_id])
+def test_severity_and_certainty_are_the_reviewed_ones(claim_id, findings):
+    finding = findings[claim_id]
     certainty = finding.certainty.value if finding.certainty else ""
     assert (finding.severity.value, certainty) == (ROWS[claim_id]["severity"], ROWS[claim_id]["certainty"])
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
-def test_each_part_has_its_reviewed_verdict(claim_id, claims, inventory):
+def test_each_part_has_its_reviewed_verdict(claim_id, findings):
     """The verdict of a claim is the worst of its parts and says nothing of the others."""
-    verdicts = [part.verdict.value for part in judge(claims[claim_id], inventory[claim_id]).parts]
+    verdicts = [part.verdict.value for part in findings[claim_id].parts]
     counted = "; ".join(f"{len(list(group))} {verdict}" for verdict, group in groupby(verdicts))
     row = ROWS[claim_id]
     assert counted == (row["parts"] or f"{len(verdicts)} {row['verdict']}")
@@ -77,8 +75,8 @@ def test_every_claim_says_where_it_stands(claims):
 
 
 @pytest.mark.parametrize("claim_id", CLAIM_IDS)
-def test_what_is_wrong_says_what_it_changes(claim_id, claims, inventory):
-    finding = judge(claims[claim_id], inventory[claim_id])
+def test_what_is_wrong_says_what_it_changes(claim_id, findings):
+    finding = findings[claim_id]
     if finding.verdict.is_wrong:
         assert finding.impact is not Impact.NONE
         assert finding.consequence
@@ -100,7 +98,6 @@ def test_explanations_are_short_plain_sentences(claim_id, claims):
     assert claim.explanation.count("$") % 2 == 0
 
 
-def test_the_source_that_a_claim_names_takes_part_in_it(records):
-    tree = SourceTree.read()
+def test_the_source_that_a_claim_names_takes_part_in_it(records, source_tree):
     for module, group in records.claims.items():
-        assert {record.source for record in group} <= tree.closure(module), module
+        assert {record.source for record in group} <= source_tree.closure(module), module

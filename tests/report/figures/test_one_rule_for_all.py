@@ -58,7 +58,7 @@ def test_titles_fit_and_texts_stand_beside_curves(figure, drawn):
     drawing = drawn(figure.id)
     with style():
         canvas = FigureCanvasAgg(drawing)
-        canvas.draw()
+        drawing.draw_without_rendering()
         titles = [(axes, extent(axes._left_title, canvas)) for axes in panels_of(drawing)]
         texts = [(axes, text) for axes in drawing.axes if axes.axison for text in axes.texts]
         boxes = [(axes, text.get_text(), extent(text, canvas)) for axes, text in texts if text.get_text()]
