@@ -16,7 +16,7 @@ from hypothesis import settings
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
-settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
 settings.load_profile("repeatable")
 # Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
 # examples would depend on which tests ran before.
@@ -58,9 +58,9 @@ def missing_tool(marker: str) -> str | None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Iterator[None]:
-    """Collect no garbage while tests are collected: all that is made stays, and looking through it takes seconds.
+    """Look for no garbage while tests are collected: all that is made stays, and the search takes seconds.
 
-    For the same reason it is never looked through again, and what the tests leave less often than usual.
+    For the same reason it is not searched again, and what the tests leave is searched less often than usual.
     """
     gc.disable()
     try:

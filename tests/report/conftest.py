@@ -45,5 +45,6 @@ def claims(evidence, records, made_once):
 @pytest.fixture(scope="session")
 def findings(claims, inventory, made_once):
     return made_once.get(
-        "findings", lambda: {claim_id: judge(claims[claim_id], entry) for claim_id, entry in inventory.items()}
+        "findings",
+        lambda: {claim_id: judge(claims[claim_id], entry) for claim_id, entry in inventory.items()},
     )
