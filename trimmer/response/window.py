@@ -121,7 +121,7 @@ class Window:
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.mechanism.outputs
         # Those of ``welch``, which gives none without outputs.
-        frequencies: Reals = np.fft.rfftfreq(length, 1.0 / rate)
+        frequencies = np.arange(length // 2 + 1) * rate / length
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
