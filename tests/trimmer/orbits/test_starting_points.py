@@ -133,6 +133,15 @@ def test_the_mode_at_a_phase(element, modes: list[int]) -> None:
     assert [_mode(component, element, phase, 3.0, 5.0) for phase in PHASES] == modes
 
 
+def test_contact_is_told_from_flight_in_a_gap_of_any_size() -> None:
+    backlash = FrictionBacklash(4e-5)
+    ((component, _),) = components_of(backlash)
+    modes = [_mode(component, backlash, phase, 1e-4, 691.0) for phase in PHASES]
+    assert modes == [UPPER, FREE, LOWER, FREE]
+    middle = 0.5 * (math.asin(-0.6) + PI / 2)
+    assert _quiet_phase([backlash], 1e-4, 691.0) == pytest.approx(middle, abs=2 * PI / 719)
+
+
 def test_a_flight_gives_place_velocity_and_what_is_left_of_it() -> None:
     flight = Flight(1.0, 2.5, lambda phase: 3.0 - 2.0 * (phase - 1.0))
     share = math.exp(-0.6 / (691.0 * 0.01))
