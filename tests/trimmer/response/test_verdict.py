@@ -12,7 +12,7 @@ from trimmer.contact.advance import Ending
 from trimmer.response.estimate import Estimate
 from trimmer.response.verdict import Seen, cut_short, unsettled
 
-ORBITING = np.exp(1j * np.sqrt(2) * np.arange(2000))
+ORBITING = np.exp(1j * np.sqrt(2) * np.arange(700))
 ROUND = np.array([ORBITING.real, 3 * ORBITING.imag]).T
 
 
@@ -59,7 +59,7 @@ def test_the_kind_is_what_exponent_and_neighbour_say(
 def test_a_motion_that_swings_wider_and_wider_is_no_torus() -> None:
     for share, steady in ((1.09, True), (1.13, False), (0.91, True), (0.87, False)):
         states = ROUND.copy()
-        states[1000:, 1] *= share
+        states[350:, 1] *= share
         found = seen(0.0, 0.01, False, states)
         assert found.steady is steady
         assert (found.kind is MotionKind.TORUS) is steady
@@ -68,7 +68,7 @@ def test_a_motion_that_swings_wider_and_wider_is_no_torus() -> None:
 
 
 def test_only_displacements_need_to_be_orderly() -> None:
-    walk = np.random.default_rng(1).normal(size=2000)
+    walk = np.random.default_rng(1).normal(size=700)
     assert seen(0.0, 0.01, False, np.array([ORBITING.real, walk]).T).orderly
     wild = seen(0.0, 0.01, False, np.array([walk, ORBITING.real]).T)
     assert not wild.orderly
@@ -82,10 +82,10 @@ def test_what_has_not_settled_was_followed_for_the_wait_and_the_window() -> None
         assert motion.kind is MotionKind.CHAOTIC
         assert motion.orbit is None
         assert motion.window is watched.window
-        assert motion.drive_periods == 2070
+        assert motion.drive_periods == 770
         assert motion.neighbour_agrees is agrees
         assert (motion.starts, motion.share, motion.mirrored) == (1, 1.0, False)
-        assert "after 70 drive periods, and over 2000 more" in motion.message
+        assert "after 70 drive periods, and over 700 more" in motion.message
         assert ("A neighbouring start" in motion.message) is (agrees is not None)
         assert ("does not settle either" in motion.message) is (agrees is True)
         assert "leaves it" in motion.message
