@@ -222,6 +222,7 @@ def test_orbits_of_a_linear_mechanism_are_found_from_anywhere() -> None:
     assert [each.share for each in response.motions] == [1.0]
     assert response.motion.starts == 3
     assert response.motion.neighbour_agrees is None
+    assert (response.seed, respond(DRIVEN).starts) == (0, 1)
 
 
 def test_a_period_cannot_be_counted_without_a_drive() -> None:
