@@ -234,4 +234,12 @@ def test_a_period_cannot_be_counted_without_a_drive() -> None:
     response = respond(free)
     assert response.kind is MotionKind.UNDECIDED
     assert response.motion.drive_periods == 0
+    assert (response.motion.starts, response.motion.share, response.motion.mirrored) == (1, 1.0, False)
     assert response.message.startswith("It comes to rest")
+
+
+@pytest.mark.parametrize(("name", "least"), [("starts", 1), ("most_periods", 1), ("seed", 0)])
+def test_the_least_numbers_are_allowed_and_no_less(name: str, least: int) -> None:
+    assert respond(DRIVEN, **{name: least}).starts == 1
+    with pytest.raises(ValueError, match=name):
+        respond(DRIVEN, **{name: least - 1})
