@@ -44,7 +44,8 @@ def add_report_options(parser: ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder of the report, NAME.html and NAME.pdf, and of what is kept for the next run "
+        help="folder of the report, NAME.html and NAME.pdf, and of .kept, which holds the steps that are "
+        "done for the next run; it may be deleted, and steps that were not used for 30 days go by themselves "
         "(default: %(default)s)",
     )
     parser.add_argument(
@@ -152,6 +153,7 @@ def _make(
     contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
+    place.store.clear_old()
     print("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
 
 

@@ -225,8 +225,9 @@ def described(motion: CellMotion) -> str:
 def same_motion(first: CellMotion, second: CellMotion) -> bool:
     """Return whether two motions of one cell are one.
 
-    Periodic motions are told apart by their orbits, of which mirror images are two; neutral ones, of which
-    there is one beside the other without end, by their periods alone. Of the others only the kind is compared.
+    Periodic motions are told apart by their orbits, of which mirror images are two. Neutral ones, of which
+    there is one beside the other without end, are told apart by their periods alone, and those that do not
+    repeat by their kind.
     """
     if first.kind is not second.kind:
         return False
