@@ -3,9 +3,9 @@
 Orbits are solved for and accepted as by ``respond``, but only from where the motion returns closely, since in
 chaos many an attempt is in vain. A neutral one, as where friction holds a body wherever it stopped, is
 accepted once the motion comes again to rounding. What does not settle is not watched for as long: the last
-drive periods are compared with those of a neighbour. Where their distance grows like an exponential the motion
-is chaotic, where it neither grows nor shrinks and the motion keeps its size it is on a torus, and otherwise
-nothing is said.
+drive periods are compared with those of a neighbour. Where their distance grows like an exponential the
+motion is chaotic, where it neither grows nor shrinks and the motion keeps its size it is on a torus, and
+otherwise nothing is said.
 """
 
 from __future__ import annotations
