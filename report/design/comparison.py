@@ -149,5 +149,7 @@ def _met(design: Design) -> str:
     if not judged:
         return "there is no motion to judge" if design.file.targets else "there are no targets"
     met = sum(each.met for each in judged)
+    if len(judged) == 1:
+        return f"the target is {'met' if met else 'missed'}"
     share = number_words(met) if met else "none"
     return f"{share} of {count(len(judged), 'target')} {'is' if met < 2 else 'are'} met"

@@ -151,7 +151,8 @@ def _lowered(text: str) -> str:
 
 def _met(design: Design) -> str:
     judged = design.verdict.judged
-    all_of = "The target is met" if len(judged) == 1 else f"All {count(len(judged), 'target')} are met"
+    every = {1: "The target is met", 2: "Both targets are met"}
+    all_of = every.get(len(judged), f"All {count(len(judged), 'target')} are met")
     if design.ranges is not None:
         points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
         return f"**{all_of}** at {points}."
@@ -256,12 +257,10 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
     ]
     if motions.starts > 1:
-        lead = (
-            f"all {motions.starts}"
-            if motion.starts == motions.starts
-            else f"{motion.starts} of {motions.starts}"
-        )
-        grounds.append(f"{lead} starts lead to {'it' if motion.repeats else 'a motion of this kind'}")
+        share = f"{number_words(motion.starts)} of {motions.starts} starts"
+        whose = f"all {motions.starts} starts" if motion.starts == motions.starts else share
+        lead = "leads" if motion.starts == 1 else "lead"
+        grounds.append(f"{whose} {lead} to {'it' if motion.repeats else 'a motion of this kind'}")
     others = len(motions.found) - 1
     if others:
         same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"

@@ -15,7 +15,7 @@ from report.design.comparison import comparison_sentence
 from report.design.markdown import to_markdown
 from report.design.report import DesignReport
 from report.design.tables import target_rows
-from report.design.words import measure_value, verdict_sentence
+from report.design.words import measure_value, sureness_sentences, verdict_sentence
 from report.rendering.request import Format
 from trimmer.design.comparison import compared
 from trimmer.design.design import Design
@@ -142,6 +142,8 @@ def test_a_bound_of_zero_has_no_margin(design: Design) -> None:
     assert [row[3] for row in target_rows(none)[1:]] == ["—", "—"]
     assert "where at most" in verdict_sentence(none)
     assert "%" not in verdict_sentence(judged_at(design, stroke_at_least=0.0))
+    both = judged_at(design, impact_speed_at_most=1.0, stroke_at_least=1e-3)
+    assert verdict_sentence(both).startswith("**Both targets are met**")
 
 
 def test_a_bound_that_is_far_away_is_not_measured_in_per_cent(design: Design) -> None:
@@ -184,8 +186,20 @@ def test_a_comparison_says_better_only_of_the_same_targets(design: Design) -> No
     assert told(met, nothing).endswith("there are no targets.")
     at_rest = dataclasses.replace(met, verdict=Verdict(Outcome.OPEN, Sureness.UNSURE, (), 0.0, True))
     assert told(met, at_rest).endswith("in B there is no motion to judge.")
+    one = judged_at(design, stroke_at_least=1e-9)
+    assert told(nothing, one).endswith("in B the target is met.")
     other = judged_at(design, stroke_at_least=1e-3, impact_speed_at_most=1.0)
     assert told(met, other).startswith("**The files want different things**")
+
+
+def test_how_many_starts_lead_to_it_is_told(design: Design) -> None:
+    motion = design.motion
+    assert motion is not None
+    first, *others = design.motions.found
+    for starts, told in ((1, "one of 5 starts leads to it"), (4, "four of 5 starts lead to it")):
+        found = (dataclasses.replace(first, starts=starts), *others)
+        motions = dataclasses.replace(design.motions, found=found, starts=5)
+        assert told in sureness_sentences(dataclasses.replace(design, motions=motions))
 
 
 def test_a_title_cannot_act_as_markup(report: DesignReport) -> None:
