@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from trimmer import write_atomically
+from trimmer.files import FileWriteError
 
 Result = TypeVar("Result")
 UNREADABLE = (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError, ValueError, TypeError)
@@ -48,6 +49,21 @@ class StageStore:
     """
 
     folder: Path
+
+    def prepare(self) -> None:
+        """Make the folder, so that it is told before any work if nothing can be kept.
+
+        Raises:
+            FileWriteError: if it cannot be made or written to.
+        """
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FileWriteError(
+                f"{self.folder} cannot be made: {error.strerror}; name another folder"
+            ) from error
+        if not os.access(self.folder, os.W_OK):
+            raise FileWriteError(f"{self.folder} cannot be written to; name another folder")
 
     def load(self, stage: str, key: str) -> Any | None:
         """Return what was kept for a stage under a key, or None if there is nothing or it cannot be read."""

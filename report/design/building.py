@@ -73,7 +73,9 @@ def looked_at(
 
     Raises:
         DesignInterruptedError: after an interrupt.
+        FileWriteError: if nothing can be kept there.
     """
+    store.prepare()
     study = Study(file, settings, runner, keeper_of(file, store), told)
     try:
         return study.short() if short else study.whole()

@@ -144,6 +144,15 @@ def test_a_file_of_another_kind_is_not_replaced(folder: Path, capsys: pytest.Cap
     assert not (folder / "out" / CACHE).exists()
 
 
+def test_a_folder_that_cannot_be_made_is_told_before_any_work(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "taken").write_text("notes")
+    monkeypatch.setattr(Keeper, "made", lambda *_: pytest.fail("work was begun"))
+    assert main(["design", "block.toml", "--directory", "taken"]) == 2
+    assert "taken/.kept cannot be made" in capsys.readouterr().err
+
+
 def test_an_interrupted_design_leaves_nothing_half_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
