@@ -57,8 +57,15 @@ def test_samples_go_on_after_the_scheduler_was_killed(
 
     file, output = str(project_folder / "examples" / "scatter.toml"), tmp_path / "samples.jsonl"
     words = ["sample", file, "--count", "48", "--periods", "60", "--json"]
-    assert main([*words, "--jobs", "1"]) == 0
-    alone = capsys.readouterr().out
+    # Dask's workers have one thread for linear algebra, and the last digit depends on their number.
+    alone = subprocess.run(
+        [sys.executable, "-m", "trimmer", *words, "--jobs", "1"],
+        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+        cwd=project_folder,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
 
     append = kept.append
     first, second = tmp_path / "first", tmp_path / "second"
