@@ -141,7 +141,7 @@ def _run(arguments: Namespace) -> int:
 def _make(
     arguments: Namespace, file: DesignFile, place: Place, formats: frozenset[Format], runner: Runner
 ) -> None:
-    from report.design.building import files_of, looked_at, report_on
+    from report.design.building import files_of, going_on_from, looked_at, report_on
     from report.design.progress import ProgressLines
     from report.design.words import verdict_sentence
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
@@ -150,7 +150,8 @@ def _make(
     settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
     design = looked_at(file, settings, runner, place.store, told)
     told.say("equations, pictures and pages ...")
-    contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
+    with going_on_from(place.store):
+        contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
