@@ -203,3 +203,16 @@ def test_without_outputs_there_are_no_measures_of_them() -> None:
     orbit = forced_orbit(mechanism)
     assert orbit.measures.outputs == {}
     assert orbit.measures.peak_to_peak == {}
+
+
+def test_a_constant_force_does_force_times_way() -> None:
+    mechanism = Mechanism(
+        {"body": Body(2.0)},
+        links={"spring": Link(("ground", "body"), 40.0, 1.0)},
+        forces={"weight": Force("body", constant=3.0)},
+        start={"body": (0.1, 0.7)},
+    )
+    motion = simulate(mechanism, 0.9)
+    way = float(motion.displacement("body", 0.9) - motion.displacement("body", 0.0))
+    assert motion.energy.forces["weight"] == pytest.approx(3.0 * way, rel=1e-12)
+    assert motion.energy.residual < 1e-13
