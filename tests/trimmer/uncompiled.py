@@ -1,0 +1,17 @@
+"""Compiled modules as plain Python, so that their parts can be tested one by one, without compiling them."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import pytest
+
+
+def uncompile(monkeypatch: pytest.MonkeyPatch, *modules: ModuleType) -> None:
+    """Put the Python functions in place of the compiled ones that a module defines or imports."""
+    for module in modules:
+        for name, value in list(vars(module).items()):
+            if hasattr(value, "py_func"):
+                monkeypatch.setattr(module, name, value.py_func)
+            elif name == "_compiled_entry":
+                monkeypatch.setattr(module, name, value.__wrapped__)
