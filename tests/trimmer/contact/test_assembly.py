@@ -265,7 +265,7 @@ def test_what_follows_an_event_of_a_friction() -> None:
     assert follows((STICK, STICK, STICK), JOINTLY, AT_LIMIT, (1, 1, 0)) is None
     second = (FORWARD, STICK, FORWARD)
     assert follows(second, 2, AT_LIMIT, (0, 1, 0)) == (
-        sliding[:1] + (FORWARD, FORWARD),
+        (FORWARD, FORWARD, FORWARD),
         STICK_ENDED,
         ARRIVED,
         2,
