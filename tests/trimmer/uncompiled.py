@@ -13,5 +13,5 @@ def uncompile(monkeypatch: pytest.MonkeyPatch, *modules: ModuleType) -> None:
         for name, value in list(vars(module).items()):
             if hasattr(value, "py_func"):
                 monkeypatch.setattr(module, name, value.py_func)
-            elif name == "_compiled_entry":
+            elif name.startswith("_compiled_"):
                 monkeypatch.setattr(module, name, value.__wrapped__)
