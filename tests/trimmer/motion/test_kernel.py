@@ -21,7 +21,6 @@ from trimmer.motion.kernel import (
     EVENT_LIMIT,
     FULL,
     LARGEST,
-    NO_EVENT,
     REACHED_END,
     STEP_LIMIT,
     UNKNOWN_MODE,
