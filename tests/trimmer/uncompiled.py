@@ -14,4 +14,5 @@ def uncompile(monkeypatch: pytest.MonkeyPatch, *modules: ModuleType) -> None:
             if hasattr(value, "py_func"):
                 monkeypatch.setattr(module, name, value.py_func)
             elif name.startswith("_compiled_"):
-                monkeypatch.setattr(module, name, value.__wrapped__)
+                monkeypatch.setattr(module, "kept", lambda entry: entry)
+                monkeypatch.setattr(module, name, module._entry(module.sources()))

@@ -25,6 +25,7 @@ from trimmer.motion.kernel import (
     STEP_LIMIT,
     UNKNOWN_MODE,
 )
+from trimmer.motion.sampling import sample
 from trimmer.motion.tables import TOGETHER, Limits, Log, Tables, new_pause
 from trimmer.motion.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
@@ -340,7 +341,7 @@ def test_values_along_a_motion() -> None:
     log.start[2:] += 0.8 * STEP
     times = np.array([0.0, 0.2, 0.4, 0.6, 1.9, 2.0, 2.1, 9.5]) * STEP
     values = np.full((2, len(times)), np.nan)
-    sampling.sample(tables, log, np.array([0, 1]), functionals, times, values)
+    sample(tables, log, np.array([0, 1]), functionals, times, values)
     x = [0.0, 0.2, 0.4, 0.3, -0.35, -0.4, -0.3, -0.4 + 9.5 - 3.6]
     np.testing.assert_allclose(values[0], 3.0 + np.array(x), rtol=1e-12)
     assert values[1].tolist() == [5.0] * len(times)
