@@ -115,6 +115,8 @@ def test_the_first_event_and_what_touches_before_it() -> None:
     fired, fraction, _, touch = first(touching)
     assert (fired, fraction) == (-1, NOWHERE)
     assert touch == [pytest.approx(0.3, abs=1e-3), NOWHERE]
+    # Further away than rounding of the value: 64 * 2^-53 of 0.09.
+    assert first(constant((0.09 + 2e-15, -0.6, 1.0)))[3] == [NOWHERE]
 
 
 @pytest.mark.parametrize("at_start", [True, False])
@@ -129,6 +131,8 @@ def test_what_is_negative_at_once(at_start: bool) -> None:
 
 def test_what_falls_from_a_known_zero_or_stays_there() -> None:
     assert first(constant((0.0, -0.5, 1.0)), 1)[:3] == (0, 0.0, False)
+    # What is known outweighs a value that is positive all over the step.
+    assert first(constant((0.1, -0.05)), 1)[:3] == (0, 0.0, False)
     fired, fraction, jumped, _ = first(constant((1e-18, 0.5, -1.0)), 1)
     assert (fired, jumped, fraction) == (0, False, pytest.approx(0.5, rel=1e-14))
     staying = constant((-1e-17, 1e-17))
