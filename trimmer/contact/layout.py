@@ -104,9 +104,7 @@ def layout_of(
     }
     ramp = any(pin.velocity != 0 and name in leaning for name, pin in mechanism.pins.items())
     relaxing = tuple(
-        name
-        for name, part in contacts.items()
-        if part.law is ContactLaw.RELAXING and part.damping > 0 and part.stiffness > 0
+        name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
     )
     layout = Layout(
         tuple(mechanism.bodies),

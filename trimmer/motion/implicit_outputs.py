@@ -24,16 +24,15 @@ DEPENDENT = 1e-10
 class OpenMode:
     """The mode before its implicit outputs v are known.
 
-    Z' = flow Z + push v, inputs = inputs Z + inputs_through v, outputs = outputs Z + outputs_through v;
-    implicit: which components v belongs to, holds: whether a constraint is among them.
+    Z' = flow Z + push v, inputs = inputs Z, outputs = outputs Z + selection v; implicit: which
+    components v belongs to, holds: whether a constraint is among them.
     """
 
     flow: Reals
     push: Reals
     inputs: Reals
-    inputs_through: Reals
     outputs: Reals
-    outputs_through: Reals
+    selection: Reals
     implicit: tuple[int, ...]
     holds: bool
 
@@ -47,8 +46,6 @@ def implicit_outputs(
     left, right, sizes = [], [], []
     flow = opened.flow, np.zeros_like(opened.flow)
     for column, k in enumerate(opened.implicit):
-        if opened.inputs_through[k].any():
-            raise IllPosedLoopError(f"{system.labels[k]}: its input depends at once on its own output")
         component = system.components[k]
         law = component.output_law(component_modes[k])
         if isinstance(law, RateProportional):

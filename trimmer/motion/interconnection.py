@@ -78,7 +78,7 @@ class Interconnection:
         A: State matrix of the linear system, n x n; its units follow from those of the states.
         B: Input matrix, n x m for m components.
         C: Output matrix, m x n.
-        D: Direct feedthrough, m x m.
+        D: Direct feedthrough, m x m, which must be zero.
         drive_gain: Factor with which the drive adds to each input, shape (m,).
         components: The m components.
         labels: Their names, for events.
@@ -87,7 +87,7 @@ class Interconnection:
             with these factors.
 
     Raises:
-        IllPosedLoopError: if an output acts without delay on an input that must not jump.
+        IllPosedLoopError: if an output acts without delay on an input.
         UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
     """
 
@@ -104,7 +104,7 @@ class Interconnection:
     def __post_init__(self) -> None:
         for k, (component, label) in enumerate(zip(self.components, self.labels, strict=True)):
             jumping = [j for j, other in enumerate(self.components) if other.output_jumps or j == k]
-            if self.D[k, jumping].any():
+            if self.D[k].any():
                 raise IllPosedLoopError(
                     f"{label}: an output acts on its input at once; the system must be strictly proper"
                 )

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.errors import IllPosedLoopError
 from trimmer.motion.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
 from trimmer.motion.interconnection import NEGLIGIBLE, Layout, effect
 from trimmer.motion.relay_component import HELD, RelayComponent
@@ -95,10 +94,9 @@ def assemble(
     if opened.holds:
         sizes = abs(opened.flow) + abs(opened.push) @ abs(implicit_rows)
         matrix = without_rounding(matrix, sizes)
-    outputs = opened.outputs + opened.outputs_through @ implicit_rows
-    inputs = opened.inputs + opened.inputs_through @ implicit_rows
+    outputs = opened.outputs + opened.selection @ implicit_rows
     signals = tuple(
-        component_signals(layout, (matrix, sizes), inputs[k], outputs[k], k, component.state_count)
+        component_signals(layout, (matrix, sizes), opened.inputs[k], outputs[k], k, component.state_count)
         for k, component in enumerate(system.components)
     )
     if opened.holds:
@@ -198,33 +196,22 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
             implicit.append(k)
             holds = holds or isinstance(law, Constrained)
     selection = np.eye(count)[:, implicit]
-    inputs, through = _inputs(system, layout, gains, own, selection)
+    inputs = _inputs(system, layout)
     outputs = gains[:, None] * inputs + own
-    outputs_through = gains[:, None] * through + selection
     flow = _own_flow(system, layout, component_modes)
     flow[: layout.order] += system.B @ outputs
     push = np.zeros((layout.size, len(implicit)))
-    push[: layout.order] = system.B @ outputs_through
-    return OpenMode(flow, push, inputs, through, outputs, outputs_through, tuple(implicit), holds)
+    push[: layout.order] = system.B @ selection
+    return OpenMode(flow, push, inputs, outputs, selection, tuple(implicit), holds)
 
 
-def _inputs(
-    system: Interconnection, layout: Layout, gains: Reals, own: Reals, selection: Reals
-) -> tuple[Reals, Reals]:
-    """Solve for the inputs, which act on each other through the direct feedthrough D of the system."""
-    count = len(gains)
-    undisturbed = np.zeros((count, layout.size))
-    undisturbed[:, : layout.order] = system.C
+def _inputs(system: Interconnection, layout: Layout) -> Reals:
+    """Return the inputs, on which no output acts at once."""
+    inputs = np.zeros((len(system.components), layout.size))
+    inputs[:, : layout.order] = system.C
     if system.drive is not None:
-        undisturbed[:, layout.sine] = system.drive_gain * system.drive.amplitude
-    if not system.D.any():
-        return undisturbed, np.zeros((count, selection.shape[1]))
-    loop = np.eye(count) - system.D * gains
-    if np.linalg.matrix_rank(loop) < count:
-        raise IllPosedLoopError("the direct feedthrough of the system cancels a component that is in contact")
-    known = np.hstack([undisturbed + system.D @ own, system.D @ selection])
-    solved = np.asarray(np.linalg.solve(loop, known), dtype=np.float64)
-    return solved[:, : layout.size], solved[:, layout.size :]
+        inputs[:, layout.sine] = system.drive_gain * system.drive.amplitude
+    return inputs
 
 
 def _own_flow(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> Reals:

@@ -104,6 +104,8 @@ def test_no_zero_is_no_zero_and_what_is_close_is_left_to_shorter_steps() -> None
     assert search([0.1, 1.0, -3.0], 0.2, 10.0) == UNSURE
     # What is left of the stretch is more than what is left of the gap in the later half.
     assert search([2.5, -6.0, 4.0], -0.45, 0.3) == UNSURE
+    # In the middle less of the gap is left than the spring is stretched at first, and the wall is met later.
+    assert search([1.0, -1.9], 0.1, 30.0) == UNSURE
     # Hardly relaxing, it might meet the wall anywhere while that falls by less than the stretch.
     assert search([0.5, -0.3], -0.4, 0.1) == UNSURE
 

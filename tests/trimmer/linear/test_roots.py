@@ -1,0 +1,135 @@
+"""Zeros, poles, their slopes, and frequencies at which nothing but a boundary is met."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import numpy as np
+import pytest
+
+from trimmer.linear import crossings, extrema, modes
+from trimmer.linear.modes import Mode
+from trimmer.linear.time_response import SteadyState, TimeResponse
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
+
+TWO_ROOTS = ZeroPoleGain(-3.0, (-2.0 + 0j,), (-1.0 + 5j, -1.0 - 5j, 4.0 + 0j))
+
+
+def test_gain_phase_and_slopes_of_a_few_roots() -> None:
+    omega, step = 3.0, 1e-4
+    value = -3.0 * (3j + 2) / ((3j + 1 - 5j) * (3j + 1 + 5j) * (3j - 4))
+    assert TWO_ROOTS.log_gain(omega) == pytest.approx(math.log(abs(value)), rel=1e-13)
+    assert np.exp(1j * TWO_ROOTS.phase(omega)) == pytest.approx(value / abs(value), rel=1e-13)
+    slope = (TWO_ROOTS.log_gain(omega + step) - TWO_ROOTS.log_gain(omega - step)) / (2 * step)
+    assert TWO_ROOTS.log_gain_slope_terms(omega).sum() == pytest.approx(slope, rel=1e-7)
+    turn = (TWO_ROOTS.phase(omega + step) - TWO_ROOTS.phase(omega - step)) / (2 * step)
+    assert TWO_ROOTS.phase_slope_terms(omega).sum() == pytest.approx(turn, rel=1e-7)
+    assert TWO_ROOTS.relative_degree == 2
+    assert TWO_ROOTS.exponents.tolist() == [1.0, -1.0, -1.0, -1.0]
+    # G(0) = -3 * 2 / (26 * -4).
+    assert TWO_ROOTS.static_gain == pytest.approx(6 / 104)
+
+
+def test_a_root_at_the_frequency_itself_has_no_slope() -> None:
+    on_axis = ZeroPoleGain(2.0, (3j, -3j), (-1.0 + 0j,))
+    assert on_axis.log_gain_slope_terms(3.0)[0] == 0.0
+    assert on_axis.log_gain(3.0) == -math.inf
+    jump = on_axis.phase(np.array([2.9, 3.1]))
+    assert jump[1] - jump[0] == pytest.approx(math.pi, abs=0.1)
+
+
+def test_static_gains_with_roots_at_the_origin() -> None:
+    assert ZeroPoleGain(2.0, (0j,), (-1.0 + 0j,)).static_gain == 0.0
+    assert ZeroPoleGain(2.0, (), (0j,)).static_gain == math.inf
+    assert ZeroPoleGain(2.0, (0j, -3.0 + 0j), (0j, -4.0 + 0j)).static_gain == pytest.approx(1.5)
+
+
+def test_roots_are_ordered_by_size_and_rounding_is_no_real_part() -> None:
+    found = ZeroPoleGain.of(control.tf([1.0], np.poly([-7.0, -3.0, -2 + 5j, -2 - 5j]).real))
+    assert [round(abs(pole), 9) for pole in found.poles] == [
+        3.0,
+        round(math.sqrt(29), 9),
+        round(math.sqrt(29), 9),
+        7.0,
+    ]
+    assert found.poles[1].imag < 0 < found.poles[2].imag
+    undamped = ZeroPoleGain.of(control.ss([[0.0, 1.0], [-9.0, 0.0]], [[0.0], [1.0]], [[1.0, 0.0]], 0.0))
+    assert [pole.real for pole in undamped.poles] == [0.0, 0.0]
+    assert (undamped.gain, undamped.zeros) == (pytest.approx(1.0), ())
+
+
+def test_a_state_space_keeps_gain_and_zeros() -> None:
+    # y = 4 x1 + 2 x1' of x1'' + 3 x1' + 25 x1 = u: 2 (s + 2) / (s^2 + 3 s + 25).
+    system = control.ss([[0.0, 1.0], [-25.0, -3.0]], [[0.0], [1.0]], [[4.0, 2.0]], 0.0)
+    found = ZeroPoleGain.of(system)
+    assert found.gain == pytest.approx(2.0, rel=1e-13)
+    assert found.zeros == (pytest.approx(-2.0),)
+    direct = ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[3.0]], 2.0))
+    assert (direct.gain, direct.zeros) == (2.0, (pytest.approx(-2.5),))
+
+
+def test_the_range_of_roots() -> None:
+    assert crossings._root_range(TWO_ROOTS, 10.0) == pytest.approx((0.2, 10 * math.sqrt(26)))
+    assert crossings._root_range(ZeroPoleGain(1.0, (), (0j,)), 10.0) == (0.1, 10.0)
+
+
+def test_a_crossing_at_a_break_itself_is_found_once() -> None:
+    found = crossings._crossings_of_zero(lambda omega: omega - 2.0, [1.0, 2.0, 3.0])
+    assert list(found) == [2.0]
+    assert list(crossings._crossings_of_zero(lambda omega: omega - 1.0, [1.0, 2.0])) == []
+    assert list(crossings._crossings_of_zero(lambda omega: 2.5 - omega, [1.0, 2.0, 3.0])) == [2.5]
+    assert list(crossings._crossings_of_zero(lambda omega: 9.0 - omega, [1.0, 2.0, 3.0])) == []
+
+
+@pytest.mark.parametrize(("gain", "level"), [(1e-20, 1.0), (1e20, 1.0), (5.0, 1e-15)])
+def test_ends_of_the_plot_are_followed_as_far_as_it_takes(gain: float, level: float) -> None:
+    # gain / s meets the level at gain / level.
+    assert crossings.gain_crossings(control.tf([gain], [1.0, 0.0]), level) == (
+        pytest.approx(gain / level, rel=1e-12),
+    )
+    assert crossings.gain_crossings(control.tf([gain, 0.0], [1.0]), level) == (
+        pytest.approx(level / gain, rel=1e-12),
+    )
+
+
+def test_zeros_of_a_sum_of_fractions() -> None:
+    # 2 / (s - 1) + 3 / (s - 4) = (5 s - 11) / ...
+    found = extrema._zeros_of_fractions(np.array([1.0 + 0j, 4.0]), np.array([2.0, 3.0]))
+    assert found[abs(found) < 1e6] == pytest.approx(2.2)
+    assert extrema._zeros_of_fractions(np.zeros(2, dtype=complex), np.ones(2)).size == 0
+
+
+def test_places_of_a_resonance_and_its_antiresonance() -> None:
+    # An undamped zero at 7 and a pole pair of damping ratio 0.1 at 10 rad/s.
+    system = ZeroPoleGain.of(control.tf([1.0, 0.0, 49.0], [1.0, 2.0, 100.0]))
+    (low, falls), (high, rises) = extrema.stationary_gains(system)
+    assert (low, falls, rises) == (pytest.approx(7.0, rel=1e-14), False, True)
+    grid = np.linspace(9, 13, 400_001)
+    assert high == pytest.approx(grid[np.argmax(system.log_gain(grid))], abs=1e-4)
+
+
+def test_numbers_of_a_mode() -> None:
+    mode = Mode(-3.0 + 4.0j, (1, 0, 0, 0))
+    assert (mode.omega_natural, mode.omega_damped, mode.damping_ratio) == (5.0, 4.0, 0.6)
+    assert mode.frequency == pytest.approx(4.0 / (2 * math.pi))
+    shape = modes._complex_shape(np.array([1.0, -2j, 0.5, 1j]))
+    assert shape == (0.5j, 1.0, 0.25j, -0.5)
+
+
+def test_a_response_names_its_signals() -> None:
+    time = np.array([0.0, 0.5, 1.0])
+    one = TimeResponse(time, time + 1, time[None] + 2, time + 3)
+    assert list(one.named) == ["input", "output"]
+    assert one.named["input"][0] == 3.0
+    assert one.named["output"][0] == 1.0
+    several = TimeResponse(
+        time, np.stack([time, time + 1]), np.stack([time, -time]), np.stack([time, time + 5])
+    )
+    assert list(several.named) == ["input 1", "input 2", "output 1", "output 2"]
+    assert several.named["input 2"].tolist() == [5.0, 5.5, 6.0]
+    columns = several._table().columns
+    assert [column.name for column in columns][-2:] == ["state 1", "state 2"]
+    assert "3 samples from 0 to 1 s" in repr(one)
+    steady = SteadyState(2.0, 3.0, 0.5)
+    assert steady.at([0.0, 1.0]).tolist() == pytest.approx([3 * math.sin(0.5), 3 * math.sin(2.5)])
