@@ -26,9 +26,9 @@ def test_a_single_value_has_room_around_it(value: float, half: float) -> None:
 def test_neighbours_of_one_colour_are_one_area() -> None:
     axes = Figure().add_subplot()
     first, second = np.array([3.0, 1.0, 2.0, 5.0]), np.array([20.0, 10.0])
-    numbers = np.array([[7, 4, 4, 7], [4, 4, 7, 7]])
-    draw_cells(axes, first, second, numbers, {4: "#ff0000", 7: "#00ff00"}, {7: "//"})
-    plain, filled, hatched = axes.patches
+    numbers = np.array([[4, 7, 7, 4], [7, 7, 4, 4]])
+    draw_cells(axes, first, second, numbers, {7: "#ff0000", 4: "#00ff00"}, {4: "//"})
+    filled, hatched, plain = axes.patches
     assert [to_hex(each.get_facecolor()) for each in (plain, filled)] == ["#ff0000", "#00ff00"]
     assert (hatched.get_fill(), hatched.get_hatch(), hatched.get_linewidth()) == (False, "//", 0)
     assert (plain.get_hatch(), filled.get_hatch()) == (None, None)
@@ -60,6 +60,7 @@ def test_kinds_have_their_own_colours() -> None:
 def test_patches_of_a_legend_are_hatched_densely() -> None:
     shown = {each.get_label(): each for each in legend_of(categories())}
     assert shown["period 3"].get_hatch() == "////"
+    assert shown["not settled"].get_hatch() == "||||"
     assert not shown["period 1"].get_hatch()
     assert to_hex(shown["period 1"].get_facecolor()) == "#56b4e9"
 

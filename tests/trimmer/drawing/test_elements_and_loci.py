@@ -227,7 +227,9 @@ def test_curves_are_at_the_frequencies_of_limit_cycles() -> None:
     element = SimpleNamespace(depends_on_frequency=True)
     cycles = [SimpleNamespace(omega=691.0), SimpleNamespace(omega=2 * np.pi * 740)]
     certificate = SimpleNamespace(omegas=(4.0, 100.0))
-    told = SimpleNamespace(loop=SimpleNamespace(element=element), limit_cycles=cycles, certificate=certificate)
+    told = SimpleNamespace(
+        loop=SimpleNamespace(element=element), limit_cycles=cycles, certificate=certificate
+    )
     assert [omega for _, omega in locus._frequencies(told)] == [691.0, 2 * np.pi * 740]
     assert locus._frequencies(told)[1][0] == "−1/N(A), 740 Hz"
     told.limit_cycles = []

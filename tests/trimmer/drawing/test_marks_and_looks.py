@@ -30,6 +30,7 @@ def test_lines_are_told_apart_by_their_dashes() -> None:
     styles = [each["linestyle"] for each in look.LINES]
     assert styles == ["solid", *((0, each) for each in dashes[1:])]
     assert look.UNSTABLE == (0, (4, 2))
+    assert (look.DOTTED["linewidth"], look.FAINT["linewidth"]) == (0.9, 1.0)
     assert look.COLOURS == ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
     assert [look.colour(number) for number in (0, 4, 5, 11)] == [look.COLOURS[at] for at in (0, 4, 0, 1)]
     assert [look.line(number) for number in (0, 5, 6)] == [look.LINES[at] for at in (0, 5, 0)]
@@ -82,6 +83,7 @@ def test_a_legend_stands_beside_axes_from_four_inches_on(width: float, beside: b
     axes.plot([1, 2], label="a")
     add_legend(axes, title="of all")
     assert axes.get_legend().get_title().get_text() == "of all"
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["a"]
     under = -3.6 * 10.0 / 72 / 2.5  # font size in inches, over the height of the axes
     assert anchored(axes) == pytest.approx([1.02, 1.0] if beside else [0.0, under])
 
@@ -109,6 +111,7 @@ def test_new_axes_have_the_size_that_is_asked_for(monkeypatch: pytest.MonkeyPatc
 def test_a_figure_has_its_size_its_title_and_one_picture() -> None:
     drawn = []
     figure = figure_of(drawn.append, "a $title", (3.0, 2.0))
+    assert len(drawn) == 1
     assert drawn == figure.axes
     assert tuple(figure.get_size_inches()) == (3.0, 2.0)
     assert figure.get_suptitle() == "a $title"

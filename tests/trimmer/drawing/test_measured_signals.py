@@ -26,6 +26,12 @@ def new_axes() -> Axes:
     return Figure().add_subplot()
 
 
+def assert_framed(axes: Axes) -> None:
+    """Assert that there is a grid, and that units are no mathematics."""
+    assert axes.xaxis.get_gridlines()[0].get_visible()
+    assert not axes.yaxis.label.get_parse_math()
+
+
 def lines_of(axes: Axes) -> dict[str, np.ndarray]:
     return {each.get_label(): each.get_xydata().T for each in axes.lines}
 
@@ -103,6 +109,7 @@ def test_what_is_nothing_beside_the_largest_is_at_its_floor() -> None:
 def test_a_spectrum_has_its_unit_if_that_is_known() -> None:
     made = made_spectrum(np.array([0.0, 3.0, 1.0]))
     axes = spectrum.draw_spectrum(made, new_axes(), "m")
+    assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "amplitude, m")
     assert axes.get_yscale() == "log"
     assert axes.get_title()
@@ -214,6 +221,7 @@ def test_lines_are_drawn_over_the_measured_spectrum() -> None:
     np.testing.assert_array_equal(drawn["measured"], [frequency, amplitude])
     bottom = max(0.3 * np.median(amplitude), 1e-7 * amplitude.max())
     assert axes.get_ylim()[0] == pytest.approx(bottom)
+    assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "amplitude, m")
     noisy = values + np.random.default_rng(3).normal(scale=1e-3, size=1600)
     axes = of_comparison.draw_comparison(made_comparison(noisy), new_axes())
@@ -228,6 +236,7 @@ def test_samples_are_folded_into_a_period() -> None:
     np.testing.assert_allclose(drawn["samples"][1], values - 9.5e-3)
     assert drawn["measured lines"].tolist() == [[0.0, 4e-3], [1e-3, 2e-3]]
     assert drawn["simulated, shifted"].tolist() == [[0.0, 4e-3], [5e-3, 7e-3]]
+    assert_framed(axes)
     assert axes.get_title() == "shifted by 2.5 ms; difference 12.5 % rms"
     assert (axes.get_xlabel(), axes.get_ylabel()) == (
         "time in the period, ms",
@@ -295,6 +304,8 @@ def test_a_fit_is_drawn_over_the_means_of_the_measurement() -> None:
     expected = -2e-3 * np.cos(2 * np.pi * 125 * times)
     expected += 4e-3 * np.cos(2 * np.pi * 250 * times) + 3e-3 * np.sin(2 * np.pi * 250 * times)
     np.testing.assert_allclose(fitted, [times, expected], atol=1e-15)
+    assert [each.get_color() for each in axes.lines] == ["#000000", LINES[1]["color"]]
+    assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("time in the period, ms", "second, displacement, mm")
 
 
@@ -306,6 +317,7 @@ def test_what_a_fit_leaves_is_drawn_over_its_noise() -> None:
     np.testing.assert_array_equal(curve.get_xydata().T, [times, measured - simulated])
     (band,) = axes.patches
     assert [band.get_y(), band.get_height()] == pytest.approx([-1e-4, 2e-4])  # twice hypot(3e-5, 4e-5)
+    assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("time in the period, ms", "left, mm")
 
 
@@ -320,6 +332,7 @@ def test_lines_of_a_fit_are_drawn_over_their_noise() -> None:
     np.testing.assert_allclose(drawn["left"], [[125, 250], left])
     assert axes.get_ylim()[0] == pytest.approx(0.1 * np.sqrt(2) * 3e-5)
     assert axes.get_yscale() == "log"
+    assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "amplitude, m")
     silent = of_fit.draw_lines(MadeFit(1e-3 * VALUES, 1e-20 * DEVIATIONS), "second", new_axes())
     assert silent.get_ylim()[0] == pytest.approx(3e-12)
