@@ -285,6 +285,7 @@ def test_a_bode_plot_has_one_axis_of_frequency() -> None:
     assert (upper.get_xlabel(), lower.get_xlabel()) == ("", "frequency, Hz")
     assert tuple(figure.get_size_inches()) == (7.2, 6.0)
     assert figure.get_suptitle()
+    assert all(axes.xaxis.get_gridlines()[0].get_visible() for axes in (upper, lower))
     assert (upper.get_ylabel(), lower.get_ylabel()) == ("magnitude, dB", "phase, degrees")
     ticks = lower.yaxis.get_major_locator().tick_values(-200.0, 10.0)
     assert set(np.diff(ticks)) == {90.0}
