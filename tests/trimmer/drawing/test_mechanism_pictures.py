@@ -145,7 +145,7 @@ def test_impacts_are_drawn_of_what_has_no_output() -> None:
 
 
 class MadeFlow:
-    """A body that moves as x = 5 - t, v = -1 within two periods of 2 s; the state ends with what drives it."""
+    """A body that moves as x = 5 - t within two periods of 2 s; the state ends with what drives it."""
 
     period = 2.0
 
@@ -344,6 +344,7 @@ def test_signals_of_a_loop_are_drawn_at_its_events_too(monkeypatch) -> None:
     output, bridge = axes.lines
     assert (output.get_label(), bridge.get_label()) == ("output q2", "output of the play")
     np.testing.assert_array_equal(bridge.get_ydata(), 3.0 * bridge.get_xdata())
+    assert len(axes.get_legend().get_texts()) == 2
     assert output.get_xdata().size == 4001
     assert 1.00001 in output.get_xdata()
     assert [each.get_color() for each in axes.lines] == [each["color"] for each in LINES[:2]]
