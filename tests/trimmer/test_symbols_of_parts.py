@@ -1,4 +1,4 @@
-"""What symbols a mechanism's parts become: zeros are left out, weights are exact, laws have all their terms."""
+"""What symbols the parts of a mechanism become: zeros are left out, weights are exact, laws are whole."""
 
 from __future__ import annotations
 
