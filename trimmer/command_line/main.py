@@ -71,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         drop(sys.stdout)
         return WRONG_USE
     except MemoryError as error:
-        tell(f"there is not enough memory for that ({error or 'no more could be had'}); ask for less")
+        tell(f"there is not enough memory for that ({str(error) or 'no more could be had'}); ask for less")
         return WRONG_USE
     except KeyboardInterrupt:
         tell("interrupted before the result was complete")

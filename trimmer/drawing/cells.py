@@ -51,8 +51,8 @@ def draw_cells(
             corners.setdefault(int(numbers[begin]), []).append(Path(corner + SQUARE * size, closed=True))
     for number, places in sorted(corners.items()):
         path = Path.make_compound_path(*places)
-        look = {"facecolor": colours[number], "edgecolor": colours[number], "linewidth": 0.6}  # no seams
-        axes.add_patch(PathPatch(path, **look))
+        colour = colours[number]
+        axes.add_patch(PathPatch(path, facecolor=colour, edgecolor=colour, linewidth=0.6))  # no seams
         if hatches.get(number):
             axes.add_patch(PathPatch(path, fill=False, linewidth=0, edgecolor=INK, hatch=hatches[number]))
     axes.set(xlim=(across[0], across[-1]), ylim=(up[0], up[-1]))

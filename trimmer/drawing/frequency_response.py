@@ -39,14 +39,8 @@ def draw_summary(summary: LinearSummary, ax: Axes | None = None) -> Axes:
         places = [each for each in extrema if 0 < each.magnitude < np.inf]
         if places:
             levels = decibels(np.array([each.magnitude for each in places]))
-            look: dict[str, Any] = {
-                "color": BLACK,
-                "fillstyle": "none",
-                "linestyle": "none",
-                "markersize": 4,
-                "label": label,
-            }
-            axes.plot([each.omega / TURN for each in places], levels, marker, **look)
+            look: dict[str, Any] = {"color": BLACK, "fillstyle": "none", "linestyle": "none", "label": label}
+            axes.plot([each.omega / TURN for each in places], levels, marker, markersize=4, **look)
     for number, mode in enumerate(each for each in summary.modes if each.frequency > 0):
         axes.axvline(mode.frequency, label="" if number else "natural mode, damped", **DOTTED)
     axes.margins(x=0.0)

@@ -32,7 +32,7 @@ def draw_loop_motion(motion: Motion, ax: Axes | None = None) -> Axes:
     if len(motion.log.start) <= MOST_EVENTS:
         times = np.union1d(times, motion.log.start[motion.log.start <= motion.duration])
     for number, (name, values) in enumerate(signals_of(motion, times).items()):
-        axes.plot(times, values, label=name, **line(number) | {"linewidth": 1.2})
+        axes.plot(times, values, label=name, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, motion.duration)
     name_axis(axes.yaxis, "displacement", "m")
     name_axis(axes.xaxis, "time", "s")

@@ -20,9 +20,10 @@ def limit_cycle(axes: Axes, place: Place, *, stable: bool, label: str | None = N
     """Mark a limit cycle as in all pictures: full where it is stable, open where it is not."""
     x, y = as_pair(place)
     fill, usual = (BLACK, STABLE) if stable else ("white", UNSTABLE)
-    look: dict[str, Any] = {"color": BLACK, "markersize": 5.0, "markerfacecolor": fill, "zorder": 4}
     # A mark without a line, so that its legend shows none either.
-    axes.plot([x], [y], "o", label=label or usual, **look)
+    axes.plot(
+        [x], [y], "o", label=label or usual, color=BLACK, markersize=5.0, markerfacecolor=fill, zorder=4
+    )
 
 
 def critical_point(axes: Axes) -> None:

@@ -65,14 +65,16 @@ def test_all_public_results_with_a_plot_are_tried() -> None:
     assert len(elements) > 5
 
 
-@pytest.mark.parametrize("plot", PLOTS.values(), ids=PLOTS)
-def test_axes_that_are_given_are_drawn_into_and_returned(plot: Callable[..., Axes]) -> None:
+@pytest.mark.parametrize("name", PLOTS)
+def test_axes_that_are_given_are_drawn_into_and_returned(name: str) -> None:
+    plot = PLOTS[name]
     settings = dict(matplotlib.rcParams)
     axes = Figure(figsize=(3.5, 3.2), layout="constrained").add_subplot()
     assert plot(axes) is axes
     assert axes.has_data()
     assert axes.get_xlabel()
     assert axes.get_ylabel()
+    assert axes.xaxis.get_gridlines()[0].get_visible() == (name not in ("MotionMap", "Basin"))
     assert_all_is_seen(axes)
     assert dict(matplotlib.rcParams) == settings
     assert not pyplot.get_fignums()

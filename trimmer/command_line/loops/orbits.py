@@ -19,6 +19,8 @@ from trimmer.command_line.parser import INTERRUPTED, tell
 from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from trimmer.orbits.search import PeriodicOrbits
 
 
@@ -57,25 +59,26 @@ def _run(arguments: Namespace) -> int:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
             raise unusable(arguments, error) from error
-    drawn = _draw(arguments, orbits)
+    picture = _draw(arguments, orbits)
     text = (as_json if arguments.json else as_text)(loop.element, predictions, orbits)
-    show(text, arguments.plot if drawn else None)
+    show(text, picture)
     if interrupted:
         tell("interrupted; what was found until then is printed")
     return INTERRUPTED if interrupted else 0
 
 
-def _draw(arguments: Namespace, orbits: PeriodicOrbits) -> bool:
-    """Draw the picture that is wanted; says whether there was anything to draw."""
-    if arguments.plot is None:
-        return False
+def _draw(arguments: Namespace, orbits: PeriodicOrbits) -> Path | None:
+    """Draw the picture that is wanted, and return its file; None if there is none."""
+    target: Path | None = arguments.plot
+    if target is None:
+        return None
     if not orbits:
-        tell(f"{arguments.plot} was not written, because no orbit was found")
-        return False
+        tell(f"{target} was not written, because no orbit was found")
+        return None
     from trimmer.drawing.content import figure_of
 
     write_picture(arguments, figure_of(orbits.plot))
-    return True
+    return target
 
 
 COMMAND = Command(

@@ -24,6 +24,8 @@ from trimmer.command_line.parser import OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from trimmer.response.response import Response
 
 
@@ -70,22 +72,23 @@ def _run(arguments: Namespace) -> int:
             most_periods=arguments.periods,
             seed=arguments.seed,
         )
-    drawn = _draw(arguments, response)
-    show(as_json(response) if arguments.json else as_text(response), arguments.plot if drawn else None)
+    picture = _draw(arguments, response)
+    show(as_json(response) if arguments.json else as_text(response), picture)
     return 0
 
 
-def _draw(arguments: Namespace, response: Response) -> bool:
-    """Draw the picture that is wanted; says whether there was anything to draw."""
-    if arguments.plot is None:
-        return False
+def _draw(arguments: Namespace, response: Response) -> Path | None:
+    """Draw the picture that is wanted, and return its file; None if there is none."""
+    target: Path | None = arguments.plot
+    if target is None:
+        return None
     if response.motion.orbit is None and response.motion.window is None:
-        tell(f"{arguments.plot} was not written, because nothing was found that could be drawn")
-        return False
+        tell(f"{target} was not written, because nothing was found that could be drawn")
+        return None
     from trimmer.drawing.mechanisms.response import response_figure
 
     write_picture(arguments, response_figure(response))
-    return True
+    return target
 
 
 COMMAND = Command(

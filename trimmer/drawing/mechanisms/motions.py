@@ -39,7 +39,7 @@ def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes
     times = np.linspace(0.0, course.duration, POINTS)
     states = course.states(times)
     for number, (name, row) in enumerate(signals_of(flow).items()):
-        axes.plot(times, states @ row, label=name, **line(number) | {"linewidth": 1.2})
+        axes.plot(times, states @ row, label=name, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
     name_axis(axes.yaxis, "displacement", "m")
     name_axis(axes.xaxis, "time", "s")

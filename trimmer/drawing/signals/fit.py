@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -43,8 +43,8 @@ def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     times, _, simulated = fit.waveforms(output)
     folded, means = averaged(fit, output)
     count = int(fit.measured.periods / fit.measured.period_count)
-    look: dict[str, Any] = {"linestyle": "none", "color": MEASURED, "markersize": 3}
-    axes.plot(folded, means, "o", label=f"measured,\nmean of {count} periods", **look)
+    told = f"measured,\nmean of {count} periods"
+    axes.plot(folded, means, "o", color=MEASURED, linestyle="none", markersize=3, label=told)
     axes.plot(times, simulated, color=SIMULATED, linewidth=1.4, label="fitted")
     name_axis(axes.xaxis, "time in the period", "s")
     name_axis(axes.yaxis, f"{output}, {signal.quantity.word}", signal.unit)
@@ -84,13 +84,15 @@ def draw_lines(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     axes.plot(
         frequencies, abs(simulated), "x", color=SIMULATED, linestyle="none", markersize=7, label="fitted"
     )
-    look: dict[str, Any] = {
-        "color": COLOURS[0],
-        "linestyle": "none",
-        "markersize": 4,
-        "markerfacecolor": "none",
-    }
-    axes.plot(frequencies, abs(measured - simulated), "s", label="left", **look)
+    left = abs(measured - simulated)
+    axes.plot(
+        *(frequencies, left, "s"),
+        color=COLOURS[0],
+        linestyle="none",
+        markersize=4,
+        markerfacecolor="none",
+        label="left",
+    )
     axes.set_ylim(bottom=max(0.1 * float(noise.min()), 1e-9 * float(abs(measured).max())))
     name_axis(axes.xaxis, "frequency", "Hz")
     axes.set_ylabel(f"amplitude, {signal.unit}", parse_math=False)

@@ -24,7 +24,7 @@ MOST_POINTS = 8000
 def draw_signal(signal: Signal, ax: Axes | None = None) -> Axes:
     """Draw samples over time, s; see ``Signal.plot``."""
     axes = axes_for(ax)
-    axes.plot(*thinned(signal.times, signal.values), label=signal.name, **line(0) | {"linewidth": 1.0})
+    axes.plot(*thinned(signal.times, signal.values), label=signal.name, linewidth=1.0, **line(0))
     _finish(axes)
     name_axis(axes.yaxis, signal.name, signal.unit)
     return axes

@@ -1,0 +1,384 @@
+"""Pictures of mechanisms, loops and samples, of results put together by hand."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace as Made
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+
+from trimmer.branches.special import SpecialKind
+from trimmer.design.targets import Measure, Target
+from trimmer.design.trial import Asked
+from trimmer.drawing import loop_motion, orbit
+from trimmer.drawing.look import COLOURS, LINES, UNSTABLE
+from trimmer.drawing.mechanisms import branch as of_branch
+from trimmer.drawing.mechanisms import curves, motions, response, scatter
+from trimmer.drawing.mechanisms.motion_map import draw_map
+from trimmer.errors import MechanismError
+from trimmer.motion.relay_component import HELD
+from trimmer.response.response import MotionKind
+
+
+def new_axes() -> Axes:
+    return Figure().add_subplot()
+
+
+def grid(axes: Axes) -> bool:
+    return bool(axes.xaxis.get_gridlines()[0].get_visible())
+
+
+def made_branch(values: list[float], stable: str, periods: int = 1, others: tuple[Made, ...] = ()) -> Made:
+    points = [
+        Made(
+            value=value,
+            stable=letter == "s",
+            outputs={"x": Made(peak_to_peak=10 * value), "y": Made(peak_to_peak=value)},
+        )
+        for value, letter in zip(values, stable, strict=True)
+    ]
+    mechanism = Made(outputs={"x": 1, "y": 2}, frequency=60.0, places={"frequency": "Hz"})
+    made = Made(points=points, periods=periods, special=[], map=Made(mechanism=mechanism, place="frequency"))
+    made.all = lambda: [made, *others]
+    made.outputs_at = lambda special: {"x": Made(peak_to_peak=7.0), "y": Made(peak_to_peak=8.0)}
+    return made
+
+
+def test_stretches_of_a_branch_join_at_the_last_point_of_the_one_before(monkeypatch) -> None:
+    monkeypatch.setattr(of_branch, "unit_of", lambda places, place: places[place])
+    doubled, empty = made_branch([2.5], "u", 2), made_branch([], "", 5)
+    whole = made_branch([1.0, 2.0, 3.0, 4.0], "suus", others=(doubled, empty))
+    whole.special = [Made(kind=SpecialKind.TORUS, value=2.25)]
+    axes = of_branch.draw_branch(whole, new_axes(), "y")
+    first, second, third, special, single = axes.lines
+    assert [each.get_xdata().tolist() for each in (first, second, third)] == [[1], [1, 2, 3], [3, 4]]
+    assert third.get_ydata().tolist() == [3, 4]
+    assert [each.get_linestyle() for each in (first, second, third)] == ["-", "--", "-"]
+    assert second._unscaled_dash_pattern[1] == UNSTABLE[1]
+    assert [each.get_color() for each in (first, single)] == [COLOURS[0], COLOURS[1]]
+    assert [each.get_marker() for each in (first, single)] == ["", "."]
+    assert (single.get_label(), single.get_xydata().tolist()) == ("unstable, period 2", [[2.5, 2.5]])
+    assert special.get_xydata().tolist() == [[2.25, 8.0]]
+    assert (special.get_marker(), special.get_label()) == ("P", SpecialKind.TORUS.word)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "y, peak to peak, m")
+    assert grid(axes)
+    assert of_branch.draw_branch(whole, new_axes()).lines[0].get_ydata().tolist() == [10.0]
+
+
+def test_a_branch_is_drawn_for_each_output(monkeypatch) -> None:
+    monkeypatch.setattr(of_branch, "unit_of", lambda places, place: places[place])
+    whole = made_branch([1.0, 2.0], "ss")
+    figure = of_branch.branch_figure(whole)
+    assert tuple(figure.get_size_inches()) == (7.2, 6.8)
+    assert [axes.get_ylabel()[0] for axes in figure.axes] == ["x", "y"]
+    whole.map.mechanism.outputs = {}
+    with pytest.raises(MechanismError, match="has no output"):
+        of_branch.branch_figure(whole)
+
+
+def test_what_moves_by_itself_has_its_own_period() -> None:
+    made = made_branch([1.0], "s", 4)
+    assert of_branch._period(made) == "period 4"
+    made.map.mechanism.frequency = None
+    assert of_branch._period(made) == "period doubled to 4"
+    made.periods = 1
+    assert of_branch._period(made) == "own period"
+
+
+def test_curves_of_one_name_have_one_look() -> None:
+    axes = new_axes()
+    given = [("a", [(1e-3, 2.0), (3e-3, 5.0)]), ("b", [(0.0, 1.0)]), ("a", [(2e-3, 4.0)])]
+    curves.draw_curves(given, ("gap", "frequency"), ("m", "Hz"), axes)
+    under, over = axes.lines[::2], axes.lines[1::2]
+    assert [each.get_linestyle() for each in over] == ["-", "--", "-"]
+    assert {to_hex(each.get_color()) for each in under} == {"#ffffff"}
+    assert {to_hex(each.get_color()) for each in over} == {"#000000"}
+    assert [each.get_xydata().tolist() for each in under] == [each.get_xydata().tolist() for each in over]
+    assert over[0].get_xydata().tolist() == [[1e-3, 2.0], [3e-3, 5.0]]
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["a", "b"]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("gap, mm", "frequency, Hz")
+    assert grid(axes)
+    low, high = axes.get_xlim()
+    assert low < 0.0 and high > 3e-3
+    limits = axes.get_xlim(), axes.get_ylim()
+    curves.draw_curves([("c", [(1.0, 900.0)])], ("p", "q"), ("", ""), axes)
+    assert (axes.get_xlim(), axes.get_ylim()) == limits
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["a", "b", "c"]
+    assert axes.get_xlabel() == "gap, mm"
+
+
+def test_curves_over_what_has_no_legend() -> None:
+    axes = new_axes()
+    axes.plot([0.0, 1.0], [0.0, 1.0])
+    curves.draw_curves([("c", [(0.5, 9.0)])], ("p", "q"), ("", ""), axes)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["c"]
+    assert axes.get_ylim()[1] < 2.0
+
+
+def test_impacts_are_drawn_of_what_has_no_output() -> None:
+    motion = Made(kind=MotionKind.CHAOTIC, period_count=0)
+    result = Made(
+        cells=[Made(motions=[motion])] * 3,
+        shape=(1, 3),
+        places=("gap",),
+        units=("m",),
+        values=(np.array([1e-6, 2e-6, 4e-6]),),
+        stroke=np.array([[3e-3, 2e-3, 1e-3]]),
+        impacts=np.array([[1.0, 2.0, 5.0]]),
+        inputs=Made(mechanism=Made(outputs={})),
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("trimmer.drawing.mechanisms.kinds.described", lambda motion: "chaotic")
+        axes = draw_map(result, new_axes())
+        result.inputs.mechanism.outputs = {"x": 1}
+        other = draw_map(result, new_axes())
+    (dots,) = axes.collections
+    np.testing.assert_allclose(dots.get_offsets(), np.transpose([result.values[0], [1.0, 2.0, 5.0]]))
+    assert to_hex(dots.get_facecolor()[0]) == "#222222"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("gap, µm", "impacts per drive period")
+    np.testing.assert_allclose(other.collections[0].get_offsets()[:, 1], [3e-3, 2e-3, 1e-3])
+    assert other.get_ylabel() == "x, peak to peak, mm"
+    assert grid(axes)
+
+
+class MadeFlow:
+    """A body that moves as x = 5 - t within two periods of 2 s; the state ends with what drives it."""
+
+    period = 2.0
+
+    def __init__(self, outputs: bool = True) -> None:
+        layout = Made(bodies=["mass"], size=3, contacts=["wall"], frictions=["blade"])
+        layout.forcing_at = lambda time: np.array([time + 1.0])
+        base = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+        self.modes = Made(layout=layout, machine=Made(base=base))
+        self.mechanism = Made(outputs={"x": 1} if outputs else {})
+
+
+COURSE = Made(
+    duration=4.0, states=lambda times: np.transpose([5.0 - times, 0.0 * times - 1.0, 0.0 * times + 1.0])
+)
+
+
+@pytest.fixture
+def without_output(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(motions, "output_rows", lambda mechanism, layout: {})
+    monkeypatch.setattr(motions, "strips_of", lambda flow, course: [])
+
+
+def test_bodies_are_drawn_of_what_has_no_output(without_output) -> None:
+    axes = motions.draw_motion(MadeFlow(), COURSE, new_axes())
+    (curve,) = axes.lines
+    times = np.linspace(0.0, 4.0, 4000)
+    np.testing.assert_allclose(curve.get_xydata().T, [times, 5.0 - times])
+    assert (curve.get_label(), curve.get_color()) == ("mass", LINES[0]["color"])
+    assert axes.get_xlim() == (0.0, 4.0)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("time, s", "displacement, m")
+    assert grid(axes)
+
+
+def test_dots_are_at_the_starts_of_drive_periods(without_output) -> None:
+    flow = MadeFlow()
+    axes = motions.draw_phase_plane(flow, COURSE, new_axes())
+    curve, dots = axes.lines
+    assert dots.get_xydata().tolist() == [[5.0, -1.0], [3.0, -1.0]]  # the end starts none
+    assert (curve.get_xydata()[0].tolist(), curve.get_xydata()[-1].tolist()) == ([5.0, -1.0], [1.0, -1.0])
+    assert (to_hex(curve.get_color()), to_hex(dots.get_color())) == (COLOURS[0], "#000000")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("mass, m", "rate of mass, m/s")
+    assert grid(axes)
+    assert len(axes.xaxis.get_major_locator().tick_values(1.0, 5.0)) <= 6
+    flow.period = 0.0
+    assert len(motions.draw_phase_plane(flow, COURSE, new_axes()).lines) == 1
+
+
+@pytest.mark.parametrize(
+    ("count", "number", "mark"), [(49, 0, "o"), (49, 2, "D"), (49, 6, "s"), (50, 2, ".")]
+)
+def test_points_of_a_section_are_marked_by_their_number(
+    without_output, count: int, number: int, mark: str
+) -> None:
+    states = np.tile([3.0, -7.0], (count, 1))
+    axes = new_axes()
+    motions.draw_section(axes, MadeFlow(), states, "label", number)
+    (points,) = axes.lines
+    assert points.get_xydata().tolist() == [[3.0, -7.0]] * count
+    assert (points.get_marker(), points.get_color()) == (mark, LINES[number % 6]["color"])
+    assert points.get_markersize() == (4.0 if count < 50 else 1.5)
+    assert (axes.get_xlabel(), points.get_label()) == ("mass, m", "label")
+
+
+def test_strips_of_a_mechanism_are_of_its_contacts_and_frictions(monkeypatch) -> None:
+    asked = []
+
+    def status(course: object, part: int, on: tuple[int, ...]) -> np.ndarray:
+        asked.append((part, on))
+        return np.array([part == 0, part == 1])
+
+    monkeypatch.setattr(motions, "while_status", status)
+    course = Made(log=Made(start=np.array([0.0, 1.5])), duration=4.0)
+    first, second = motions.strips_of(MadeFlow(), course)
+    assert (first.name, first.bars, first.stick) == ("wall, contact", [(0.0, 1.5)], False)
+    assert (second.name, second.bars, second.stick) == ("blade, stick", [(1.5, 2.5)], True)
+    assert asked == [(0, motions.PUSHING), (1, (motions.STICK,))]
+
+
+def test_a_section_that_is_nearly_a_point_has_the_frame_of_the_phase_plane() -> None:
+    for size, same in ((0.049, True), (0.051, False)):
+        section, plane = new_axes(), new_axes()
+        plane.set(xlim=(0.0, 1.0), ylim=(-5.0, 5.0), xlabel="x, mm")
+        section.plot([0.5, 0.5 + size], [0.0, 0.1])
+        response._frame(section, plane)
+        assert (section.get_xlim() == (0.0, 1.0)) == same
+        assert (section.get_ylim() == (-5.0, 5.0)) == same
+        assert section.get_xlabel() == ("x, mm" if same else "")
+
+
+def test_some_periods_are_shown_of_what_does_not_repeat() -> None:
+    orbit_of = Made(flow="flow", course="course")
+    assert response.shown(Made(orbit=orbit_of, window=None)) == ("flow", "course")
+    flow = Made(course=lambda end, periods: (end, periods))
+    assert response.shown(Made(orbit=None, window=Made(flow=flow, end="end"))) == (flow, ("end", 8))
+    with pytest.raises(ValueError, match="nothing was found"):
+        response.shown(Made(orbit=None, window=None))
+
+
+def test_each_motion_is_in_the_section(monkeypatch, without_output) -> None:
+    flow = MadeFlow()
+    strobed, many = np.array([[3.0, -7.0]]), np.array([[1.0, 2.0], [2.0, 1.0]])
+    repeats = Made(orbit=Made(flow=flow, course=COURSE, strobed=strobed), window=None, share=0.75)
+    window = Made(flow=flow, states=many)
+    restless = Made(orbit=None, window=window, share=0.25)
+    lost = Made(orbit=None, window=None, share=0.0)
+    made = Made(motion=repeats, motions=[repeats, restless, lost], mechanism=Made(title="title"))
+    figure = response.response_figure(made)
+    above, plane, section = figure.axes
+    assert tuple(figure.get_size_inches()) == (7.6, 7.2)
+    assert figure.get_suptitle() == "title"
+    first, second = section.lines
+    assert (first.get_xydata().tolist(), second.get_xydata().tolist()) == (strobed.tolist(), many.tolist())
+    assert (first.get_label(), second.get_label()) == ("1: 75% of the starts", "2: 25% of the starts")
+    assert section.get_legend() is not None
+    assert above.get_xlim() == (0.0, 4.0)
+    assert plane.get_title() and section.get_title()
+    made.motions = [repeats]
+    assert response.response_figure(made).axes[2].get_legend() is None
+
+
+def made_samples(values: list[float]) -> tuple[Made, Asked]:
+    asked = Asked(Measure.STROKE, "x")
+    targets = [
+        Target("stroke_at_least", Measure.STROKE, "x", 2e-3),
+        Target("stroke_at_least", Measure.STROKE, "y", 9.0),
+        Target("impact_speed_at_most", Measure.IMPACT_SPEED, "x", 9.0),
+    ]
+    other = Asked(Measure.IMPACT_SPEED, "wall")
+    samples = Made(
+        asked=[asked, Asked(Measure.PERIOD, ""), other, other],
+        targets=targets,
+        measured=lambda each: np.array(values) * (1 if each == asked else 2),
+    )
+    return samples, asked
+
+
+def test_samples_that_miss_a_target_are_hatched() -> None:
+    samples, asked = made_samples([1e-3, 2e-3, 3e-3, 3.5e-3, np.nan])
+    axes = scatter.draw_distribution(samples, asked, new_axes())
+    hatched = [each for each in axes.patches if each.get_hatch()]
+    plain = [each for each in axes.patches if not each.get_hatch()]
+    assert sum(each.get_height() for each in plain) == 3
+    assert sum(each.get_height() for each in hatched) == 1
+    assert {to_hex(each.get_facecolor()) for each in plain} == {"#0072b2"}
+    assert {to_hex(each.get_facecolor()) for each in hatched} == {"#d55e00"}
+    (bound,) = axes.lines
+    assert bound.get_xdata() == [2e-3, 2e-3]
+    assert axes.get_xlabel().endswith(", mm") and axes.get_ylabel() == "samples"
+    samples, asked = made_samples([2e-3, 2e-3])
+    same = scatter.draw_distribution(samples, asked, new_axes())
+    assert {each.get_height() for each in same.patches} == {0.0, 2.0}
+    assert len(same.patches) == 2
+
+
+def test_samples_have_a_panel_for_each_measure() -> None:
+    samples, _ = made_samples([1e-3, 2e-3, 3e-3])
+    figure = scatter.sample_figure(samples)
+    assert tuple(figure.get_size_inches()) == pytest.approx((7.2, 4.2))
+    assert [axes.axison for axes in figure.axes] == [True, True, True, False]
+    assert figure.axes[1].get_xlabel().startswith("impact speed of wall")
+    samples.asked = samples.asked[:1]
+    assert tuple(scatter.sample_figure(samples).get_size_inches()) == pytest.approx((7.2, 2.1))
+
+
+def made_motion() -> Made:
+    modes = Made(system=Made(labels=["play", "law", "relay"], drive=None))
+    play = object.__new__(loop_motion.BacklashComponent)
+    held = Made(mode_names=["plus", "minus", "other", "more"])
+    held.mode_names[HELD] = "held"
+    modes.system.components = [play, Made(mode_names=["one"]), held]
+    modes.component_modes = lambda number: [(0, 0, HELD), (1, 0, 0), (2, 0, HELD)][number]
+    model = Made(output_labels=["q2"])
+    return Made(
+        loop=Made(modes=modes, model=model),
+        log=Made(start=np.array([0.0, 1.0, 3.0]), mode=np.array([0, 1, 2])),
+        duration=4.0,
+        output=lambda times: times,
+        element_input=lambda times: 2.0 * times,
+        element_output=lambda times: 3.0 * times,
+    )
+
+
+def test_strips_of_a_loop_are_of_its_plays_and_of_what_can_be_held(monkeypatch) -> None:
+    names = property(lambda self: ("upper contact", "free", "lower contact"))
+    monkeypatch.setattr(loop_motion.BacklashComponent, "mode_names", names, raising=False)
+    contact, stick = loop_motion.strips_of(made_motion())
+    assert (contact.name, contact.bars, contact.stick) == ("play, contact", [(0.0, 1.0), (3.0, 1.0)], False)
+    assert (stick.name, stick.bars, stick.stick) == ("relay, stick", [(0.0, 1.0), (3.0, 1.0)], True)
+
+
+def test_signals_of_a_loop_are_drawn_at_its_events_too(monkeypatch) -> None:
+    monkeypatch.setattr(loop_motion, "strips_of", lambda motion: [])
+    motion = made_motion()
+    motion.log.start = np.array([0.0, 1.00001, 5.0])
+    axes = loop_motion.draw_loop_motion(motion, new_axes())
+    output, bridge = axes.lines
+    assert (output.get_label(), bridge.get_label()) == ("output q2", "output of the play")
+    np.testing.assert_array_equal(bridge.get_ydata(), 3.0 * bridge.get_xdata())
+    assert len(axes.get_legend().get_texts()) == 2
+    assert output.get_xdata().size == 4001
+    assert 1.00001 in output.get_xdata()
+    assert [each.get_color() for each in axes.lines] == [each["color"] for each in LINES[:2]]
+    motion.log.start = np.linspace(0.0, 4.0, 2001)
+    assert loop_motion.draw_loop_motion(motion, new_axes()).lines[0].get_xdata().size == 4000
+    motion.loop.modes.system.drive = 1
+    labels = [each.get_label() for each in loop_motion.draw_loop_motion(motion, new_axes()).lines]
+    assert labels == ["output q2", "input of the play", "output of the play"]
+    motion.loop.modes.system.components = [Made()]
+    assert list(loop_motion.signals_of(motion, np.zeros(1))) == ["output q2"]
+    assert grid(axes)
+
+
+def test_orbits_are_drawn_with_their_events() -> None:
+    def made(stable: bool) -> Made:
+        motion = Made(values=lambda times, rows: np.array([times, -2.0 * times]))
+        return Made(
+            motion=motion,
+            period=4.0,
+            switching_times=np.array([1.00001, 4.5]),
+            stable=stable,
+            frequency=0.25,
+            amplitude=2e-5,
+        )
+
+    axes = orbit.draw_orbits([made(True), made(False)], new_axes())
+    first, dots, second, _ = axes.lines
+    assert (first.get_linestyle(), second.get_linestyle()) == ("-", "--")
+    assert [each.get_color() for each in (first, second)] == list(COLOURS[:2])
+    assert first.get_xdata().size == 2001
+    assert (first.get_xdata()[0], first.get_xdata()[-1]) == (0.0, 4.0)
+    assert dots.get_xydata().tolist() == [[1.00001, -2.00002]]
+    assert first.get_label() == "stable: 0.25 Hz,\nA = 20 µm"
+    assert second.get_label().startswith("not stable")
+    assert len(axes.get_legend().get_texts()) == 3
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("input of the element, m", "its rate, m/s")
+    assert grid(axes)

@@ -1,0 +1,116 @@
+"""Tables and values as HTML, data frames and short lines, of results made by hand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+from enum import Enum
+
+import numpy as np
+import pytest
+
+from trimmer.displacement import Body
+from trimmer.showing import html
+from trimmer.showing.frame import to_frame
+from trimmer.showing.shown import LONGEST, Record, Tabular, counted
+from trimmer.showing.table import TERMS, Column, Table, arrays, attributes
+
+
+class Colour(Enum):
+    RED = "red one"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, ""),
+        (Colour.RED, "red one"),
+        (Body.CUTTER, "q2"),
+        (True, "yes"),
+        (np.False_, "no"),
+        (1234567, "1234567"),
+        (np.int64(3), "3"),
+        (1234567.0, "1.23457e+06"),
+        (np.nan, ""),
+        (np.inf, "inf"),
+        (2 - 3j, "2 − 3j"),
+        (2 + 3j, "2 + 3j"),
+        (2 + 0j, "2 + 0j"),
+        ("text", "text"),
+        (Decimal("1.50"), "1.50"),
+    ],
+)
+def test_values_are_written_for_readers(value: object, text: str) -> None:
+    assert html.as_text(value) == text
+
+
+def made_table(rows: int) -> Table:
+    columns = (Column("a<b", "m", lambda row: row), Column("c", "", lambda row: row % 2 == 0))
+    return Table("Title & more", range(rows), columns)
+
+
+def test_a_table_is_cut_off() -> None:
+    whole, cut = html.of_table("N", "told", made_table(20)), html.of_table("N", "told", made_table(22))
+    assert (whole.count("<tr>"), cut.count("<tr>")) == (21, 21)
+    assert "more rows" not in whole
+    assert cut.endswith("<p>… and 2 more rows</p>")
+    assert "<caption>Title &amp; more</caption>" in cut
+    assert '<th scope="col">a&lt;b, m</th><th scope="col">c</th>' in cut
+    assert "<tr><td>1</td><td>no</td></tr>" in cut
+    assert html.of_table("N", "t", made_table(0)) == html.sentence("N", "t") == "<p><strong>N</strong>: t</p>"
+
+
+@dataclass(frozen=True, repr=False)
+class Made(Tabular):
+    told: str
+
+    def _told(self) -> str:
+        return self.told
+
+    def _table(self) -> Table:
+        return made_table(3)
+
+
+@dataclass(frozen=True)
+class Small(Record):
+    value: float
+    hidden: int = field(default=3, repr=False)
+
+
+def test_long_lines_are_cut_at_a_word() -> None:
+    assert repr(Made("two\n  words")) == "<Made: two words>"
+    assert repr(Made("x" * LONGEST)) == f"<Made: {'x' * LONGEST}>"
+    assert repr(Made("x" * (LONGEST + 1))) == f"<Made: {'x' * (LONGEST - 1)}…>"
+    assert repr(Made("x" * (LONGEST - 2) + " " + "y" * 9)) == f"<Made: {'x' * (LONGEST - 2)}…>"
+    assert Made("told")._repr_html_() == html.of_table("Made", "told", made_table(3))
+    assert Small(2.5)._repr_html_().count("<tr>") == 1
+
+
+def test_a_frame_has_words_and_units() -> None:
+    frame = Made("told").to_dataframe()
+    assert frame["a<b"].tolist() == [0, 1, 2]
+    assert frame.attrs == {"title": "Title & more", "units": {"a<b": "m", "c": ""}}
+    worded = to_frame(Table("t", [Body.CUTTER], (Column("body", "", lambda each: each),)))
+    assert worded["body"].tolist() == ["q2"]
+
+
+def test_columns_take_attributes_and_rows() -> None:
+    table = Table("t", [1 + 2j, 3 - 4j], attributes(real="m", imag=""))
+    assert list(table.rows()) == [(1.0, 2.0), (3.0, -4.0)]
+    assert list(table.rows(1)) == [(1.0, 2.0)]
+    assert table.units == {"real": "m", "imag": ""}
+    assert list(Table("t", range(2), arrays(x=("m", [5, 6]))).rows()) == [(5,), (6,)]
+    assert list(Table("t", [("work", 2.0)], TERMS).rows()) == [("work", 2.0)]
+
+
+@pytest.mark.parametrize(
+    ("count", "noun", "text"),
+    [
+        (0, "orbit", "0 orbits"),
+        (1, "stretch", "1 stretch"),
+        (2, "stretch", "2 stretches"),
+        (2, "day", "2 days"),
+    ],
+)
+def test_plurals(count: int, noun: str, text: str) -> None:
+    assert counted(count, noun) == text
