@@ -220,7 +220,8 @@ def test_a_dip_is_looked_at_where_the_parabola_is_lowest(sign: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("at", "depth", "seen"), [(0.6, 0.004, True), (0.6, 0.0042, True), (0.6, 0.0046, False), (0.45, 0.0, False)]
+    ("at", "depth", "seen"),
+    [(0.6, 0.004, True), (0.6, 0.0042, True), (0.6, 0.0046, False), (0.45, 0.0, False)],
 )
 def test_a_dip_is_as_deep_as_a_share_of_the_ends_and_ahead(at: float, depth: float, seen: bool) -> None:
     # The lowest end is at 0.5, 0.01 above the lowest point: there is 0.3 of it where the depth is 0.00429.

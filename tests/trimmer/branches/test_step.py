@@ -206,7 +206,13 @@ def test_a_branch_goes_on_beyond_a_border_where_the_determinant_keeps_its_sign()
 
 @pytest.mark.parametrize(
     ("lengths", "folds"),
-    [((0.8, -0.8), True), ((-0.8, 0.8), True), ((0.8, 0.8), False), ((NAN, -0.8), False), ((0.8, NAN), False)],
+    [
+        ((0.8, -0.8), True),
+        ((-0.8, 0.8), True),
+        ((0.8, 0.8), False),
+        ((NAN, -0.8), False),
+        ((0.8, NAN), False),
+    ],
 )
 def test_a_border_where_the_branch_turns_around_is_a_fold_too(
     lengths: tuple[float, float], folds: bool

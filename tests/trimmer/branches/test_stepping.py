@@ -16,7 +16,7 @@ from trimmer.branches.continuation import _by_modulus, _first_front, _interval, 
 from trimmer.branches.corner import _tangents, is_torn, turned
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
-from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.orbit import Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -416,7 +416,9 @@ def test_a_branch_of_twice_the_period_parts_along_the_critical_direction() -> No
     assert abs(away[0]) == pytest.approx(3e-5, rel=1e-9)
     # The doubled orbits x = (r + 1 - sqrt((r - 3) (r + 1))) / (2 r) and its other half.
     value = front.place.position[1]
-    halves = [(value + 1.0 + sign * math.sqrt((value - 3.0) * (value + 1.0))) / (2.0 * value) for sign in (-1, 1)]
+    halves = [
+        (value + 1.0 + sign * math.sqrt((value - 3.0) * (value + 1.0))) / (2.0 * value) for sign in (-1, 1)
+    ]
     assert min(abs(front.place.position[0] - each) for each in halves) < 1e-9
     assert value > 3.0
 
