@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,10 +13,9 @@ import pytest
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
-from trimmer.errors import MapError, MechanismError, UnsupportedMotionError
+from trimmer.errors import UnsupportedMotionError
 from trimmer.maps import cells as cell_work
-from trimmer.maps import inputs as map_inputs
-from trimmer.maps.basin import Basin, _start_place
+from trimmer.maps.basin import Basin
 from trimmer.maps.cells import (
     Cell,
     CellMotion,
@@ -32,17 +30,8 @@ from trimmer.maps.cells import (
     same_motion,
     start_scales,
 )
-from trimmer.maps.coexistence import (
-    Coexistence,
-    _around,
-    _candidates,
-    _is_carried_on,
-    _new,
-    coexisting_motions,
-)
-from trimmer.maps.inputs import MOST_CELLS, MapInputs, Settings, checked_inputs, varied
+from trimmer.maps.inputs import MapInputs, Settings
 from trimmer.maps.measures import Measures
-from trimmer.maps.motion_map import _how_to_go_on
 from trimmer.maps.result import MotionMap
 from trimmer.maps.settle import Settled
 from trimmer.mechanism import Mechanism, Pin, Play, Stop
@@ -294,85 +283,6 @@ def test_only_a_stable_orbit_near_another_is_taken_over(monkeypatch: pytest.Monk
     assert cell_work._near(flow, states, settings) == (("at", [1.0, 2.0]), 77)  # type: ignore[arg-type, comparison-overlap]
 
 
-@pytest.mark.parametrize(
-    ("number", "around"),
-    [(0, [1, 4, 5]), (5, [0, 1, 2, 4, 6, 8, 9, 10]), (11, [6, 7, 10]), (3, [2, 6, 7]), (8, [4, 5, 9])],
-)
-def test_eight_cells_are_around_a_cell_or_fewer_at_the_edge(number: int, around: list[int]) -> None:
-    assert list(_around(number, (3, 4))) == around
-
-
-def test_an_orbit_is_tried_beside_its_cell_unless_one_there_looks_like_it() -> None:
-    near = periodic((1.05, 2e-5))
-    assert _is_carried_on(ORBIT, near)
-    assert not _is_carried_on(ORBIT, OTHER)
-    assert not _is_carried_on(ORBIT, CHAOS)
-    assert not _is_carried_on(periodic((1.0, 0.0), (1.0, 0.0)), ORBIT)
-    motions = [(ORBIT,), (near, CHAOS), (OTHER,), (FAILED,), (CHAOS,), (ORBIT,)]
-    result = MotionMap(INPUTS, tuple(CellResult(number, each) for number, each in enumerate(motions)))
-    cells = list(_candidates(result, motions, {0: (ORBIT,), 1: (near, CHAOS)}))
-    # From cell 0: to 3 and 4, not to 1; from cell 1: to 2, and to 3 and 4 what looks like the first one.
-    assert [(cell.number, cell.orbits) for cell in cells] == [
-        (2, (near.states,)),
-        (3, (ORBIT.states,)),
-        (4, (ORBIT.states,)),
-    ]
-    assert cells[1].values == (1.0, 10.0)
-    assert list(_candidates(result, motions, {})) == []
-    assert _new((ORBIT, CHAOS), (OTHER, CHAOS, ORBIT, FAILED)) == (OTHER,)
-
-
-class Answering:
-    """A runner that answers each cell with the orbits that it is given, and counts what it was asked."""
-
-    def __init__(self) -> None:
-        self.rounds = list[list[int]]()
-
-    def results(self, work: object, cells: object) -> list[CellResult]:
-        taken = list(cells)  # type: ignore[call-overload]
-        self.rounds.append([cell.number for cell in taken])
-        return [
-            CellResult(cell.number, tuple(periodic(*states) for states in cell.orbits))
-            for cell in reversed(taken)
-        ]
-
-
-def test_orbits_go_from_cell_to_cell_until_none_is_new() -> None:
-    values = ((1.0, 1.1, 1.2, 1.3),)
-    inputs = MapInputs(impact_oscillator(), ("frequency",), values, Settings())
-    motions = [(ORBIT,), (OTHER,), (OTHER,), (OTHER,)]
-    result = MotionMap(inputs, tuple(CellResult(number, each) for number, each in enumerate(motions)))
-    runner = Answering()
-    found = coexisting_motions(result, runner=runner, quiet=True)
-    # First both go over the border; then the first goes on to the right.
-    assert runner.rounds == [[0, 1], [2], [3]]
-    assert (found.tried, found.rounds, found.complete) == (4, 3, True)
-    assert found.several == ((0, 0), (0, 1), (0, 2), (0, 3))
-    assert found.result.cells[3].motions == (OTHER, ORBIT)
-    assert "4 of 4 cells" in str(found)
-    assert "from 1 start each" in found.searched
-    assert "until no cell had a new one" in found.searched
-    rows = list(found._table().rows())
-    assert [row[:4] for row in rows[:3]] == [
-        (1.0, 1, PERIODIC, 1),
-        (1.0, 2, PERIODIC, 1),
-        (1.1, 1, PERIODIC, 1),
-    ]
-    assert [row[4] for row in rows[:3]] == [0.25, 0.25, 1.25]
-    short = coexisting_motions(result, most_rounds=2, runner=Answering(), quiet=True)
-    assert (short.tried, short.rounds, short.complete) == (3, 2, False)
-    assert "the search ended before it was done" in short.searched
-
-
-def test_nothing_is_tried_where_all_motions_are_carried_on() -> None:
-    inputs = MapInputs(impact_oscillator(), ("frequency",), ((1.0, 1.1),), Settings(starts=2))
-    result = MotionMap(inputs, (CellResult(0, (ORBIT,)), CellResult(1, (ORBIT,))))
-    found = coexisting_motions(result, runner=Answering(), quiet=True)
-    assert (found.tried, found.rounds, found.complete, found.several) == (0, 0, True, ())
-    assert "from 2 starts each" in found.searched
-    assert isinstance(found, Coexistence)
-
-
 def test_a_basin_tells_shares_and_a_row_for_each_start() -> None:
     numbers = np.array([[0, 1, 2], [0, 0, 2]])
     found = Basin(made(), (ORBIT, OTHER, FAILED), numbers)
@@ -382,51 +292,3 @@ def test_a_basin_tells_shares_and_a_row_for_each_start() -> None:
     assert rows[2] == (1.2, 8.0, 3, UNDECIDED, 0)
     assert rows[3] == (1.0, 10.0, 1, PERIODIC, 1)
     assert "3: failed, 33%" in str(found)
-
-
-def test_places_of_a_basin_are_initial_values() -> None:
-    assert _start_place("mass.velocity") == "start.mass.velocity"
-    assert _start_place("start.mass.displacement") == "start.mass.displacement"
-    for place in ("mass.gap", "a.mass.velocity", "velocity"):
-        with pytest.raises(MapError):
-            _start_place(place)
-
-
-def test_values_are_set_in_whatever_order_they_fit() -> None:
-    twin = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
-    static = twin.with_value("frictions.blade.static", 1.0)
-    places = ("frictions.blade.force", "frictions.blade.static")
-    # The force alone cannot rise above the static one, nor that fall below the force.
-    raised = varied(static, places, (2.0, 3.0))
-    assert [raised.value(place) for place in places] == [2.0, 3.0]
-    lowered = varied(raised, places[::-1], (0.5, 0.25))
-    assert [lowered.value(place) for place in places] == [0.25, 0.5]
-    with pytest.raises(MechanismError):
-        varied(static, places, (3.0, 2.0))
-
-
-def test_a_value_must_fit_to_one_of_the_other_place() -> None:
-    twin = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
-    static = twin.with_value("frictions.blade.static", 1.0)
-    force, other = "frictions.blade.force", "frictions.blade.static"
-    for places in ({force: [0.5, 1.5], other: [1.0, 2.0]}, {other: [1.0, 2.0], force: [0.5, 1.5]}):
-        assert checked_inputs(static, places, Settings()).count == 4
-    for places in ({force: [0.5, 2.5], other: [1.0, 2.0]}, {other: [1.0, 2.0], force: [0.5, 2.5]}):
-        with pytest.raises(MechanismError):
-            checked_inputs(static, places, Settings())
-    with pytest.raises(MechanismError):
-        checked_inputs(static, {force: [0.5, 1.5]}, Settings())
-
-
-def test_as_many_cells_as_fit_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert MOST_CELLS == 4_000_000
-    monkeypatch.setattr(map_inputs, "MOST_CELLS", 6)
-    values = {"frequency": [1.0, 1.1, 1.2], "stops.wall.gap": [8.0, 10.0]}
-    assert checked_inputs(impact_oscillator(), values, Settings()).count == 6
-    with pytest.raises(MapError, match="at most 6"):
-        checked_inputs(impact_oscillator(), {**values, "stops.wall.gap": [8.0, 9.0, 10.0]}, Settings())
-
-
-def test_an_interrupt_says_what_is_kept() -> None:
-    assert "3 of 8 cells, which are lost" in _how_to_go_on(3, 8, None)
-    assert "3 of 8 cells, which map.jsonl holds" in _how_to_go_on(3, 8, Path("map.jsonl"))
