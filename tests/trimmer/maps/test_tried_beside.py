@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator
@@ -34,6 +36,7 @@ def test_an_orbit_is_tried_beside_its_cell_unless_one_there_looks_like_it() -> N
     assert _is_carried_on(ORBIT, near)
     assert not _is_carried_on(ORBIT, OTHER)
     assert not _is_carried_on(ORBIT, CHAOS)
+    assert not _is_carried_on(ORBIT, replace(CHAOS, states=ORBIT.states))
     assert not _is_carried_on(periodic((1.0, 0.0), (1.0, 0.0)), ORBIT)
     motions = [(ORBIT,), (near, CHAOS), (OTHER,), (FAILED,), (CHAOS,), (ORBIT,)]
     result = MotionMap(INPUTS, tuple(CellResult(number, each) for number, each in enumerate(motions)))
