@@ -8,6 +8,7 @@ import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator
 from tests.trimmer.maps.test_cells_by_hand import CHAOS, FAILED, INPUTS, ORBIT, OTHER, PERIODIC, periodic
+from trimmer.errors import WrongTypeError
 from trimmer.maps.cells import (
     CellResult,
 )
@@ -101,3 +102,11 @@ def test_nothing_is_tried_where_all_motions_are_carried_on() -> None:
     assert (found.tried, found.rounds, found.complete, found.several) == (0, 0, True, ())
     assert "from 2 starts each" in found.searched
     assert isinstance(found, Coexistence)
+
+
+def test_a_search_without_rounds_or_a_map_is_refused() -> None:
+    result = MotionMap(INPUTS, tuple(CellResult(number, (ORBIT,)) for number in range(6)))
+    with pytest.raises(ValueError, match="most_rounds"):
+        coexisting_motions(result, most_rounds=0, runner=Answering(), quiet=True)
+    with pytest.raises(WrongTypeError, match="result"):
+        coexisting_motions(INPUTS, runner=Answering(), quiet=True)  # type: ignore[arg-type]
