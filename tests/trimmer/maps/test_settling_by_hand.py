@@ -161,7 +161,7 @@ def test_a_motion_that_ends_on_the_way_is_told(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_orbits_are_solved_for_where_the_motion_returns_more_closely(monkeypatch: pytest.MonkeyPatch) -> None:
-    tried, orbit = [], SimpleNamespace(stable=False, instant="there")
+    tried, orbit = [], SimpleNamespace(stable=False, neutral=False, instant="there", sizes=7.0, periods=3)
 
     def near(flow: object, instant: object, periods: int) -> object:
         tried.append((instant, periods))
@@ -185,6 +185,43 @@ def test_orbits_are_solved_for_where_the_motion_returns_more_closely(monkeypatch
     assert len(tried) == 2
     assert found is not None
     assert (found.kind, found.periods, found.end, found.orbit) == (MotionKind.PERIODIC, 35, "there", orbit)
+
+
+@pytest.mark.parametrize(
+    ("stable", "neutral", "returned", "held"),
+    [
+        (False, True, True, True),
+        (False, True, False, False),
+        (False, False, True, False),
+        (True, True, True, False),
+    ],
+)
+def test_a_neutral_orbit_is_held_if_the_motion_is_on_it(
+    monkeypatch: pytest.MonkeyPatch, stable: bool, neutral: bool, returned: bool, held: bool
+) -> None:
+    orbit = SimpleNamespace(stable=stable, neutral=neutral, instant="there", sizes=7.0, periods=3)
+    monkeypatch.setattr(settling, "orbit_near", lambda *_: orbit)
+    monkeypatch.setattr(settling, "_recurrence", lambda states: (3, 1e-9))
+    monkeypatch.setattr(settling, "settles_to", lambda *_: False)
+    asked = []
+
+    def has_returned(states: np.ndarray, sizes: float, periods: int) -> bool:
+        asked.append((len(states), sizes, periods))
+        return returned
+
+    monkeypatch.setattr(settling, "has_returned", has_returned)
+    following = _Following(Strobing(np.zeros((100, 2))), None, np.zeros((1, 2)), [])  # type: ignore[arg-type]
+    found = following.on(10)
+    assert (found is not None) == held
+    if found is not None:
+        assert (found.kind, found.periods, found.end, found.orbit) == (
+            MotionKind.PERIODIC,
+            10,
+            "there",
+            orbit,
+        )
+    assert following.known == ([orbit] if stable else [])
+    assert asked == ([(11, 7.0, 3)] if neutral and not stable else [])
 
 
 def test_a_neighbour_begins_a_little_aside_where_the_comparison_begins() -> None:
