@@ -88,7 +88,7 @@ def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Prob
             yield _obstacle(front)
             return
         yield made, front.problem
-        if taken > 1 and _closed(first, front, made.front):
+        if taken and _closed(first, front, made.front):
             yield BranchEnd.CLOSED
             return
         if made.ended is not None:

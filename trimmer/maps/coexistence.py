@@ -163,9 +163,7 @@ def _around(number: int, shape: tuple[int, int]) -> Iterator[int]:
 
 def _is_carried_on(orbit: CellMotion, other: CellMotion) -> bool:
     """Return whether two orbits of neighbouring cells look like one that is carried on."""
-    if other.kind is not MotionKind.PERIODIC or other.period_count != orbit.period_count:
-        return False
-    return alike(orbit, other, CONTINUED)
+    return other.kind is MotionKind.PERIODIC and alike(orbit, other, CONTINUED)
 
 
 def _new(known: tuple[CellMotion, ...], found: tuple[CellMotion, ...]) -> tuple[CellMotion, ...]:

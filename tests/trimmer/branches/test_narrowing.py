@@ -7,9 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
-from trimmer.branches.narrowing import narrowed
+from trimmer.branches.narrowing import _constant, _difference, _extrapolated, _root, narrowed
 from trimmer.branches.period_maps.period_map import Phase
 
 KEY = ("stop", Phase.UPPER)
@@ -72,3 +73,71 @@ def test_an_orbit_that_is_not_found_ends_the_search() -> None:
     arc = KnownArc(0.003, lambda beyond: beyond)
     arc.between = lambda *_: None  # type: ignore[assignment,method-assign,return-value]
     assert narrowed(arc, arc.place(0.0), arc.place(0.01)) is None  # type: ignore[arg-type]
+
+
+def asked(duration: Callable[[float], float]) -> list[int]:
+    """How many orbits are asked for at borders all over the piece."""
+    counts = []
+    for border in np.linspace(2e-4, 9.8e-3, 25):
+        for sign in (1.0, -1.0):
+            arc = KnownArc(float(border), duration, sign=sign)
+            found = narrowed(arc, arc.place(0.0), arc.place(0.01))  # type: ignore[arg-type]
+            assert found is not None
+            left, right = (place.at for place in found)  # type: ignore[attr-defined]
+            assert left <= border <= right
+            assert right - left <= arc.narrowest
+            counts.append(len(arc.asked))
+    return counts
+
+
+def test_durations_known_to_few_digits_cost_few_trials_too() -> None:
+    # Where several trials in a row fall on one side, the next goes farther; else it takes up to 48.
+    assert max(asked(lambda beyond: max(1e-6 * beyond, 1e-18) // 1e-18 * 1e-18)) <= 17
+
+
+def test_smooth_durations_cost_far_fewer_trials_than_halving() -> None:
+    # Halving takes 37.
+    assert np.mean(asked(lambda beyond: 2.0 * beyond + 5.0 * beyond**2)) <= 11.0
+    assert np.mean(asked(lambda beyond: math.sqrt(beyond) * (1.0 + 3.0 * math.sqrt(beyond)))) <= 12.5
+
+
+def signature(counts: dict[tuple[str, Phase], int]) -> SimpleNamespace:
+    return SimpleNamespace(signature=frozenset(counts.items()))
+
+
+def test_the_difference_is_a_phase_of_which_one_side_has_more() -> None:
+    lower, stick = ("stop", Phase.LOWER), ("blade", Phase.STICK)
+    left, right = signature({KEY: 1, lower: 2, stick: 1}), signature({KEY: 1, lower: 1, stick: 3})
+    # The first by name of those that change.
+    assert _difference(left, right) == (stick, 2)  # type: ignore[arg-type]
+    assert _difference(right, left) == (stick, -2)  # type: ignore[arg-type]
+    assert _difference(signature({}), signature({KEY: 1, lower: 1})) == (lower, 1)  # type: ignore[arg-type]
+    assert _difference(signature({lower: 2}), signature({KEY: 1, lower: 2})) == (KEY, 1)  # type: ignore[arg-type]
+
+
+def test_the_root_of_durations_is_extrapolated_from_the_last_that_fall() -> None:
+    def pairs(power: int, distances: tuple[float, ...]) -> list[tuple[float, float]]:
+        # distance = 0.7 - 2 T^power - 0.5 T^(power + 1), so that the duration is zero at 0.7.
+        durations = np.linspace(0.5, 0.2, len(distances)) * 4e-5
+        return [
+            (0.7 - 2.0 * (T / 4e-5) ** power - 0.5 * (T / 4e-5) ** (power + 1), float(T)) for T in durations
+        ]
+
+    for power in (1, 2):
+        known = pairs(power, (1.0,) * 3)
+        root, error = _extrapolated(known, power)
+        assert root == pytest.approx(0.7, rel=1e-12)
+        rough, unsure = _extrapolated(known[-2:], power)
+        (x, a), (y, b) = known[-2:]
+        assert rough == pytest.approx((x * b**power - y * a**power) / (b**power - a**power), rel=1e-12)
+        assert unsure == pytest.approx(abs(rough - y), rel=1e-12)
+        assert error == pytest.approx(0.1 * abs(root - rough), rel=1e-9)
+        # The better of both powers is taken; what does not fall is left out, and all but the last three.
+        assert _root(known) == (root, error)
+        assert _root([(-9.0, 9e-5), (-8.0, 8e-5), *known[:2], (0.5, 7e-5), known[2]]) == (root, error)
+    assert np.isnan(_root([(0.1, 1.0)])).all()
+    assert np.isnan(_root([(0.1, 1.0), (0.2, 1.0)])).all()
+
+
+def test_durations_that_say_nothing_have_no_root() -> None:
+    assert _constant(np.array([0.1, 0.2]), np.array([1.0, 1.0]), 1) == math.inf

@@ -73,7 +73,7 @@ class SelfExcitedMap(MechanismMap):
 
     Attributes:
         periods: Returns after which the motion repeats; more than one where it was doubled.
-        section: Where orbits begin; it is there from the first ``restarted`` or ``begun`` on.
+        section: Where orbits begin; it is there from the first ``restarted`` on.
     """
 
     section: Section | None = None
@@ -82,10 +82,6 @@ class SelfExcitedMap(MechanismMap):
     def size(self) -> int:
         """Number of states, the period among them."""
         return ExactFlow(self.mechanism).size + 1
-
-    def begun(self, course: Course) -> SelfExcitedMap:
-        """Return the map with the plane across the beginning of a motion over one return."""
-        return self._at(section_at(course, 0.0, self.periods))
 
     def _at(self, section: Section) -> SelfExcitedMap:
         single = self.single

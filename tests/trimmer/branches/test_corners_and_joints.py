@@ -1,0 +1,267 @@
+"""Corners of branches, and where they join and part, on maps whose orbits are known."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tests.trimmer.branches.curves import OnCurve, parabola
+from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
+from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.corner import _tangents, turned
+from trimmer.branches.joining import front_beyond, joint
+from trimmer.branches.known import Known
+from trimmer.branches.orbit import Problem
+from trimmer.branches.settings import FollowSettings
+from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.branches.step import Front, begun
+from trimmer.branches.switching import _critical, _first, parted_fronts
+
+ALONG = np.array([0.0, 0.0, 1.0])
+ALONE = FollowSettings(switches=0, quiet=True)
+
+
+def line_front(map: object, value: float, state: float, sign: float = 1.0) -> Front:
+    problem = Problem(map, 1.0, np.ones(1))  # type: ignore[arg-type]
+    place = problem.correct(np.array([state, value]), np.array([0.0, 1.0]), value)
+    assert place is not None
+    tangent = place.tangent(np.array([0.0, sign]))
+    assert tangent is not None
+    return begun(problem, place, tangent)
+
+
+def test_a_corner_is_passed_or_turned_at() -> None:
+    # Beyond x = 0 the fixed points are p / (1 - slope): behind, if the slope is above 1.
+    for slope, ahead in ((-0.5, 1.0), (2.0, -1.0)):
+        front = line_front(Bent(0.5, slope), -1e-11, -2e-11)
+        made = turned(front)
+        assert made is not None
+        wanted = np.array([ahead / (1.0 - slope), ahead])
+        assert made.front.tangent == pytest.approx(wanted / np.linalg.norm(wanted), rel=1e-9)
+        kinds = [point.kind for point in made.special]
+        assert kinds == [SpecialKind.GRAZING, SpecialKind.FOLD][: 1 + (ahead < 0.0)]
+        old = np.array([2.0, 1.0]) / math.sqrt(5.0)
+        assert made.bend == pytest.approx(math.acos(made.front.tangent @ old), rel=1e-6)
+        assert made.switches == ()
+        assert 0.0 < abs(made.front.place.position[1]) < 1e-9
+    assert turned(line_front(Bent(0.5, 2.0), -0.5, -1.0)) is None
+    assert turned(line_front(Failing(), 0.5 - 1e-12, 1.0)) is None
+
+
+def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
+    front = line_front(Bent(0.5, 2.0), -1e-11, -2e-11)
+    beyond = front.problem.place(np.array([1e-9, 1e-9]))
+    assert beyond is not None
+    first, second = _tangents(front, beyond)
+    assert np.sign(beyond.orientation(first)) == front.turn
+    assert first.tolist() == (-second).tolist()
+    other = _tangents(replace(front, turn=-front.turn), beyond)
+    assert other[0].tolist() == second.tolist()
+    assert len(_tangents(replace(front, turn=0.0), beyond)) == 2
+
+
+def of_value(value: float, state: float) -> BranchPoint:
+    return BranchPoint(value, np.array([state]), np.array([0.5 + 0j]), np.zeros(2), {}, 0)
+
+
+@pytest.mark.parametrize(
+    ("reason", "first", "ends", "rejoined"),
+    [
+        (BranchEnd.LEFT_AT_STOP, True, 2, 0),
+        (BranchEnd.LEFT_AT_START, False, 1, 0),
+        (BranchEnd.CLOSED, True, 1, 0),
+        (BranchEnd.TORN, True, 1, 0),
+        (BranchEnd.REJOINED, True, 1, 1),
+        (BranchEnd.REJOINED, False, 0, 1),
+        (BranchEnd.STEP_TOO_SMALL, True, 0, 0),
+        (BranchEnd.MOST_POINTS, True, 0, 0),
+        (BranchEnd.NOT_ISOLATED, True, 0, 0),
+    ],
+)
+def test_what_is_known_of_a_branch_depends_on_how_it_ends(
+    reason: BranchEnd, first: bool, ends: int, rejoined: int
+) -> None:
+    known = Known(0)
+    begin, last = of_value(1.0, 0.2), of_value(2.0, 0.3)
+    known.add(3, begin if first else None, last, reason)
+    assert (len(known.ends), len(known.rejoined)) == (ends, rejoined)
+    assert all(number == 3 for number, _ in (*known.ends, *known.rejoined))
+    if ends == 2:
+        assert [point for _, point in known.ends] == [begin, last]
+    if rejoined:
+        assert known.rejoined[0][1] is last
+
+
+def test_an_end_is_known_if_value_state_and_doublings_agree() -> None:
+    known = Known(0, ends=[(0, of_value(3.3, 0.7))])
+    problem = Problem(Logistic(), 2.0, np.array([0.5]))
+    assert known.holds(problem, of_value(3.3, 0.7))
+    assert known.holds(problem, of_value(3.3 + 1e-6, 0.7 + 4e-7))
+    assert not known.holds(problem, of_value(3.3 + 3e-6, 0.7))
+    assert not known.holds(problem, of_value(3.3, 0.7 + 6e-7))
+    assert not known.holds(Problem(Logistic().doubled(), 2.0, np.array([0.5])), of_value(3.3, 0.7))
+    assert not Known(0).holds(problem, of_value(3.3, 0.7))
+
+
+def test_an_orbit_a_period_apart_is_the_same() -> None:
+    value, root = 3.3, math.sqrt(0.3 * 4.3)
+    low, high = ((value + 1.0 + sign * root) / (2.0 * value) for sign in (-1.0, 1.0))
+    problem = Problem(Logistic().doubled(), 1.0, np.ones(1))
+    assert Known(0, ends=[(1, of_value(value, low))]).holds(problem, of_value(value, high))
+    assert not Known(0, ends=[(1, of_value(value, 0.5))]).holds(problem, of_value(value, high))
+
+
+def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
+    problem = Problem(Logistic(), 2.0, np.array([0.5]))
+    place = problem.place(problem.position(3.0, np.array([2.0 / 3.0])))
+    assert place is not None
+    bifurcation = SimpleNamespace(place=place)
+
+    def joined(doublings: int, value: float, state: float) -> bool:
+        known = Known(0, rejoined=[(doublings, of_value(value, state))])
+        return known.is_joined(problem, bifurcation, 0.01)  # type: ignore[arg-type]
+
+    assert joined(1, 3.0, 0.7)
+    assert joined(1, 3.019, 0.7)
+    assert not joined(1, 3.021, 0.7)
+    assert not joined(0, 3.0, 0.7)
+    assert not joined(1, 3.0, 2.0 / 3.0 + 0.051)
+    assert joined(1, 3.0, 2.0 / 3.0 - 0.049)
+
+
+def test_the_branch_of_single_orbits_goes_on_to_both_sides_of_a_joint() -> None:
+    problem = Problem(Logistic().doubled(), 1.0, np.ones(1))
+    across = np.array([0.0, 1.0])
+    near = problem.correct(np.array([0.63, 3.01]), across, 3.01)
+    far = problem.correct(np.array([0.665, 2.995]), across, 2.995)
+    assert near is not None and far is not None
+    tangent = near.tangent(-across)
+    assert tangent is not None
+    front = begun(problem, near, tangent)
+    meeting = joint(front, far)
+    assert meeting is not None
+    assert meeting.switches
+    assert meeting.point.kind is SpecialKind.PERIOD_DOUBLING
+    assert meeting.point.state == pytest.approx([2.0 / 3.0], rel=1e-12)
+    assert meeting.place.position == pytest.approx([2.0 / 3.0, 3.0], rel=1e-12)
+    for sign in (1.0, -1.0):
+        beyond = front_beyond(meeting, sign)
+        assert beyond is not None
+        value = 3.0 + sign * 1e-6
+        assert beyond.place.position == pytest.approx([1.0 - 1.0 / value, value], rel=1e-12)
+        assert np.sign(beyond.tangent[-1]) == sign
+    # Far away from where the doubled orbits show it there is none, nor of a map that was not doubled.
+    aside = problem.correct(np.array([0.62, 2.9]), across, 2.9)
+    assert aside is not None
+    assert joint(Front(problem, aside, tangent, 1.0), aside) is None
+    assert joint(Front(Problem(Logistic(), 1.0, np.ones(1)), near, tangent, 1.0), far) is None
+
+
+def test_a_branch_of_twice_the_period_parts_along_the_critical_direction() -> None:
+    problem = Problem(Logistic(), 1.0, np.ones(1))
+    place = problem.correct(np.array([0.66, 3.0]), np.array([0.0, 1.0]), 3.0)
+    assert place is not None
+    bifurcation = SimpleNamespace(place=place)
+    (front,) = parted_fronts(problem, bifurcation)  # type: ignore[arg-type]
+    assert front.problem.map.doublings == 1
+    away = front.place.position - place.position
+    assert abs(away[0]) == pytest.approx(3e-5, rel=1e-9)
+    # The doubled orbits x = (r + 1 - sqrt((r - 3) (r + 1))) / (2 r) and its other half.
+    value = front.place.position[1]
+    halves = [
+        (value + 1.0 + sign * math.sqrt((value - 3.0) * (value + 1.0))) / (2.0 * value) for sign in (-1, 1)
+    ]
+    assert min(abs(front.place.position[0] - each) for each in halves) < 1e-9
+    assert value > 3.0
+
+
+def test_where_branches_cross_one_parts_on_each_side() -> None:
+    problem = Problem(Cubic(), 1.0, np.ones(1))
+    place = problem.place(np.array([0.0, 0.0]))
+    assert place is not None
+    fronts = parted_fronts(problem, SimpleNamespace(place=place))  # type: ignore[arg-type]
+    assert sorted(front.place.position[0] for front in fronts) == pytest.approx([-3e-5, 3e-5], rel=1e-9)
+    assert all(front.problem is problem for front in fronts)
+
+
+def test_the_critical_direction_is_the_eigenvector_of_the_multiplier() -> None:
+    turn = np.array([[1.0, 0.5], [0.25, 1.0]])
+    place = parabola(matrix=lambda p: turn @ np.diag([-1.0, 0.4]) @ np.linalg.inv(turn)).at(0.5)
+    found = _critical(place, -1.0)
+    wanted = np.append(turn[:, 0] / np.linalg.norm(turn[:, 0]), 0.0)
+    assert found * np.sign(found[0]) == pytest.approx(wanted, abs=1e-12)
+
+
+@dataclass(frozen=True)
+class Near(OnCurve):
+    """Orbits that are not found within a distance of the value 0.5."""
+
+    hole: float = 0.0
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        found = super().passage(value, state)
+        return replace(found, end=found.end + 1.0) if abs(value - 0.5) < self.hole else found
+
+
+@pytest.mark.parametrize(("hole", "distance"), [(0.0, 3e-5), (5e-5, 1e-4), (5e-4, 1e-3), (5e-3, 1e-2)])
+def test_the_first_orbit_is_sought_farther_away_where_it_is_not_found(hole: float, distance: float) -> None:
+    map = Near(lambda p: np.zeros(2), lambda p: np.zeros(2), hole=hole)
+    problem = Problem(map, 1.0, np.ones(2))
+    front = _first(problem, np.array([0.0, 0.0, 0.5]), ALONG)
+    assert front is not None
+    assert front.place.position[-1] == pytest.approx(0.5 + distance, rel=1e-12)
+    beyond = Near(lambda p: np.zeros(2), lambda p: np.zeros(2), hole=0.1)
+    assert _first(Problem(beyond, 1.0, np.ones(2)), np.array([0.0, 0.0, 0.5]), ALONG) is None
+    aside = Near(lambda p: np.array([0.1, 0.0]), lambda p: np.zeros(2))
+    assert _first(Problem(aside, 1.0, np.ones(2)), np.array([0.0, 0.0, 0.5]), ALONG) is None
+
+
+def test_which_ends_are_successes_and_which_orbits_are_stable() -> None:
+    failures = {each for each in BranchEnd if not each.is_success}
+    assert failures == {
+        BranchEnd.NOT_ISOLATED,
+        BranchEnd.STEP_TOO_SMALL,
+        BranchEnd.MOST_POINTS,
+        BranchEnd.NO_START,
+    }
+    assert Branch((), (), BranchEnd.TORN, "").success
+    assert not Branch((), (), BranchEnd.NO_START, "").success
+    for multipliers, stable in (([0.9, -0.5], True), ([0.9, -1.0], False), ([0.3, 1.0 - 1e-10], False)):
+        point = BranchPoint(0.0, np.zeros(1), np.array(multipliers, dtype=complex), np.zeros(2), {}, 0)
+        assert point.stable is stable
+
+
+def test_a_special_point_tells_its_parts() -> None:
+    point = SpecialPoint(SpecialKind.STICK, 1.0 / 3.0, np.zeros(1), ("blade", "comb"))
+    assert "stick of blade and comb at 0.333333333" in str(point)
+    assert " of " not in str(SpecialPoint(SpecialKind.FOLD, 2.0, np.zeros(1)))
+
+
+def test_a_doubled_map_joins_both_passages() -> None:
+    map = Logistic().doubled()
+    first, second = Logistic().passage(3.2, np.array([0.3])), None
+    second = Logistic().passage(3.2, first.end)
+    passage = map.passage(3.2, np.array([0.3]))
+    assert passage.end == second.end
+    assert passage.middle == first.end
+    assert passage.jacobian == pytest.approx(second.jacobian * first.jacobian, rel=1e-15)
+    assert passage.monodromy == pytest.approx(second.jacobian * first.jacobian, rel=1e-15)
+    assert passage.sizes == max(first.sizes, second.sizes)
+    step = 1e-6
+    ends = [map.passage(3.2 + sign * step, np.array([0.3])).end for sign in (1.0, -1.0)]
+    assert passage.rate() == pytest.approx((ends[0] - ends[1]) / (2.0 * step), rel=1e-8)
+    shortest = (SimpleNamespace(shortest=lambda *_: 3e-3), SimpleNamespace(shortest=lambda *_: 2e-3))
+    assert replace(passage, first=shortest[0], second=shortest[1]).shortest("a", None) == 2e-3  # type: ignore[arg-type]
+    assert map.doubled().doublings == 2
+    assert map.size == 1
+    counted = replace(
+        passage,
+        first=SimpleNamespace(signature={"a": 1, "b": 2}, events=3),  # type: ignore[arg-type]
+        second=SimpleNamespace(signature={"b": 1}, events=5),  # type: ignore[arg-type]
+    )
+    assert counted.signature == {"a": 1, "b": 3}
+    assert counted.events == 8
