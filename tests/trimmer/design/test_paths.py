@@ -103,7 +103,9 @@ def test_a_range_that_ends_at_the_working_point_has_one_side(
 
 
 def test_a_motion_of_several_periods_is_followed_as_such() -> None:
-    path = path_through(oscillator(), over_frequency(20.0, 20.1), motion(period_count=3, state=np.zeros(2)), 2)
+    path = path_through(
+        oscillator(), over_frequency(20.0, 20.1), motion(period_count=3, state=np.zeros(2)), 2
+    )
     assert path.periods == 3
 
 
