@@ -90,8 +90,14 @@ class Known:
             if free is None or free[place]:
                 step = np.zeros(self.count)
                 step[place] = 1e-6
-                sides = self.function(fitted.coordinates + step), self.function(fitted.coordinates - step)
-                assert sides[0] is not None
-                assert sides[1] is not None
-                slope[:, place] = (sides[0] - sides[1]) / 2e-6
+                slope[:, place] = self._difference(fitted, step)
         return slope
+
+    def _difference(self, fitted: At, step: np.ndarray) -> np.ndarray:
+        above, below = (self.function(fitted.coordinates + each) for each in (step, -step))
+        above = fitted.residual if above is None else above
+        below = fitted.residual if below is None else below
+        missing = sum(each is fitted.residual for each in (above, below))
+        if missing == 2:
+            return np.zeros(self.size)
+        return (above - below) / ((2 - missing) * step.sum())

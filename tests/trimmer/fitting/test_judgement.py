@@ -68,8 +68,8 @@ def test_lines_that_are_missed_are_named_by_output_and_order() -> None:
 
 
 def test_a_line_is_missed_from_what_noise_does_once_in_a_thousand() -> None:
-    # With six lines each has a sixth of 1e-3; the ratio's square is twice F with 2 and nu degrees: closed form
-    # F = nu / 2 (p^(-2 / nu) - 1).
+    # With six lines each has a sixth of 1e-3; the ratio's square is twice F with 2 and nu degrees of freedom,
+    # in closed form F = nu / 2 (p^(-2 / nu) - 1).
     limit = np.sqrt(2 * 25.0 * ((1e-3 / 6) ** (-2 / 50) - 1))
     for factor, count in ((0.999, 0), (1.001, 1)):
         apart = np.zeros((3, 2), complex)
