@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,6 +25,8 @@ from trimmer.design import hand_arm as module
 from trimmer.design.found_motion import _spans, of_orbit, of_settled
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
 from trimmer.design.targets import Measure, Target
+from trimmer.examples import example_text
+from trimmer.mechanism import Friction
 
 
 def test_each_measure_is_that_of_its_part() -> None:
@@ -138,6 +141,19 @@ def test_what_breaks_off_is_not_measured() -> None:
     flow = SimpleNamespace(course=lambda begin, periods: SimpleNamespace(ending=Ending.DIVERGED))
     broken: Any = SimpleNamespace(orbit=None, window=SimpleNamespace(flow=flow, end=None))
     assert of_settled(broken) is None
+
+
+def test_each_friction_has_the_times_at_which_it_sticks() -> None:
+    usual = Mechanism.from_toml_text(example_text("thesis-play"))
+    brake = {**usual.frictions, "brake": Friction(("ground", "housing"), 80.0)}
+    found = of_orbit(forced_orbit(replace(usual, frictions=brake)))
+    assert found.period is not None
+    assert found.signals.sticking["brake"] == ((0.0, pytest.approx(found.period)),)
+    sticking = sum(length for _, length in found.signals.sticking["blade"])
+    assert sticking == pytest.approx(found.frictions["blade"].stick * found.period, abs=1e-12)
+    assert found.frictions["brake"].stick == pytest.approx(1.0)
+    touching = sum(length for _, length in found.signals.touching["bridge"])
+    assert touching == pytest.approx(found.contacts["bridge"].share * found.period, rel=1e-9)
 
 
 def shaken() -> Mechanism:

@@ -107,6 +107,8 @@ def test_a_motion_of_several_periods_is_followed_as_such() -> None:
         oscillator(), over_frequency(20.0, 20.1), motion(period_count=3, state=np.zeros(2)), 2
     )
     assert path.periods == 3
+    alone = motion(period_count=None, state=np.zeros(2))
+    assert path_through(oscillator(), over_frequency(19.9, 20.1), alone, 2).periods == 1
 
 
 def test_special_points_keep_what_the_outputs_do_there() -> None:

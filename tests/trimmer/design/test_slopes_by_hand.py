@@ -33,6 +33,7 @@ def test_two_slopes_agree_within_a_tenth_and_a_thousandth() -> None:
     assert not sensitivity._agree(1.0, 1.113)
     assert not sensitivity._agree(-1.113, -1.0)
     assert sensitivity._agree(-1.0, -1.112)
+    assert sensitivity._agree(-1.112, -1.0)
     assert not sensitivity._agree(1.0, -1.0)
     assert sensitivity._agree(0.0009, -0.0001)
 
