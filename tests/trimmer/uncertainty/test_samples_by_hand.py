@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from types import SimpleNamespace
 from typing import Any
 
@@ -70,6 +71,25 @@ def test_trials_stand_in_the_order_of_their_samples(tmp_path) -> None:
     replaced = Counting()
     trials_of(made, replaced, Keeping(path, overwrite=True), quiet=True)  # type: ignore[arg-type]
     assert len(replaced.done) == 198
+
+
+def test_samples_that_are_done_are_counted(monkeypatch: pytest.MonkeyPatch, tmp_path) -> None:
+    bars: list[tuple[dict[str, Any], list[int]]] = []
+
+    @contextmanager
+    def bar(**options: Any) -> Iterator[Any]:
+        updates: list[int] = []
+        bars.append((options, updates))
+        yield SimpleNamespace(update=lambda: updates.append(1))
+
+    monkeypatch.setattr(samples, "progress_bar", bar)
+    made, path = inputs(many(5)), tmp_path / "samples.jsonl"
+    trials_of(made, Counting(), Keeping(path), quiet=True)  # type: ignore[arg-type]
+    path.write_bytes(b"".join(path.read_bytes().splitlines(keepends=True)[:3]))
+    trials_of(made, Counting(), Keeping(path, resume=True))  # type: ignore[arg-type]
+    (first, done), (second, left) = bars
+    assert (first["total"], first["initial"], first["quiet"], len(done)) == (5, 0, True, 5)
+    assert (second["total"], second["initial"], second["quiet"], len(left)) == (5, 2, False, 3)
 
 
 @pytest.mark.parametrize(("count", "several"), [(12, False), (13, True)])
