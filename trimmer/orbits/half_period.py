@@ -87,7 +87,8 @@ class HalfPeriodEquation:
     def _balanced(self) -> tuple[Reals, Reals]:
         """Return the matrix in balanced coordinates, and the sizes of the states in them."""
         balanced, (scaling, _) = scipy.linalg.matrix_balance(self.matrix, permute=False, separate=True)
-        return balanced, scaling[:-1] / scaling[-1]
+        # The last row is zero, so the last factor stays 1.
+        return balanced, scaling[:-1]
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ def respond(
     search = _Search(flow, most_periods, [])
     first = search.motion(instant_of(flow, state))
     reached = dict(box) if box is not None else _reached(flow, first)
-    found = [first] if starts == 1 else search.grouped(first, _random(flow, reached, starts - 1, seed))
+    found = search.grouped(first, _random(flow, reached, starts - 1, seed))
     shared = tuple(replace(each, share=each.starts / starts) for each in found)
     return Response(mechanism, shared, starts, reached, seed)
 

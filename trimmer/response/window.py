@@ -118,8 +118,10 @@ class Window:
 
         rate = SAMPLES / self.flow.period
         length = SAMPLES * min(SEGMENT, self.periods)
-        frequencies, density = welch(self.samples, rate, nperseg=length, axis=0)
+        _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.mechanism.outputs
+        # Those of ``welch``, which gives none without outputs.
+        frequencies = np.arange(length // 2 + 1) * rate / length
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
@@ -140,7 +142,8 @@ def joined(first: Window, second: Window) -> Window:
 class _Watch:
     def __init__(self, flow: ExactFlow, instant: Instant) -> None:
         self.flow, self.instant = flow, instant
-        self.rows = list(output_rows(flow.mechanism, flow.modes.layout).values())
+        layout = flow.modes.layout
+        self.rows = np.array([*output_rows(flow.mechanism, layout).values()]).reshape(-1, layout.size)
         self.sizes = np.ones(flow.size)
         self.distances = np.linalg.qr(np.random.default_rng(0).normal(size=(flow.size, 2)))[0]
         self.seen: list[tuple[Any, ...]] = []
@@ -158,14 +161,13 @@ class _Watch:
             self.instant = course.end
         if not self.seen:
             return None
-        columns = [np.array(column) for column in zip(*self.seen, strict=True)]
-        columns[-1] = columns[-1].reshape(-1, len(self.rows))
-        columns[-2] = columns[-2].reshape(-1, self.flow.size)
-        return Window(self.flow, self.sizes, begin, self.instant, ending, *columns)
+        *columns, states, samples = zip(*self.seen, strict=True)
+        series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
+        return Window(self.flow, self.sizes, begin, self.instant, ending, *series)
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration
-        signals = nodes.states @ np.array(self.rows).reshape(len(self.rows), -1).T
+        signals = nodes.states @ self.rows.T
         accelerations = [
             nodes.weights
             @ along(course, acceleration(course.modes, body), nodes.rows, nodes.states) ** 2
@@ -183,7 +185,7 @@ class _Watch:
             np.array(accelerations),
             np.array(len(course.events) / TOGETHER),
             sampled[::SAMPLES, : self.flow.size],
-            sampled @ np.array(self.rows).reshape(len(self.rows), -1).T,
+            sampled @ self.rows.T,
         )
 
     def _growth(self, course: Course) -> Reals:

@@ -1,0 +1,153 @@
+"""The half-period equation in its parts: intervals, tanh of a matrix, pieces, unequal switches."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import scipy.linalg
+
+from trimmer.orbits import half_period
+from trimmer.orbits.half_period import (
+    HalfPeriodEquation,
+    _first_pieces,
+    _joined,
+    _tanh,
+    _without_repetition,
+    interval_of,
+    zeros,
+)
+from trimmer.orbits.unequal_switches import _alike, _cells, _pair, _switching
+
+
+def equation_of(A: list, b: list, row: list, level: float = 0.0) -> HalfPeriodEquation:
+    matrix = np.zeros((len(b) + 1, len(b) + 1))
+    matrix[:-1, :-1], matrix[:-1, -1] = A, b
+    return HalfPeriodEquation(matrix, np.array(row, dtype=float), level)
+
+
+OMEGA = 691.0
+INTERVALS = {
+    "poles -2 and -50, zero -26": (([[-2, 0], [0, -50]], [1, 1], [1, 1]), (0.01 / 50, 40 / 2)),
+    "an undamped mode": (([[0, 1], [-(OMEGA**2), 0]], [0, 1], [1, 0]), (0.01 / OMEGA, 50 * np.pi / OMEGA)),
+    "a lightly damped mode": (
+        ([[0, 1], [-400.25, -1]], [0, 1], [1, 0]),
+        (0.01 / math.sqrt(400.25), 50 * np.pi / math.sqrt(400.25)),
+    ),
+    "an undamped mode beside a fast pole": (
+        ([[0, 3, 0], [-3, 0, 0], [0, 0, -20]], [0, 1, 1], [1, 0, 1]),
+        (0.01 / 20, 50 * np.pi / 3),
+    ),
+    "a zero at -500": (([[-1, 0], [0, -2]], [1, 1], [499, -498]), (0.01 / 500, 40.0)),
+    "a zero at -5000, too far": (([[-1, 0], [0, -2]], [1, 1], [4999, -4998]), (0.01 / 2, 40.0)),
+    "an integrator beside a pole": (([[0, 0], [0, -4]], [1, 1], [1, 0]), (0.01 / 4, 10.0)),
+    "two integrators and a zero at -3": (([[0, 1], [0, 0]], [0, 1], [3, 1]), (0.01 / 3, 40 / 3)),
+    "an integrator alone": (([[0]], [1], [1]), (0.01, 1000.0)),
+}
+
+
+@pytest.mark.parametrize("name", INTERVALS)
+def test_the_interval_spans_the_time_constants(name: str) -> None:
+    system, interval = INTERVALS[name]
+    assert interval_of(equation_of(*system)) == pytest.approx(interval, rel=1e-9)
+
+
+def test_tanh_of_matrices_is_that_of_scipy() -> None:
+    matrices = np.array([[[0.1, -0.2], [0.05, 0.15]], [[0.0, 0.0], [0.0, 0.0]]])
+    np.testing.assert_allclose(_tanh(matrices)[0], scipy.linalg.tanhm(matrices[0]), rtol=1e-13)
+    assert not _tanh(matrices[1:]).any()
+    large = np.array([[[3.0, -20.0, 1.0], [7.0, 0.5, 0.0], [2.0, -1.0, -9.0]]])
+    np.testing.assert_allclose(_tanh(large)[0], scipy.linalg.tanhm(large[0]), rtol=1e-10)
+    for x in (0.24, 1.7, 300.0):
+        assert _tanh(np.array([[[x]]]))[0, 0, 0] == pytest.approx(math.tanh(x), rel=4e-15)
+
+
+def test_the_state_of_a_stiff_oscillator_returns_with_its_signs_changed() -> None:
+    equation = equation_of([[0, 1], [-(OMEGA**2), -10]], [3.0, 1e4], [1.0, 0.002])
+    for half, state in zip((1e-3, 4e-3), equation.states(np.array([1e-3, 4e-3])), strict=True):
+        later = scipy.linalg.expm(equation.matrix * half) @ np.append(state, 1.0)
+        np.testing.assert_allclose(later[:2], -state, rtol=1e-10)
+
+
+def test_a_level_moves_the_zero() -> None:
+    """x' = 1 - x begins at -tanh(T/2)."""
+    found = zeros(equation_of([[-1]], [1], [-1], 0.5), (0.1, 10.0))
+    assert found.halves == pytest.approx([2 * math.atanh(0.5)], rel=1e-12)
+    assert found.undecided == ()
+    assert zeros(equation_of([[-1]], [1], [-1], 1.5), (0.1, 10.0)).halves == ()
+
+
+def test_where_the_left_side_is_zero_everywhere_nothing_is_decided() -> None:
+    found = zeros(equation_of([[-1]], [1], [0]), (0.1, 10.0))
+    assert found.halves == ()
+    ((begin, end),) = found.undecided
+    assert (begin, end) == pytest.approx((0.1, 10.0))
+
+
+def test_what_is_left_after_many_pieces_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(half_period, "MOST_PIECES", 2)
+    found = zeros(equation_of([[-1]], [1], [-1], 0.5), (0.1, 10.0))
+    assert found.halves == ()
+    ((begin, end),) = found.undecided  # Of twelve pieces two were examined.
+    assert (begin, end) == pytest.approx((0.1 * 100 ** (2 / 12), 10.0))
+
+
+def test_pieces_cover_the_interval_in_a_fixed_ratio() -> None:
+    pieces = _first_pieces((2.0, 2.0 * 1.4**3))
+    ends = [2.0, 2.8, 3.92, 5.488]
+    expected = list(pairwise(ends))[::-1]
+    assert [each for piece in pieces for each in piece] == pytest.approx(
+        [each for piece in expected for each in piece]
+    )
+    assert _first_pieces((2.0, 2.2)) == [pytest.approx((2.0, 2.2))]
+
+
+def test_a_zero_of_two_pieces_counts_once_and_touching_intervals_are_one() -> None:
+    rising = [0.01, 100.0, 100.0 + 5e-8, 100.0 + 2e-7, 100.1]
+    assert _without_repetition(rising) == (0.01, 100.0, 100.0 + 2e-7, 100.1)
+    assert _without_repetition([]) == ()
+    assert _joined([(1.0, 2.0), (2.0, 3.0), (3.0 + 1e-9, 4.0), (5.0, 6.0)]) == (
+        (1.0, 3.0),
+        (3.0 + 1e-9, 4.0),
+        (5.0, 6.0),
+    )
+
+
+UNEQUAL = equation_of([[0, 1, 0], [-400, -8, 0], [3, 0, -30]], [0.5, 100.0, 2.0], [1.0, 0.02, -0.3])
+
+
+def test_unequal_durations_lead_back_to_the_state_they_began_with() -> None:
+    pair = _pair(UNEQUAL, np.array([0.23, 0.11]))
+    assert pair[:2] == (0.23, 0.11)
+    state = np.append(pair[2], 1.0)
+    middle = scipy.linalg.expm(UNEQUAL.matrix * 0.23) @ state
+    end = scipy.linalg.expm(UNEQUAL.matrix * 0.11) @ np.append(-middle[:-1], 1.0)
+    np.testing.assert_allclose(-end[:-1], pair[2], rtol=1e-10)
+    # The mirror image of the orbit with the shorter duration first begins where this one does.
+    swapped = _pair(UNEQUAL, np.array([0.11, 0.23]))
+    assert swapped[:2] == (0.23, 0.11)
+    np.testing.assert_allclose(swapped[2], pair[2], rtol=1e-10)
+    long, short = (UNEQUAL.tangents(np.array([each])) for each in (0.23, 0.11))
+    shares = [float(UNEQUAL.row @ x) / float(abs(UNEQUAL.row) @ abs(x)) for x in (pair[2], middle[:-1])]
+    np.testing.assert_allclose(_switching(UNEQUAL, long, short)[0], shares, rtol=1e-9)
+
+
+def test_pairs_are_alike_if_both_durations_are() -> None:
+    state = np.zeros(1)
+    assert _alike((2.0, 1.0, state), (2.0 + 1e-8, 1.0, state))
+    assert not _alike((2.0, 1.0, state), (2.0, 1.0 + 1e-6, state))
+    assert not _alike((2.0, 1.0, state), (2.0 + 1e-6, 1.0, state))
+
+
+def test_cells_are_those_where_both_functions_change_their_signs() -> None:
+    values = np.full((4, 4, 2), np.nan)
+    for i in range(4):
+        for j in range(i + 1):
+            values[i, j] = i - 1.5, j - 0.5
+    assert _cells(values) == [(1, 0)]
+    values[..., 1] = i + 7.0
+    assert _cells(values) == []
+    values[..., 1] = 0.0  # A zero at a corner is a change of sign.
+    assert _cells(values) == [(1, 0), (1, 1)]
