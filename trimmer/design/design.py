@@ -221,9 +221,8 @@ class Study:
         """Return the maps over gap and speed, and gap and friction; without a gap over speed and friction."""
         if self.file.mechanism.frequency is None:
             return ()
-        by_role = {each.role: each for each in varied}
-        first, *others = by_role.values() or (None,)
-        return tuple(self._map(first, each) for each in others if first is not None and each is not None)
+        by_role = tuple({each.role: each for each in varied}.values())
+        return tuple(self._map(by_role[0], each) for each in by_role[1:])
 
     def _map(self, first: Varied, second: Varied) -> DesignMap:
         about = f"{first.place} x {second.place}"

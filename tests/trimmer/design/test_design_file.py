@@ -148,3 +148,14 @@ def test_other_commands_tell_what_to_do_about_a_range() -> None:
     )
     assert "--set 'plays.bridge.gap=VALUE'" in str(error.value)
     assert "line 19: frictions.blade.force = '0.1..0.9 N': this is a range" in str(error.value)
+
+
+def test_the_line_of_a_place_is_its_own_or_that_of_what_holds_it() -> None:
+    file = read('gap = "40 um"', 'gap = "20 um..60 um"')
+    assert (file.name, file.ranges[0].middle) == ("mine.toml", pytest.approx(40e-6))
+    assert file.line(("plays", "bridge", "gap")) == file.line(("plays", "bridge")) == 16
+    assert file.line(("plays", "bridge", "law")) == 16
+    assert file.line(("plays", "other", "gap")) == 15
+    assert file.line(("frequency",)) == 2
+    assert file.line(("stops", "wall")) == 0
+    assert file.line(()) == 0

@@ -106,3 +106,32 @@ def test_a_stage_is_made_once() -> None:
         assert keeper.made("stage", (1, "a"), lambda: calls.append(1) or "result") == "result"
     assert len(calls) == 1
     assert keeper.made("stage", (2, "a"), lambda: "other") == "other"
+
+
+class Backwards(Counting):
+    """Does the cells from the last to the first."""
+
+    def results(self, work: Any, cells: Iterable[Any]) -> Iterator[Any]:
+        return super().results(work, reversed(list(cells)))
+
+
+def test_rows_are_told_as_they_become_whole_in_whatever_order(file: DesignFile) -> None:
+    first, second = varied_places(file.mechanism, None)
+    keeper = Keeper(InMemory())
+    told: list[tuple[int, int]] = []
+
+    def look(runner: Any) -> DesignMap:
+        told.clear()
+        return design_map(file.mechanism, first, second, FEW, runner, keeper, lambda *each: told.append(each))
+
+    with pytest.raises(KeyboardInterrupt):
+        look(Backwards(most=9))
+    assert told == [(0, 4), (1, 4), (2, 4)]
+    found = look(Backwards())
+    assert told == [(2, 4), (3, 4), (4, 4)]
+    assert (found.first, found.second) == (first, second)
+    assert [each.number for each in found.result.cells] == list(range(16))
+    assert found.result.cells == made(file, SerialRunner(), Keeper()).result.cells
+    again = look(Counting(most=0))
+    assert told == [(4, 4)]
+    assert again.result.cells == found.result.cells

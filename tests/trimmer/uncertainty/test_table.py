@@ -31,6 +31,8 @@ def read(lines: str, mechanism: str = MECHANISM):
         ('"plays.bridge.gap" = { normal = 1e-6, mean = "50 um" }', Normal(50e-6, 1e-6)),
         ('"plays.bridge.gap" = { uniform = ["20 um", 60e-6] }', Uniform(20e-6, 60e-6)),
         ('"plays.bridge.gap" = { uniform = "10 %" }', Uniform(36e-6, 44e-6)),
+        ('"plays.bridge.gap" = { normal = "10 %", mean = "50 um" }', Normal(50e-6, 5e-6)),
+        ('"plays.bridge.gap" = { normal = 2e-6, mean = 3e-5 }', Normal(3e-5, 2e-6)),
     ],
 )
 def test_forms(line: str, distribution) -> None:
@@ -70,6 +72,22 @@ def test_what_nobody_knows_scatters_evenly_and_is_called_assumed() -> None:
         ('"plays.bridge.gap" = { uniform = ["60 um", "20 um"] }', "the first end is the smaller one"),
         ('"plays.bridge.gap" = { uniform = [1e-6] }', "give both ends"),
         ('"plays.bridge.gap" = 5', "say how it scatters"),
+        ('"plays.bridge.gap" = { mean = "50 um" }', "in one way"),
+        ('"plays.bridge.gap" = { mean = "50 um", uniform = "10 %" }', "in one way"),
+        ('"plays.bridge.gap" = { normal = 1e-6, mean = true }', "give a number in m"),
+        ('"plays.bridge.gap" = { normal = inf }', "give a number in m"),
+        ('"plays.bridge.gap" = { uniform = [1e-6, true] }', "give a number in m"),
+        ('"plays.bridge.gap" = { uniform = [true, 1e-6] }', "give a number in m"),
+        ('"plays.bridge.gap" = { uniform = [1e-6, 1e-6] }', "the first end is the smaller one"),
+        ('"plays.bridge.gap" = { uniform = "10 um" }', "give both ends"),
+        ('"plays.bridge.gap" = { uniform = "much %" }', "uncertainty"),
+        ('"plays bridge" = { uniform = "10 %" }', "uncertainty"),
+        ("covariance = { places = [], matrix = [] }", "write { places ="),
+        ('covariance = { places = ["plays.bridge.gab"], matrix = [[1]] }', "did you mean plays.bridge.gap"),
+        ('covariance = { places = ["plays.bridge.gap"], matrix = [[true]] }', "products of SI units"),
+        ('covariance = { places = ["plays.bridge.gap"], matrix = [[inf]] }', "products of SI units"),
+        ('covariance = { places = ["plays.bridge.gap"], matrix = [[0]] }', "variances"),
+        ('covariance = { places = ["plays.bridge.gap"], matrix = 1 }', "give 1 rows of 1 numbers"),
         ('covariance = { places = ["plays.bridge.gap"], matrix = [[-1]] }', "variances"),
         ('covariance = { places = ["plays.bridge.gap"], matrix = [[1, 2]] }', "give 1 rows of 1 numbers"),
         ("covariance = 3", "write { places ="),
@@ -91,3 +109,41 @@ def test_what_nobody_knows_scatters_evenly_and_is_called_assumed() -> None:
 def test_what_cannot_be_used_is_named(lines: str, told: str) -> None:
     with pytest.raises(MechanismError, match=told):
         read(lines)
+
+
+def test_shares_of_a_negative_number_are_of_its_size() -> None:
+    mechanism = MECHANISM.replace("amplitude = 1.5e-3", "amplitude = 1.5e-3, offset = -2e-3")
+    (normal,) = read('"pins.pin.offset" = { normal = "10 %" }', mechanism).scatters
+    assert vars(normal.distribution) == pytest.approx({"mean": -2e-3, "deviation": 2e-4})
+    (uniform,) = read('"pins.pin.offset" = { uniform = "10 %" }', mechanism).scatters
+    assert vars(uniform.distribution) == pytest.approx({"lowest": -2.2e-3, "highest": -1.8e-3})
+
+
+def test_several_covariances_stand_in_a_list() -> None:
+    uncertainty = read("""
+        covariance = [
+            { places = ["bodies.motor.mass", "plays.bridge.gap"], matrix = [[4e-6, 1e-9], [1e-9, 9e-12]] },
+            { places = ["plays.bridge.damping"], matrix = [[0.01]] },
+        ]
+        "plays.bridge.stiffness" = { normal = "1 %" }
+    """)
+    first, second = uncertainty.joints
+    assert first.places == ("bodies.motor.mass", "plays.bridge.gap")
+    assert first.covariance == ((4e-6, 1e-9), (1e-9, 9e-12))
+    assert (second.places, second.covariance) == (("plays.bridge.damping",), ((0.01,),))
+    found = {each.place: each for each in uncertainty.scatters}
+    assert vars(found["plays.bridge.gap"].distribution) == pytest.approx({"mean": 40e-6, "deviation": 3e-6})
+    assert found["plays.bridge.damping"].unit == "N s/m"
+    assert list(found)[-1] == "plays.bridge.stiffness"
+
+
+def test_what_scatters_by_name_is_not_assumed_beside_it() -> None:
+    mechanism = MECHANISM.replace("gap = 40e-6", 'gap = "20 um..60 um"')
+    (only,) = read('"plays.bridge.gap" = { normal = "1 um" }', mechanism).scatters
+    assert not only.assumed
+    assert vars(only.distribution) == pytest.approx({"mean": 40e-6, "deviation": 1e-6})
+
+
+def test_what_is_no_section_is_told() -> None:
+    with pytest.raises(MechanismError, match="is a section"):
+        sample_file_of_text(f"uncertainty = 3\n{MECHANISM}", "mine.toml")

@@ -1,0 +1,101 @@
+"""What differs between two mechanisms and their motions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from tests.trimmer.design.made import contact, motion, oscillator, output
+from trimmer import Mechanism
+from trimmer.design.comparison import Change, Difference, _differ, compared
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.targets import Measure
+from trimmer.design.trial import Asked
+from trimmer.mechanism import ContactLaw, Link, Stop
+
+STROKE = Asked(Measure.STROKE, "block")
+
+
+def design(mechanism: Mechanism, moving: FoundMotion | None) -> Any:
+    return SimpleNamespace(file=SimpleNamespace(mechanism=mechanism), motion=moving)
+
+
+def moving(size: float, **changes: Any) -> FoundMotion:
+    outputs = {"block": output(0.0, size), "double": output(0.0, 2 * size)}
+    return motion(outputs=outputs, rms_acceleration={"block": 3.0}, contacts={}, frictions={}, **changes)
+
+
+def test_a_change_is_relative_to_what_was_before() -> None:
+    assert Difference(STROKE, 4.0, 5.0).change == pytest.approx(0.25)
+    assert Difference(STROKE, 4.0, 3.0).change == pytest.approx(-0.25)
+    for before, after in ((None, 1.0), (1.0, None), (0.0, 1.0), (1.0, float("inf")), (float("inf"), 1.0)):
+        assert Difference(STROKE, before, after).change is None
+    assert Difference(STROKE, 4.0, 0.0).change == -1.0
+
+
+def test_numbers_differ_by_more_than_rounding() -> None:
+    assert not _differ(1.0, 1.0 + 5e-13)
+    assert _differ(1.0, 1.0 + 5e-12)
+    assert _differ(1.0 + 5e-12, 1.0)
+    assert _differ(-2.0, 2.0)
+    assert not _differ(0.0, 0.0)
+    assert not _differ(None, 0.0)
+    assert not _differ(0.0, None)
+    assert _differ(None, 1.0)
+    assert _differ(1.0, None)
+    assert not _differ(None, None)
+
+
+def test_numbers_and_ends_that_differ_are_listed() -> None:
+    before = oscillator()
+    after = replace(
+        before.with_value("links.spring.stiffness", 1e4),
+        stops={"wall": Stop(("ground", "block"), 500.0, 0.0, 4e-5)},
+    )
+    found = compared(design(before, None), design(after, None))
+    assert found.changes == (
+        Change("links.spring.stiffness", "N/m", 9e3, 1e4),
+        Change("stops.wall.stiffness", "N/m", None, 500.0),
+        Change("stops.wall.gap", "m", None, 4e-5),
+    )
+    assert found.others == ()
+    back = compared(design(after, None), design(before, None)).changes
+    assert (back[0].before, back[0].after) == (1e4, 9e3)
+    assert [(each.before, each.after) for each in back[1:]] == [(500.0, None), (4e-5, None)]
+
+
+def test_parts_whose_form_differs_are_listed_apart() -> None:
+    before = replace(oscillator(), stops={"wall": Stop(("ground", "block"), 500.0, 1.0, 4e-5)})
+    turned = replace(before, links={"spring": Link(("block", "ground"), 9e3, 4.0)})
+    found = compared(design(before, None), design(turned, None))
+    assert (found.changes, found.others) == ((), ("links.spring",))
+    law = Stop(("ground", "block"), 500.0, 1.0, 4e-5, ContactLaw.TRUNCATED)
+    assert compared(design(before, None), design(replace(before, stops={"wall": law}), None)).others == (
+        "stops.wall",
+    )
+
+
+def test_a_frequency_that_only_one_has_is_a_change() -> None:
+    driven = oscillator()
+    free = replace(driven, frequency=None, forces={})
+    changes = {each.place: each for each in compared(design(free, None), design(driven, None)).changes}
+    assert changes["frequency"] == Change("frequency", "Hz", None, 20.0)
+
+
+def test_measures_stand_beside_each_other_as_far_as_there_are_any() -> None:
+    first = oscillator()
+    second = replace(first, stops={"wall": Stop(("ground", "block"), 500.0, 0.0, 4e-5)})
+    hit = replace(moving(3e-3), contacts={"wall": contact(0.2)}, period_count=2)
+    both = compared(design(first, moving(2e-3)), design(second, hit))
+    found = {each.asked: (each.before, each.after) for each in both.differences}
+    assert len(found) == len(both.differences) == 5
+    assert found[STROKE] == (2e-3, 3e-3)
+    assert found[Asked(Measure.STROKE, "double")] == (4e-3, 6e-3)
+    assert found[Asked(Measure.RMS_ACCELERATION, "block")] == (3.0, 3.0)
+    assert found[Asked(Measure.IMPACT_SPEED, "wall")] == (None, 0.2)
+    assert found[Asked(Measure.PERIOD, "")] == (1.0, 2.0)
+    none = compared(design(first, None), design(second, hit)).differences
+    assert {(each.before, each.after is None) for each in none} == {(None, False)}

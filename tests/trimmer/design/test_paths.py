@@ -1,0 +1,130 @@
+"""How far a branch stays stable, and branches whose orbits are known in closed form."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.design.paths import Side, Special, _side, path_through
+from trimmer.design.varied_places import Role, Varied
+
+
+def special(kind: SpecialKind, value: float) -> Special:
+    return Special(kind, value, {}, ())
+
+
+def side(
+    values: list[float], unstable: str, *points: Special, reason: BranchEnd = BranchEnd.LEFT_AT_STOP
+) -> Side:
+    """Return a side whose orbits are stable but for those marked with ``u``."""
+    stable = np.array([each != "u" for each in unstable])
+    return Side(values[-1], np.array(values), stable, {}, points, reason, "")
+
+
+def test_a_side_that_is_stable_throughout_reaches_its_end() -> None:
+    points = (special(SpecialKind.GRAZING, 1.1), special(SpecialKind.FOLD, 1.2))
+    whole = side([1.0, 1.2, 1.4], "sss", *points)
+    assert (whole.reaches, whole.losing, whole.first_special) == (None, None, points)
+    broken = side([1.0, 1.2, 1.4], "sss", points[0], reason=BranchEnd.STEP_TOO_SMALL)
+    assert (broken.reaches, broken.losing, broken.first_special) == (1.4, None, points[:1])
+
+
+def test_stability_is_lost_at_the_special_point_between_two_orbits() -> None:
+    points = [
+        special(SpecialKind.PERIOD_DOUBLING, 1.1),
+        special(SpecialKind.GRAZING, 1.25),
+        special(SpecialKind.FOLD, 1.3),
+        special(SpecialKind.GRAZING, 1.29),
+    ]
+    lost = side([1.0, 1.2, 1.4, 1.6], "ssus", *points)
+    assert lost.reaches == 1.3
+    assert lost.losing is SpecialKind.FOLD
+    assert lost.first_special == tuple(points[:3])
+
+
+@pytest.mark.parametrize("value", [0.8, 0.6])
+def test_a_special_point_at_either_orbit_counts_downwards_too(value: float) -> None:
+    points = [special(SpecialKind.TORUS, 0.5), special(SpecialKind.TORUS, value)]
+    lost = side([1.0, 0.8, 0.6, 0.5], "ssuu", *points)
+    assert lost.reaches == value
+    assert lost.losing is SpecialKind.TORUS
+
+
+def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
+    points = [special(SpecialKind.GRAZING, each) for each in (0.9, 0.8, 0.75, 0.85)]
+    lost = side([1.0, 0.8, 0.6], "ssu", *points)
+    assert (lost.reaches, lost.losing) == (0.8, None)
+    assert lost.first_special == tuple(points[:2])
+    beyond = [points[0], points[2], points[3]]
+    assert side([1.0, 0.8, 0.6], "ssu", *beyond).first_special == tuple(points[:1])
+
+
+def test_a_side_that_begins_unstable_reaches_nothing() -> None:
+    assert side([1.0, 1.2, 1.4], "usu", special(SpecialKind.FOLD, 1.3)).reaches == 1.0
+
+
+def over_frequency(lowest: float, highest: float) -> Varied:
+    return Varied(Role.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
+
+
+def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:
+    begun = motion(state=np.zeros(2))
+    path = path_through(oscillator(), over_frequency(19.0, 20.5), begun, 300)
+    assert path.periods == 1
+    assert path.varied.place == "frequency"
+    for found, end in ((path.down, 19.0), (path.up, 20.5)):
+        assert found is not None
+        assert (found.end, found.reason, found.special) == (end, BranchEnd.LEFT_AT_STOP, ())
+        assert found.reaches is None
+        assert found.message
+        assert found.stable.all()
+        assert found.values[[0, -1]] == pytest.approx([20.0, end], rel=1e-12)
+        # Steps of at most 2 % of a side.
+        assert abs(np.diff(found.values)).max() <= 0.0201 * abs(end - 20.0)
+        expected = [2 * oscillator_amplitude(float(each)) for each in found.values]
+        assert found.stroke["block"] == pytest.approx(expected, rel=1e-9)
+        assert found.stroke["double"] == pytest.approx(2 * np.array(expected), rel=1e-9)
+
+
+@pytest.mark.parametrize(("lowest", "highest", "there"), [(20.0, 20.5, "up"), (19.5, 20.0, "down")])
+def test_a_range_that_ends_at_the_working_point_has_one_side(
+    lowest: float, highest: float, there: str
+) -> None:
+    path = path_through(oscillator(), over_frequency(lowest, highest), motion(state=np.zeros(2)), 4)
+    assert (path.down is None, path.up is None) == (there == "up", there == "down")
+    found = getattr(path, there)
+    assert found.end == (highest if there == "up" else lowest)
+    assert (len(found.values), found.reason) == (4, BranchEnd.MOST_POINTS)
+
+
+def test_a_motion_of_several_periods_is_followed_as_such() -> None:
+    path = path_through(
+        oscillator(), over_frequency(20.0, 20.1), motion(period_count=3, state=np.zeros(2)), 2
+    )
+    assert path.periods == 3
+    alone = motion(period_count=None, state=np.zeros(2))
+    assert path_through(oscillator(), over_frequency(19.9, 20.1), alone, 2).periods == 1
+
+
+def test_special_points_keep_what_the_outputs_do_there() -> None:
+    points = [SpecialPoint(SpecialKind.GRAZING, 4.5e-5, np.zeros(2), ("bridge",))]
+    branch = SimpleNamespace(
+        map=SimpleNamespace(mechanism=SimpleNamespace(outputs={"a": None, "b": None})),
+        points=[],
+        special=points,
+        outputs_at=lambda each: {
+            name: SimpleNamespace(peak_to_peak=each.value * factor) for name, factor in (("a", 2), ("b", 3))
+        },
+        reason=BranchEnd.TORN,
+        message="told",
+    )
+    found = _side(branch, 5e-5)  # type: ignore[arg-type]
+    (only,) = found.special
+    assert (only.kind, only.value, only.parts) == (SpecialKind.GRAZING, 4.5e-5, ("bridge",))
+    assert only.stroke == {"a": 9e-5, "b": pytest.approx(1.35e-4)}
+    assert (found.end, found.reason, found.message) == (5e-5, BranchEnd.TORN, "told")
