@@ -48,7 +48,9 @@ def test_taylors_theorem_with_one_pole() -> None:
     assert bounds.slope_radius == pytest.approx([expected])
 
 
-@pytest.mark.parametrize(("omega", "worst"), [(3.0, 3.0 * math.exp(0.2)), (7.5, 7.0), (40.0, 40.0 * math.exp(-0.2))])
+@pytest.mark.parametrize(
+    ("omega", "worst"), [(3.0, 3.0 * math.exp(0.2)), (7.5, 7.0), (40.0, 40.0 * math.exp(-0.2))]
+)
 def test_the_phase_of_one_pole_turns_by_no_more_than_its_bound(omega: float, worst: float) -> None:
     turning = response(1 / (s + 7)).turning(*around(omega, 0.2))
     rate = omega * 7.0 / (omega**2 + 49.0)  # of the phase, atan(omega/7)

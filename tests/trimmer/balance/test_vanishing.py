@@ -80,7 +80,13 @@ def test_the_least_gain_of_a_load_that_coasts() -> None:
 
 
 def neighbourhood(
-    small: SmallGains, *, heading: float, order: int = 1, place: float = 0.0, turns: complex = 0.0, lag: float = 0.0
+    small: SmallGains,
+    *,
+    heading: float,
+    order: int = 1,
+    place: float = 0.0,
+    turns: complex = 0.0,
+    lag: float = 0.0,
 ) -> _Neighbourhood:
     return _Neighbourhood(place, 1.0, order, 1.0, heading, np.array([turns]), lag, small.reach, small)
 
