@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -102,12 +103,7 @@ def test_turns_are_those_of_the_phase_of_the_sum() -> None:
     def turns(v_from: float, v_to: float, backwards: bool = False) -> int | None:
         corners = [(v_to, low), (v_from, low), (v_from, high), (v_to, high), (v_to, low)]
         steps = 64
-        path = np.concatenate(
-            [
-                np.linspace(*ends, steps, endpoint=False)
-                for ends in zip(corners[:-1], corners[1:], strict=True)
-            ]
-        )
+        path = np.concatenate([np.linspace(*ends, steps, endpoint=False) for ends in pairwise(corners)])
         closed = np.vstack([path, corners[:1]])
         given = _Pieces(closed[:-1, 0], closed[1:, 0], closed[:-1, 1], closed[1:, 1])
         if backwards:

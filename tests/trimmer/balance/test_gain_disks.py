@@ -18,7 +18,7 @@ from trimmer.elements.saturation import Saturation
 
 @dataclass(frozen=True)
 class Sloping:
-    """N = 2 u + 3j ln omega up to u = edge omega**power, with bounds 4 and 5 of its slopes; its scale is 7."""
+    """N = 2 u + 3j ln omega up to u = edge omega**power, with 4 and 5 as bounds of its slopes."""
 
     power: float = 0.0
     edge: float = 1.0
