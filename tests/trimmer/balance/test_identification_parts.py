@@ -1,4 +1,4 @@
-"""The parts of identification: bands, turning points, the nearest end, and intervals, from hand-made bands."""
+"""The parts of identification with hand-made bands: turning points, the nearest end, and intervals."""
 
 from __future__ import annotations
 
