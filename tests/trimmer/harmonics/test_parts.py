@@ -1,4 +1,4 @@
-"""The parts of multi-harmonic balance by hand: waveforms, zeros, pieces, contacts and the driven equations."""
+"""The parts of multi-harmonic balance by hand: waveforms, zeros, pieces, contacts, driven equations."""
 
 from __future__ import annotations
 
