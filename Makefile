@@ -29,12 +29,13 @@ docs: .venv/for-development ## build the site, build/site/index.html; fails on a
 maps: .venv/for-use ## compute the maps and branches of the twin again, report/data/twin; goes on where it was interrupted
 	@OPENBLAS_NUM_THREADS=1 python -m report.twin.make_maps
 
-# The tests of a file share what they make once.
+# The tests of a file share what they make once. Bytecode is kept, also where the environment forbids it: or else
+# each process, and the tests start many, compiles all sources again.
 test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to pytest
-	@python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
+	@PYTHONDONTWRITEBYTECODE= python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
 
 test-all: .venv/for-development ## run all tests, the slow ones too
-	@python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
+	@PYTHONDONTWRITEBYTECODE= python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
 
 lint: .venv/for-development ## ruff (rules and format), mypy, import-linter; changes nothing
 	@ruff check .

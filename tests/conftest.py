@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import functools
+import gc
 import os
 import shutil
 import signal
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,7 +16,7 @@ from hypothesis import settings
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
-settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
 settings.load_profile("repeatable")
 # Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
 # examples would depend on which tests ran before.
@@ -52,6 +54,21 @@ def missing_tool(marker: str) -> str | None:
     if marker == "octave" and find_octave() is None:
         return "GNU Octave with its package control is not installed (package octave-control)"
     return None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[None]:
+    """Look for no garbage while tests are collected: all that is made stays, and the search takes seconds.
+
+    For the same reason it is not searched again, and what the tests leave is searched less often than usual.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.set_threshold(20_000, 20, 20)
+        gc.enable()
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

@@ -6,6 +6,7 @@ import ast
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -56,35 +57,49 @@ def test_the_contracts_see_every_module(project_folder: Path) -> None:
 FOLDERS = ("benchmarks", "derivations", "report", "scripts", "tests", "trimmer")
 
 
+@dataclass(frozen=True)
+class Names:
+    """What a source binds at any depth, and what it imports from the project's folders."""
+
+    bound: set[str]
+    imported: list[tuple[str, str]]
+
+    @classmethod
+    def of(cls, source: str) -> Names:
+        """Read a source, types that only a checker sees among it."""
+        names = cls({"__doc__"}, [])
+        for node in ast.walk(ast.parse(source)):
+            match node:
+                case ast.Name(id=name, ctx=ast.Store()):
+                    names.bound.add(name)
+                case ast.ClassDef(name=name) | ast.FunctionDef(name=name):
+                    names.bound.add(name)
+                case ast.Import(names=aliases) | ast.ImportFrom(names=aliases):
+                    names.bound.update(alias.asname or alias.name for alias in aliases)
+            if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in FOLDERS:
+                names.imported.extend((node.module or "", alias.name) for alias in node.names)
+        return names
+
+
 @cache
-def names_of(path: Path | None) -> set[str]:
-    """Return all that a module binds at any depth, types that only a checker sees among it."""
-    if path is None:
-        return set()
-    bound = {"__doc__"}
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        match node:
-            case ast.ClassDef(name=name) | ast.FunctionDef(name=name):
-                bound.add(name)
-            case ast.Name(id=name, ctx=ast.Store()):
-                bound.add(name)
-            case ast.alias(name=name, asname=other):
-                bound.add(other or name)
-    return bound
+def names_in(path: Path) -> Names:
+    """Return the names of a file, which is read once."""
+    return Names.of(path.read_text("utf-8"))
 
 
-def missing_names(folder: Path, source: str) -> Iterator[str]:
+def missing_names(folder: Path, names: Names) -> Iterator[str]:
     """Yield what a source imports from the project's folders, also within functions, that is not there."""
-    for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.ImportFrom) or (node.module or "").split(".")[0] not in FOLDERS:
-            continue
-        place = folder.joinpath(*node.module.split("."))
+    for module, name in names.imported:
+        place = folder.joinpath(*module.split("."))
         paths = place / "__init__.pyi", place / "__init__.py", place.with_suffix(".py")
-        bound = names_of(next(filter(Path.exists, paths), None))
-        for name in (alias.name for alias in node.names):
-            beside = place.joinpath(name)
-            if name not in bound and not beside.is_dir() and not beside.with_suffix(".py").exists():
-                yield f"{node.module}.{name}"
+        there = next(filter(Path.exists, paths), None)
+        beside = place.joinpath(name)
+        if (
+            (there is None or name not in names_in(there).bound)
+            and not beside.is_dir()
+            and not beside.with_suffix(".py").exists()
+        ):
+            yield f"{module}.{name}"
 
 
 def test_all_that_is_imported_is_there(project_folder: Path) -> None:
@@ -93,11 +108,11 @@ def test_all_that_is_imported_is_there(project_folder: Path) -> None:
         f"{path.relative_to(project_folder)}: {name}"
         for folder in FOLDERS
         for path in (project_folder / folder).rglob("*.py")
-        for name in missing_names(project_folder, path.read_text("utf-8"))
+        for name in missing_names(project_folder, names_in(path))
     }
     assert not missing
 
 
 def test_what_is_not_there_would_be_noticed(project_folder: Path) -> None:
     late = "def f():\n    from trimmer.elements import relay, no_such_element"
-    assert list(missing_names(project_folder, late)) == ["trimmer.elements.no_such_element"]
+    assert list(missing_names(project_folder, Names.of(late))) == ["trimmer.elements.no_such_element"]

@@ -10,25 +10,21 @@ from pathlib import Path
 
 import pytest
 
-EXAMPLES = """
-import pytest
+PACKAGES = {"browser": "chromium", "octave": "octave-control", "poppler": "poppler-utils"}
+"""By the marker of the tests that need a program of it."""
+EXAMPLE = """
 @pytest.mark.{marker}
-def test_example(): pass
+def test_with_{marker}(): pass
 """
+EXAMPLES = "import pytest\n" + "".join(EXAMPLE.format(marker=marker) for marker in PACKAGES)
 SETTINGS = "[tool.pytest.ini_options]\nmarkers = ['browser', 'octave', 'poppler']\n"
 
 
-@pytest.mark.parametrize(
-    ("marker", "package"),
-    [("browser", "chromium"), ("octave", "octave-control"), ("poppler", "poppler-utils")],
-)
-@pytest.mark.parametrize(("ci", "outcome"), [("", "1 skipped"), ("true", "1 error")])
-def test_missing_program(
-    tmp_path: Path, project_folder: Path, marker: str, package: str, ci: str, outcome: str
-) -> None:
+@pytest.mark.parametrize(("ci", "outcome"), [("", "3 skipped"), ("true", "3 errors")])
+def test_missing_programs(tmp_path: Path, project_folder: Path, ci: str, outcome: str) -> None:
     shutil.copy(project_folder / "tests" / "conftest.py", tmp_path)
     (tmp_path / "pyproject.toml").write_text(SETTINGS, encoding="utf-8")
-    (tmp_path / "test_example.py").write_text(EXAMPLES.format(marker=marker), encoding="utf-8")
+    (tmp_path / "test_example.py").write_text(EXAMPLES, encoding="utf-8")
     variables = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST")}
     variables |= {"CI": ci, "PATH": str(tmp_path)}
     ended = subprocess.run(
@@ -39,4 +35,5 @@ def test_missing_program(
         text=True,
     )
     assert outcome in ended.stdout
-    assert f"(package {package})" in ended.stdout
+    for package in PACKAGES.values():
+        assert f"(package {package})" in ended.stdout

@@ -29,7 +29,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory, project_folder: Path) -> Pat
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Folder into which the wheel is installed without its dependencies."""
     folder = tmp_path_factory.mktemp("installed")
-    options = ["--quiet", "--no-deps", "--no-index", "--target", str(folder)]
+    options = ["--quiet", "--no-deps", "--no-index", "--no-compile", "--target", str(folder)]
     subprocess.run([*PIP, "install", *options, str(wheel)], check=True)
     return folder
 

@@ -1,10 +1,18 @@
-"""Evidence and claims, made once for each test process."""
+"""Evidence, claims and findings, made once in each run of the tests."""
 
 import pytest
 
+from report.cache.source_closure import SourceTree
 from report.collect import collect
 from report.evidence import gather
 from report.inventory import read_inventory
+from report.judge import judge
+from tests.report.made_once import MadeOnce
+
+
+@pytest.fixture(scope="session")
+def made_once(tmp_path_factory):
+    return MadeOnce.of_this_run(tmp_path_factory)
 
 
 @pytest.fixture(scope="session")
@@ -13,8 +21,13 @@ def inventory():
 
 
 @pytest.fixture(scope="session")
-def evidence():
-    return gather()
+def source_tree(made_once):
+    return made_once.get("source_tree", SourceTree.read)
+
+
+@pytest.fixture(scope="session")
+def evidence(made_once):
+    return made_once.get("evidence", gather)
 
 
 @pytest.fixture(scope="session")
@@ -23,5 +36,15 @@ def records(inventory):
 
 
 @pytest.fixture(scope="session")
-def claims(evidence, records):
-    return {claim_id: record.claim(evidence) for claim_id, record in records.by_id.items()}
+def claims(evidence, records, made_once):
+    return made_once.get(
+        "claims", lambda: {claim_id: record.claim(evidence) for claim_id, record in records.by_id.items()}
+    )
+
+
+@pytest.fixture(scope="session")
+def findings(claims, inventory, made_once):
+    return made_once.get(
+        "findings",
+        lambda: {claim_id: judge(claims[claim_id], entry) for claim_id, entry in inventory.items()},
+    )

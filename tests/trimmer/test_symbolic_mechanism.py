@@ -71,7 +71,7 @@ def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
     assert_matrices_agree(Mechanism.from_toml(path))
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(mechanisms())
 def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
     assert_matrices_agree(mechanism)
@@ -115,13 +115,13 @@ def test_engine_moves_the_examples_as_they_are_derived(path):
     assert_motion_agrees(mechanism, 0.3 / (mechanism.frequency or 1.0))
 
 
-@settings(max_examples=15)
+@settings(max_examples=10)
 @given(mechanisms(most_bodies=3))
 def test_engine_moves_random_mechanisms_as_they_are_derived(mechanism):
     assert_motion_agrees(mechanism, 0.4)
 
 
-@settings(max_examples=10)
+@settings(max_examples=7)
 @given(mechanisms(most_bodies=3))
 def test_closed_contacts_are_links(mechanism):
     """With the contacts as links the solvers' matrices are the derived ones of closed contact."""
@@ -200,7 +200,7 @@ def test_names_of_python_that_would_be_the_same_are_told_apart():
     assert {"m_a_b", "m_a_b_2", "k_a_b", "k_a_b_2"} <= names
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(mechanisms_with_any_names())
 def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
     found = [each.symbol for each in printed_symbols(mechanism).values()]

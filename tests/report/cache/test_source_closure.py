@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import json
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,33 +16,35 @@ from report.cache.source_closure import ROOT, SourceTree
 from report.cache.stage_store import StageStore
 
 LOADED = """
-import importlib, sys
-importlib.import_module(sys.argv[1])
-names = [name for name in sys.modules if name.split(".")[0] in ("derivations", "trimmer", "report")]
-print("\\n".join(str(sys.modules[name].__file__) for name in names))
+import importlib, json, sys
+files = []
+for module in sys.argv[1:]:
+    importlib.import_module(module)
+    ours = [name for name in sys.modules if name.split(".")[0] in ("derivations", "trimmer", "report")]
+    files.append([str(sys.modules.pop(name).__file__) for name in ours])
+print(json.dumps(files))
 """
-
-
-@pytest.fixture(scope="module")
-def tree() -> SourceTree:
-    return SourceTree.read()
-
-
-@pytest.mark.parametrize(
-    "module",
-    [
-        "derivations.elements.backlash",
-        "trimmer.motion.simulation",
-        "report.chapters.chapter_2.claims.section_2_3_6",
-    ],
+"""Loads each module as a process does that has loaded nothing of this project."""
+MODULES = (
+    "derivations.elements.backlash",
+    "trimmer.motion.simulation",
+    "report.chapters.chapter_2.claims.section_2_3_6",
 )
-def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree, module: str) -> None:
+
+
+@pytest.fixture
+def tree(source_tree: SourceTree) -> SourceTree:
+    return source_tree
+
+
+def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree) -> None:
     run = subprocess.run(
-        [sys.executable, "-c", LOADED, module], capture_output=True, text=True, check=True, cwd=ROOT
+        [sys.executable, "-c", LOADED, *MODULES], capture_output=True, text=True, check=True, cwd=ROOT
     )
-    loaded = {Path(line).resolve() for line in run.stdout.split()}
-    assert len(loaded) > 3
-    assert loaded <= {(ROOT / path).resolve() for path in tree.closure(module)}
+    for module, files in zip(MODULES, json.loads(run.stdout), strict=True):
+        loaded = {Path(file).resolve() for file in files}
+        assert len(loaded) > 3
+        assert loaded <= {(ROOT / path).resolve() for path in tree.closure(module)}
 
 
 def test_a_claim_does_not_depend_on_another_claim(tree: SourceTree) -> None:

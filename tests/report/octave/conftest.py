@@ -16,6 +16,7 @@ from derivations.linear_trimmer import derive_linear_trimmer
 from report.document.derivation import Program
 from report.octave.archive import write_files
 from report.octave.listings import corrected_programs
+from tests.report.made_once import MadeOnce
 from tests.report.octave import points
 from trimmer import TrimmerParameters
 from trimmer.arrays import Complexes
@@ -35,15 +36,22 @@ class OctaveRun:
 
 
 @pytest.fixture(scope="session")
-def programs() -> tuple[Program, ...]:
-    return corrected_programs(derive_linear_trimmer(), TrimmerParameters.thesis())
+def programs(made_once: MadeOnce) -> tuple[Program, ...]:
+    def make() -> tuple[Program, ...]:
+        return corrected_programs(derive_linear_trimmer(), TrimmerParameters.thesis())
+
+    return made_once.get("programs", make)
 
 
 @pytest.fixture(scope="session")
 def octave_run(
-    octave: str, programs: tuple[Program, ...], tmp_path_factory: pytest.TempPathFactory
+    octave: str, programs: tuple[Program, ...], tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
 ) -> OctaveRun:
     folder = tmp_path_factory.mktemp("octave")
+    return made_once.get("octave_run", lambda: run_of(octave, programs, folder))
+
+
+def run_of(octave: str, programs: tuple[Program, ...], folder: Path) -> OctaveRun:
     write_files(programs, folder)
     driver = folder / "driver.m"
     driver.write_text(points.DRIVER, encoding="ascii")

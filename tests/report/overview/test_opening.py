@@ -8,15 +8,14 @@ import pytest
 
 from report.document.figure import Figure
 from report.items import items
-from report.judge import judge
 from report.overview.opening import opening
 
 MOST_CHARACTERS = 1300
 
 
 @pytest.fixture(scope="module")
-def findings(claims, inventory):
-    return tuple(judge(claims[claim_id], entry) for claim_id, entry in inventory.items())
+def findings(findings):
+    return tuple(findings.values())
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,7 @@ from playwright.sync_api import Browser
 from report.document.document import Document
 from report.rendering.render import render
 from report.rendering.request import Format
+from tests.report.made_once import MadeOnce
 from tests.report.rendering.page_checks import Visit, chromium_browser, lead, opened
 from tests.report.rendering.sample import sample
 
@@ -21,8 +22,11 @@ def document() -> Document:
 
 
 @pytest.fixture(scope="session")
-def rendered(document: Document, tmp_path_factory: pytest.TempPathFactory) -> Mapping[Format, Path]:
-    return render(document, tmp_path_factory.mktemp("report") / "build")
+def rendered(
+    document: Document, tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
+) -> Mapping[Format, Path]:
+    folder = tmp_path_factory.mktemp("report") / "build"
+    return made_once.get("rendered", lambda: render(document, folder))
 
 
 @pytest.fixture(scope="session")

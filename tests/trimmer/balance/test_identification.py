@@ -64,7 +64,7 @@ LOOPS = {
 @pytest.mark.parametrize("G", LOOPS.values(), ids=LOOPS)
 def test_no_limit_cycle_of_any_load_lies_outside_the_bands(G: control.lti.LTI) -> None:
     bands = identify_time_constant(G, GAP, 1.0).bands
-    cycles = [c for tau in np.geomspace(1e-8, 1e4, 60) for c in limit_cycles(G, ViscousBacklash(GAP, tau))]
+    cycles = [c for tau in np.geomspace(1e-8, 1e4, 40) for c in limit_cycles(G, ViscousBacklash(GAP, tau))]
     for cycle in cycles:
         assert any(band.holds(cycle.frequency) for band in bands)
     met = [band for band in bands if any(band.holds(cycle.frequency) for cycle in cycles)]
@@ -114,7 +114,7 @@ def test_two_millihertz_beside_the_limit_the_nearest_load_is_told() -> None:
     assert within.message == f"M/D within the uncertainty: 0 to {interval.highest:.6g} s"
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(st.floats(-8, 2), st.floats(340, 780), st.floats(0, 30))
 def test_a_load_lies_in_an_interval_when_its_limit_cycle_has_such_a_frequency(
     exponent: float, frequency: float, uncertainty: float

@@ -16,6 +16,7 @@ COMMANDS = {command.name: command for command in installed_commands()}
 FIRST = ("parameters", "simulate")
 """What these write, the examples of others read."""
 TAKES_LONG = (
+    "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 2 --output fitted.toml",
     "trimmer derive",
     "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
     "trimmer design examples/den-hartog.toml --format html",

@@ -43,10 +43,18 @@ def test_no_limit_cycle_is_reported(capsys) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "start"), [("loop.svg", b"<?xml"), ("loop.png", b"\x89PNG"), ("loop.pdf", b"%PDF")]
+    ("name", "start", "element"),
+    [
+        ("loop.svg", b"<?xml", ["viscous", "--time-constant", "1e-3"]),
+        ("loop.png", b"\x89PNG", ["friction"]),
+        ("loop.pdf", b"%PDF", ["friction"]),
+    ],
+    ids=["svg", "png", "pdf"],
 )
-def test_the_picture_is_the_same_bytes_each_time(tmp_path: Path, name: str, start: bytes) -> None:
-    words = ["limit-cycles", "--element", "viscous", "--gap", "4e-5", "--time-constant", "1e-3", "--plot"]
+def test_the_picture_is_the_same_bytes_each_time(
+    tmp_path: Path, name: str, start: bytes, element: list[str]
+) -> None:
+    words = ["limit-cycles", "--gap", "4e-5", "--element", *element, "--plot"]
     contents = []
     for folder in ("one", "two"):
         assert main([*words, str(tmp_path / folder / name)]) == 0

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import io
 import os
 import subprocess
 import sys
@@ -240,30 +241,63 @@ def run(
     )
 
 
-def test_what_an_encoding_lacks_is_written_in_ascii(project_folder: Path) -> None:
+def run_here(
+    monkeypatch: pytest.MonkeyPatch, folder: Path, *words: str, encoding: str
+) -> subprocess.CompletedProcess[bytes]:
+    """Run a command in this process, as imports take longer than work, with streams of an encoding."""
+    streams = {name: io.TextIOWrapper(io.BytesIO(), encoding=encoding) for name in ("stdout", "stderr")}
+    with monkeypatch.context() as patched:
+        patched.chdir(folder)
+        for name, stream in streams.items():
+            patched.setattr(sys, name, stream)
+        try:
+            code = main(words)
+        except SystemExit as ended:
+            code = int(ended.code or 0)
+    written = {}
+    for name, stream in streams.items():
+        stream.flush()
+        written[name] = stream.buffer.getvalue()  # type: ignore[attr-defined]
+    return subprocess.CompletedProcess(words, code, **written)
+
+
+def test_what_an_encoding_lacks_is_written_in_ascii(
+    project_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     plain = run(project_folder, "linear", **C_LOCALE)
-    full = run(project_folder, "linear", PYTHONIOENCODING="utf-8")
+    full = run_here(monkeypatch, project_folder, "linear", encoding="utf-8")
     assert (plain.returncode, plain.stderr) == (0, b"")
     assert " ± " in full.stdout.decode("utf-8")
     assert plain.stdout.decode("ascii") == full.stdout.decode("utf-8").replace("±", "+-")
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["linear", "--parameters", "ω\udcff.toml"],
-        ["linear", "--channels", "日本"],
-        ["limit-cycles", "--element", "friction", "--gap", "1", "--plot", "\udcff.jpg"],
-    ],
-)
-@pytest.mark.parametrize("locale", [C_LOCALE, {"PYTHONIOENCODING": "utf-8"}])
-def test_names_in_any_letters_give_no_traceback(
-    project_folder: Path, words: list[str], locale: dict[str, str]
-) -> None:
-    done = run(project_folder, *words, **locale)
+NAMES = [
+    ["linear", "--parameters", "ω\udcff.toml"],
+    ["linear", "--channels", "日本"],
+    ["limit-cycles", "--element", "friction", "--gap", "1", "--plot", "\udcff.jpg"],
+]
+
+
+def assert_told_in_a_line(done: subprocess.CompletedProcess[bytes]) -> None:
     assert (done.returncode, done.stdout) == (2, b"")
     assert done.stderr.startswith(b"trimmer: ")
     assert done.stderr.count(b"\n") == 1
+
+
+@pytest.mark.parametrize("words", NAMES)
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+def test_names_in_any_letters_give_no_traceback(
+    project_folder: Path, monkeypatch: pytest.MonkeyPatch, words: list[str], encoding: str
+) -> None:
+    assert_told_in_a_line(run_here(monkeypatch, project_folder, *words, encoding=encoding))
+
+
+@pytest.mark.parametrize("words", NAMES[:2])
+def test_names_in_any_letters_give_no_traceback_in_the_c_locale(
+    project_folder: Path, words: list[str]
+) -> None:
+    """The locale also says how the words are read, and how a file is looked for."""
+    assert_told_in_a_line(run(project_folder, *words, **C_LOCALE))
 
 
 def test_a_column_is_found_by_a_name_in_any_letters(project_folder: Path, tmp_path: Path) -> None:

@@ -78,10 +78,10 @@ def test_a_flight_across_the_gap_is_decided_without_shorter_steps(sign: int, dec
     # It begins half a gap from contact, moves away first, and lands in the same step.
     taylor, stretch = [0.5, 1.0, -2.5], sign * 0.1
     found = search(taylor, stretch, decay)
-    mpmath.mp.dps = 30
-    expected = mpmath.findroot(
-        lambda s: mpmath.polyval(taylor[::-1], s) + stretch * mpmath.exp(-decay * s), found
-    )
+    with mpmath.workdps(30):
+        expected = mpmath.findroot(
+            lambda s: mpmath.polyval(taylor[::-1], s) + stretch * mpmath.exp(-decay * s), found
+        )
     assert 0.5 < found < 1.0
     assert found == pytest.approx(float(expected), rel=4e-16)
 

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from functools import cache
 
 import control
 import mpmath
@@ -19,13 +20,20 @@ THESIS = TrimmerParameters.thesis()
 BUILDERS = [pin_model, transfer_function]
 
 
+@cache
+def exact_responses(lowest: float, highest: float, velocity_too: bool) -> np.ndarray:
+    """Return the response at 200 angular frequencies (rad/s), from the force balance."""
+    grid = np.geomspace(lowest, highest, 200)
+    return np.array([complex(exact_response(omega, velocity_too)) for omega in grid])
+
+
 @pytest.mark.parametrize("build", BUILDERS)
 @pytest.mark.parametrize("channels", InputChannels)
 @pytest.mark.parametrize("level", [1.0, 0.956937799 / math.sqrt(2), 5.0])
 def test_gain_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels, level) -> None:
     velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
     found = gain_crossings(build(THESIS, channels=channels), level)
-    grid = np.abs([complex(exact_response(omega, velocity_too)) for omega in np.geomspace(300, 1e4, 200)])
+    grid = np.abs(exact_responses(300, 1e4, velocity_too))
     assert len(found) == np.count_nonzero(np.diff(np.sign(grid - level)))
     for omega in found:
         with mpmath.workdps(30):
@@ -45,8 +53,8 @@ def test_the_last_crossing_of_0_db_is_the_cutoff_frequency_of_the_thesis() -> No
 def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels) -> None:
     velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
     found = real_axis_crossings(build(THESIS, channels=channels))
-    grid = [complex(exact_response(omega, velocity_too)).imag for omega in np.geomspace(100, 1e5, 200)]
-    assert len(found) == np.count_nonzero(np.diff(np.sign(grid)))
+    grid = exact_responses(100, 1e5, velocity_too)
+    assert len(found) == np.count_nonzero(np.diff(np.sign(grid.imag)))
     for crossing in found:
         with mpmath.workdps(30):
             exact = mpmath.findroot(lambda x: exact_response(x, velocity_too).imag, crossing.omega)

@@ -114,7 +114,7 @@ def test_a_pin_that_touches_nothing_gives_a_zero_transfer_function() -> None:
 
 
 @given(trimmers(), st.sampled_from(OUTPUTS), st.sampled_from(CHANNELS))
-@settings(max_examples=40)
+@settings(max_examples=25)
 def test_state_space_and_transfer_function_agree_for_any_trimmer(parameters, output, channels) -> None:
     state_space = pin_model(parameters, output, channels)
     rational = transfer_function(parameters, output, channels)

@@ -54,8 +54,11 @@ def check(seed: int, duration: float) -> None:
     assert energy_balance(motion).residual < 1e-9
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize(
+    "seed", [*range(36), *(pytest.param(k, marks=pytest.mark.slow) for k in range(36, 60))]
+)
 def test_sixty_loops(seed: int) -> None:
+    """Of which the first 36 have each play with each decade of forces four times."""
     check(seed, 0.05)
 
 

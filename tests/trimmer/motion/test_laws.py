@@ -59,7 +59,7 @@ def moved(  # All that the laws vary.
     return simulate(loop, duration, impulse=0.0 if driven else 10 * scale * IMPULSE, **start)
 
 
-@settings(max_examples=10)
+@settings(max_examples=7)
 @given(st.floats(-6, 6), st.booleans(), TAUS, CHANNELS)
 def test_displacements_scale_with_gap_drive_and_force(
     exponent: float, driven: bool, tau: float, channels: InputChannels
@@ -75,7 +75,7 @@ def test_displacements_scale_with_gap_drive_and_force(
         assert found == pytest.approx(wanted, abs=1e-9 * abs(wanted).max())
 
 
-@settings(max_examples=10)
+@settings(max_examples=7)
 @given(TAUS, CHANNELS)
 def test_the_mirrored_start_gives_the_mirrored_motion_to_the_last_bit(
     tau: float, channels: InputChannels

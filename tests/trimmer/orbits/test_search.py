@@ -104,6 +104,11 @@ def test_settings_out_of_range_are_refused(setting: dict[str, object], message: 
         OrbitSearch(**setting)  # type: ignore[arg-type]
 
 
+@pytest.fixture(scope="module")
+def bouncing() -> PeriodicOrbit:
+    return periodic_orbits(*BOUNCING)[0]
+
+
 def shot_again(orbit: PeriodicOrbit, share: float, sign: float, periods: int) -> PeriodicOrbit:
     """Find an orbit again from another phase of it or of its mirror image, over several periods."""
     loop = orbit.motion.loop
@@ -130,9 +135,9 @@ def shot_again(orbit: PeriodicOrbit, share: float, sign: float, periods: int) ->
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 @pytest.mark.parametrize("periods", [1, 2, 3])
 def test_an_orbit_is_known_again_from_any_phase_and_as_its_image(
-    share: float, sign: float, periods: int
+    bouncing: PeriodicOrbit, share: float, sign: float, periods: int
 ) -> None:
-    orbit = periodic_orbits(*BOUNCING)[0]
+    orbit = bouncing
     again = shot_again(orbit, share, sign, periods)
     assert same(orbit, again)
     assert again.period == pytest.approx(orbit.period, rel=1e-9)

@@ -20,7 +20,7 @@ def periodic(drive: float, coefficients, mean: float, samples: int) -> np.ndarra
     return mean + (np.exp(2j * np.pi * drive * np.outer(times, orders)) @ np.asarray(coefficients)).real
 
 
-@settings(max_examples=40)
+@settings(max_examples=25)
 @given(
     drive=st.floats(80.0, 400.0),
     samples=st.integers(1200, 3000),

@@ -39,7 +39,7 @@ def found(values: np.ndarray, window: Window, **options) -> np.ndarray:
 
 
 @pytest.mark.parametrize("window", Window)
-@settings(max_examples=50)
+@settings(max_examples=30)
 @given(place=st.floats(8, 490), amplitude=st.floats(1e-9, 1e9), phase=st.floats(-3.1, 3.1))
 def test_one_sine_is_found_exactly(window: Window, place: float, amplitude: float, phase: float) -> None:
     spectrum = amplitude_spectrum(5 * amplitude + sines([place], [amplitude], [phase]), RATE, window)
@@ -50,7 +50,7 @@ def test_one_sine_is_found_exactly(window: Window, place: float, amplitude: floa
 
 
 @pytest.mark.parametrize("window", Window)
-@settings(max_examples=50)
+@settings(max_examples=30)
 @given(
     place=st.floats(10, 470),
     more=st.floats(0.0, 10.0),
@@ -152,7 +152,7 @@ def test_a_vibration_that_dies_out_is_one_peak_at_its_frequency() -> None:
         assert largest.frequency / spectrum.bin_width == pytest.approx(493.6, abs=0.6)
 
 
-@settings(max_examples=50)
+@settings(max_examples=30)
 @given(
     values=st.lists(st.tuples(st.floats(8, 490), st.floats(1, 9), st.floats(-3, 3)), min_size=1, max_size=4),
     scale=st.sampled_from([1e-12, 2e-6, 1e9]),
