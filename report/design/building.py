@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ from trimmer.design.design import Design, Study
 from trimmer.design.keeping import Keeper
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from report.design.report import DesignReport
     from trimmer.design.design import Told
@@ -73,10 +74,23 @@ def looked_at(
 
     Raises:
         DesignInterruptedError: after an interrupt.
+        FileWriteError: if nothing can be kept there.
     """
+    store.prepare()
     study = Study(file, settings, runner, keeper_of(file, store), told)
-    try:
+    with going_on_from(store):
         return study.short() if short else study.whole()
+
+
+@contextmanager
+def going_on_from(store: StageStore) -> Iterator[None]:
+    """Say after an interrupt that what is done is kept.
+
+    Raises:
+        DesignInterruptedError: after an interrupt.
+    """
+    try:
+        yield
     except KeyboardInterrupt:
         raise DesignInterruptedError(
             f"interrupted; what is done is kept in {store.folder}, and the same call goes on from there"

@@ -44,7 +44,8 @@ def add_report_options(parser: ArgumentParser) -> None:
         type=Path,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder of the report, NAME.html and NAME.pdf, and of what is kept for the next run "
+        help="folder of the report, NAME.html and NAME.pdf, and of .kept, which holds the steps that are "
+        "done for the next run; it may be deleted, and steps that were not used for 30 days go by themselves "
         "(default: %(default)s)",
     )
     parser.add_argument(
@@ -140,7 +141,7 @@ def _run(arguments: Namespace) -> int:
 def _make(
     arguments: Namespace, file: DesignFile, place: Place, formats: frozenset[Format], runner: Runner
 ) -> None:
-    from report.design.building import files_of, looked_at, report_on
+    from report.design.building import files_of, going_on_from, looked_at, report_on
     from report.design.progress import ProgressLines
     from report.design.words import verdict_sentence
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
@@ -149,9 +150,11 @@ def _make(
     settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
     design = looked_at(file, settings, runner, place.store, told)
     told.say("equations, pictures and pages ...")
-    contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
+    with going_on_from(place.store):
+        contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
+    place.store.clear_old()
     print("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
 
 

@@ -51,6 +51,7 @@ def _run(arguments: Namespace) -> int:
     comparison = compared(before, after)
     for form, content in _contents(comparison, names, formats, Paper(arguments.paper)).items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
+    place.store.clear_old()
     print(plain_text(comparison_sentence(comparison, names)))
     print("\n".join(f"  {place.file(form)}" for form in formats))
     return 0

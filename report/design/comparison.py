@@ -6,10 +6,20 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from report.design.figures.drawn import drawn
 from report.design.figures.lines import line_spectrum
 from report.design.quantities import percent, place_words, shown
-from report.design.words import OUTCOMES, capital, kind_words, measure_value, measure_words
+from report.design.words import (
+    OUTCOMES,
+    capital,
+    count,
+    kind_words,
+    measure_value,
+    measure_words,
+    number_words,
+)
 from report.document.figure import Figure
 from report.document.thesis import Provenance
 from report.rendering.escaping import plain
@@ -122,15 +132,24 @@ def _signed(share: float) -> str:
 
 def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> str:
     """Return what the change did to the verdict, in one sentence."""
-    before, after = (each.verdict for each in (comparison.before, comparison.after))
-    counts = [sum(judged.met for judged in each.judged) for each in (before, after)]
-    if not before.judged and not after.judged:
+    pair = (comparison.before, comparison.after)
+    if not any(each.file.targets for each in pair):
         return "**Neither file names targets**, so nothing is judged; the measures stand side by side below."
-    totals = [len(each.judged) for each in (before, after)]
-    told = [
-        f"{met} of {total} targets met" if total else "no targets"
-        for met, total in zip(counts, totals, strict=True)
-    ]
-    better = counts[1] / totals[1] - counts[0] / totals[0] if all(totals) else 0.0
-    word = "Better" if better > 0 else "Worse" if better < 0 else "The same verdict on as many targets"
-    return f"**{word}**: in {plain(names[0])} {told[0]}, in {plain(names[1])} {told[1]}."
+    counts = [sum(judged.met for judged in each.verdict.judged) for each in pair]
+    if set(pair[0].file.targets) != set(pair[1].file.targets):
+        word = "The files want different things"
+    else:
+        word = ("As many targets are met", "Better", "Worse")[int(np.sign(counts[1] - counts[0]))]
+    told = [f"in {plain(name)} {_met(each)}" for name, each in zip(names, pair, strict=True)]
+    return f"**{word}**: {', '.join(told)}."
+
+
+def _met(design: Design) -> str:
+    judged = design.verdict.judged
+    if not judged:
+        return "there is no motion to judge" if design.file.targets else "there are no targets"
+    met = sum(each.met for each in judged)
+    if len(judged) == 1:
+        return f"the target is {'met' if met else 'missed'}"
+    share = number_words(met) if met else "none"
+    return f"{share} of {count(len(judged), 'target')} {'is' if met < 2 else 'are'} met"

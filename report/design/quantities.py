@@ -70,6 +70,8 @@ def shown(value: float, unit: str = "", digits: int = 3) -> str:
 
 def written(value: float, digits: int = 3) -> str:
     """Return a number with some digits, without an exponent where it is of ordinary size."""
+    if not math.isfinite(value):
+        return "unknown" if math.isnan(value) else "∞" if value > 0 else "−∞"
     if value == 0:
         return "0"
     rounded = float(f"{value:.{digits}g}")

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.paths import NumberPath, Side
+    from trimmer.design.sensitivity import Sensitivity
+    from trimmer.design.trial import Asked
 
 
 def map_sentences(drawn: DesignMap) -> str:
@@ -128,7 +130,8 @@ def first_changes(design: Design) -> str:
         ranked = found.ranked(asked)
         if not ranked:
             continue
-        entry = ranked[0]
+        # Where an impact or a phase of stick comes or goes nearby a slope says little: better the next one.
+        entry = next((each for each in ranked if _is_smooth(each, asked)), ranked[0])
         size = entry.of(asked)
         assert size is not None
         wanted = asked.measure is Measure.STROKE
@@ -141,6 +144,11 @@ def first_changes(design: Design) -> str:
             f"{plain(written(abs(size.value), 2))} %."
         )
     return "\n".join(told)
+
+
+def _is_smooth(sensitivity: Sensitivity, asked: Asked) -> bool:
+    found = sensitivity.of(asked)
+    return found is not None and found.smooth
 
 
 def unsmooth(design: Design) -> str:

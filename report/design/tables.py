@@ -15,6 +15,7 @@ from report.design.words import (
     kind_words,
     measure_value,
     measure_words,
+    without_margin,
 )
 from report.rendering.escaping import inline_mathematics, plain
 from trimmer.design.spectrum import LineKind
@@ -48,7 +49,7 @@ def target_rows(design: Design) -> Rows:
             capital(measure_words(each.target.measure, each.target.part)),
             bound_words(each.target),
             measure_value(each.target.measure, each.value),
-            DASH if each.target.measure is Measure.PERIOD else plain(percent(each.margin)),
+            DASH if without_margin(each.target) else plain(percent(each.margin)),
             "met" if each.met else "**missed**",
         ]
         for each in design.verdict.judged

@@ -35,6 +35,8 @@ COUNTS = (
     "eleven",
     "twelve",
 )
+FAR = 10.0
+"""Share of a bound beyond which it is not said how far it is away."""
 SPECIAL = {
     SpecialKind.GRAZING: "an impact comes or goes",
     SpecialKind.STICK: "a phase of stick comes or goes",
@@ -54,10 +56,11 @@ OUTCOMES = {
 
 def count(number: int, noun: str) -> str:
     """Return a number of things, such as ``one start`` or ``24 starts``."""
-    return f"{_number(number)} {noun}{'' if number == 1 else 's'}"
+    return f"{number_words(number)} {noun}{'' if number == 1 else 's'}"
 
 
-def _number(number: int) -> str:
+def number_words(number: int) -> str:
+    """Return a whole number, in words up to twelve."""
     return COUNTS[number] if 0 <= number < len(COUNTS) else str(number)
 
 
@@ -80,7 +83,7 @@ def measure_words(measure: Measure, part: str) -> str:
 
 def measure_value(measure: Measure, value: float) -> str:
     """Return a measure's value as Markdown."""
-    if measure is Measure.PERIOD:
+    if measure is Measure.PERIOD and not math.isnan(value):
         return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
     return plain(shown(value, measure.value))
 
@@ -91,6 +94,11 @@ def bound_words(target: Target) -> str:
         return "that of the drive alone"
     side = "at least" if target.at_least else "at most"
     return f"{side} {plain(shown(target.bound, target.measure.value))}"
+
+
+def without_margin(target: Target) -> bool:
+    """Say whether a target's bound gives no measure of how far it is away: a period, or zero."""
+    return target.measure is Measure.PERIOD or not target.bound
 
 
 def kind_words(motion: FoundMotion) -> str:
@@ -112,7 +120,7 @@ def verdict_sentence(design: Design) -> str:
         case Outcome.NO_TARGETS:
             return _without_targets(design)
         case Outcome.OPEN:
-            return "**Nothing can be said about the targets**, because the motion could not be followed."
+            return f"**Nothing can be said about the targets**: {plain(_lowered(design.motions.message))}"
         case Outcome.MET:
             return _met(design)
         case Outcome.MISSED:
@@ -124,9 +132,10 @@ def verdict_sentence(design: Design) -> str:
 def _without_targets(design: Design) -> str:
     if design.motion is None:
         return f"**There is nothing to judge**: {plain(_lowered(design.motions.message))}"
+    motion = _first(design)
     return (
-        "**The file names no targets**, so nothing is judged; from its start, the mechanism settles to "
-        f"{kind_words(_first(design))}."
+        "**The file names no targets**, so nothing is judged; from its start, the mechanism "
+        f"{'settles' if motion.repeats else 'comes'} to {kind_words(motion)}."
     )
 
 
@@ -142,7 +151,8 @@ def _lowered(text: str) -> str:
 
 def _met(design: Design) -> str:
     judged = design.verdict.judged
-    all_of = "The target is met" if len(judged) == 1 else f"All {count(len(judged), 'target')} are met"
+    every = {1: "The target is met", 2: "Both targets are met"}
+    all_of = every.get(len(judged), f"All {count(len(judged), 'target')} are met")
     if design.ranges is not None:
         points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
         return f"**{all_of}** at {points}."
@@ -153,9 +163,11 @@ def _met(design: Design) -> str:
         return f"**{all_of}.**"
     which = measure_words(near.target.measure, near.target.part)
     value = measure_value(near.target.measure, near.value)
+    measured = not without_margin(near.target) and near.margin <= FAR
+    away = f" ({percent(near.margin)} away)" if measured else ""
     return (
         f"**{all_of}**; nearest to its bound is the {which} with {value}, where {bound_words(near.target)} "
-        f"is wanted ({percent(near.margin)} away)."
+        f"is wanted{away}."
     )
 
 
@@ -210,7 +222,9 @@ def _depends(design: Design) -> str:
     others = round(verdict.otherwise * design.motions.starts)
     leads = "leads" if others == 1 else "lead"
     share = (
-        f"{_number(others)} of {design.motions.starts} starts {leads}" if others else "a disturbance may lead"
+        f"{number_words(others)} of {design.motions.starts} starts {leads}"
+        if others
+        else "a disturbance may lead"
     )
     return (
         f"**It depends on how the motion begins:** from its first start the mechanism "
@@ -243,12 +257,10 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
     ]
     if motions.starts > 1:
-        lead = (
-            f"all {motions.starts}"
-            if motion.starts == motions.starts
-            else f"{motion.starts} of {motions.starts}"
-        )
-        grounds.append(f"{lead} starts lead to {'it' if motion.repeats else 'a motion of this kind'}")
+        share = f"{number_words(motion.starts)} of {motions.starts} starts"
+        whose = f"all {motions.starts} starts" if motion.starts == motions.starts else share
+        lead = "leads" if motion.starts == 1 else "lead"
+        grounds.append(f"{whose} {lead} to {'it' if motion.repeats else 'a motion of this kind'}")
     others = len(motions.found) - 1
     if others:
         same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"

@@ -26,6 +26,8 @@ _LONG = re.compile(r"-?\d+\.\d{3,}")
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _BETWEEN = re.compile(r">\s+<")
 _REFERENCE = re.compile(r'(?P<before>\bid="|href="#|url\(#)')
+_HASHED = re.compile(r'(?<=[#"])([A-Za-z]\w*?)[0-9a-f]{10}(?=["\)])')
+"""An id with a hash in it: of a clipping box, a mark or a hatching."""
 
 
 def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -> str:
@@ -53,6 +55,7 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     # The file's style would reach out of the figure; the page reads values off the axes given as data.
     svg = _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
     svg = _BETWEEN.sub("><", _COMMENT.sub("", _PLACED.sub(_rounded, svg))).replace(" \n", "")
+    svg = _numbered(svg)
     svg = _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
     if axes:
         svg = svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1)
@@ -64,6 +67,15 @@ def _rounded(attribute: re.Match[str]) -> str:
     return _LONG.sub(
         lambda number: f"{round(float(number[0]), 2) + 0.0:.2f}".rstrip("0").rstrip("."), attribute[0]
     )
+
+
+def _numbered(svg: str) -> str:
+    """Write numbers for the hashes in ids: they are of all digits of a place, the last of which may differ.
+
+    The layout adds up in the order in which its parts lie in memory.
+    """
+    numbers: dict[str, int] = {}
+    return _HASHED.sub(lambda found: f"{found[1]}{numbers.setdefault(found[0], len(numbers) + 1)}", svg)
 
 
 class _PlainTicks(ScalarFormatter):

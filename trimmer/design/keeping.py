@@ -42,19 +42,18 @@ class Keeper:
             depends: What it depends on beside what all do, as a thing whose ``repr`` says all.
             make: Makes it.
         """
-        name, key = self._place(stage, depends)
-        kept = None if self.store is None else self.store.load(name, key)
+        kept = self.kept(stage, depends)
         if kept is None:
             kept = make()
             if self.store is not None:
-                self.store.keep(name, key, kept)
+                self.store.keep(*self._place(stage, depends), kept)
         result: Result = kept
         return result
 
-    def holds(self, stage: str, depends: object) -> bool:
-        """Say whether a stage is kept."""
+    def kept(self, stage: str, depends: object) -> Any | None:
+        """Return what was kept of a stage; None if there is nothing."""
         name, key = self._place(stage, depends)
-        return self.store is not None and self.store.load(name, key) is not None
+        return None if self.store is None else self.store.load(name, key)
 
     def _place(self, stage: str, depends: object) -> tuple[str, str]:
         """Return name and key; the name has a part of the key, so that two designs share a folder."""

@@ -66,22 +66,23 @@ def design_map(
 def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row]:
     columns, digest = len(inputs.values[0]), inputs.header["inputs"]
     count = inputs.count // columns
-    kept = {row: (digest, row) for row in range(count)}
-    missing = [row for row in range(count) if not keeper.holds("row", kept[row])]
+    # They are read now, not looked for again at the end: whoever clears the folder meanwhile spoils nothing.
+    kept = {row: keeper.kept("row", (digest, row)) for row in range(count)}
+    whole: dict[int, Row] = {row: found for row, found in kept.items() if found is not None}
+    missing = [row for row in range(count) if row not in whole]
     done = count - len(missing)
     told(done, count)
     numbers = [row * columns + column for row in missing for column in range(columns)]
     pending: dict[int, dict[int, CellResult]] = {row: {} for row in missing}
     work = CellWork(inputs.mechanism, inputs.places, inputs.settings)
     cells = (Cell(number, inputs.cell_values(number)) for number in numbers)
-    whole: dict[int, Row] = {}
     for result in runner.results(work, cells) if numbers else ():
         row = result.number // columns
         pending[row][result.number] = result
         if len(pending[row]) == columns:
             cells_of_row = pending.pop(row)
             found = tuple(cells_of_row[number] for number in sorted(cells_of_row))
-            whole[row] = keeper.made("row", kept[row], partial(tuple, found))
+            whole[row] = keeper.made("row", (digest, row), partial(tuple, found))
             done += 1
             told(done, count)
-    return [whole[row] if row in whole else keeper.made("row", kept[row], tuple) for row in range(count)]
+    return [whole[row] for row in range(count)]

@@ -77,7 +77,7 @@ def questions(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Questio
 
 def _is_of_hand(mechanism: Mechanism) -> bool:
     masses = sorted(body.mass for body in mechanism.bodies.values())
-    return masses[len(masses) // 2] < HAND
+    return masses[(len(masses) - 1) // 2] < HAND
 
 
 def _bodies(mechanism: Mechanism) -> Iterator[Question]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.arguments import real_number, require_instance, require_instances, whole_number
 from trimmer.errors import FitError
+from trimmer.fitting.doubted_drive import doubts_of
 from trimmer.fitting.judgement import judge
 from trimmer.fitting.measured import SMALLEST_NOISE, measure_lines
 from trimmer.fitting.minimum import nearby_minimum
@@ -147,10 +148,11 @@ def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     orbit = orbit_from_rest(misfit.model.mechanism, SETTLED_WITHIN)
     does = f"repeats after {in_words(orbit.period_count)}" if orbit else "does not repeat"
     where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
+    doubts = "".join(f"; {each}" for each in doubts_of(misfit.measured))
     return (
         f"the measured motion repeats after {in_words(misfit.measured.period_count)}, but from {where} "
         f"that of the mechanism does not; with the numbers of the file it {does}: begin with other numbers "
-        "(--set), or with more starts (--starts)"
+        f"(--set), or with more starts (--starts){doubts}"
     )
 
 
@@ -262,6 +264,7 @@ def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
                 f"{unknown.place}: {unknown.value(float(at)):.4g} {unknown.unit} is at the end of what was "
                 f"searched, a factor of {REACH:g} from its start"
             )
+    yield from doubts_of(measured)
     yield from _kind(measured, best)
 
 

@@ -115,17 +115,17 @@ def measure_lines(
     if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:
         raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")
     found = drive_frequency is None
-    frequency = _found(first, near, 1) if drive_frequency is None else drive_frequency
+    frequency = drive_near(first, near, 1) if drive_frequency is None else drive_frequency
     measured = _Record(signals, frequency, found, 1).measured()
     periods = repeats_after(measured.strays)
     if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
         # The lines at fractions spoil a little what was found without them.
-        frequency = _found(first, frequency, periods) if found else frequency
+        frequency = drive_near(first, frequency, periods) if found else frequency
         return _Record(signals, frequency, found, periods).measured()
     return measured
 
 
-def _found(signal: Signal, near: float, periods: int) -> float:
+def drive_near(signal: Signal, near: float, periods: int) -> float:
     """Return the frequency of the drive of a motion that repeats after some periods of it, Hz."""
     count = min(MOST_HARMONICS * periods, MOST_SOUGHT)
     return found_frequency(signal, SimulatedLines(np.ones(count, complex), near, periods))

@@ -15,6 +15,7 @@ from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_orbit, of_window
 from trimmer.maps.settle import Settled, orbit_near, settle, strobed_sizes
+from trimmer.response.orbit import NEUTRAL
 from trimmer.response.response import MotionKind
 from trimmer.response.same import SAME, same_states
 
@@ -224,14 +225,20 @@ def described(motion: CellMotion) -> str:
 def same_motion(first: CellMotion, second: CellMotion) -> bool:
     """Return whether two motions of one cell are one.
 
-    Periodic motions are told apart by their orbits, of which mirror images are two. Of the others only the
-    kind is compared.
+    Periodic motions are told apart by their orbits, of which mirror images are two. Neutral ones, of which
+    there is one beside the other without end, are told apart by their periods alone, and those that do not
+    repeat by their kind.
     """
     if first.kind is not second.kind:
         return False
     if first.kind is MotionKind.PERIODIC:
-        return alike(first, second)
+        both_neutral = _is_neutral(first) and _is_neutral(second)
+        return first.period_count == second.period_count if both_neutral else alike(first, second)
     return first.failure == second.failure
+
+
+def _is_neutral(motion: CellMotion) -> bool:
+    return motion.largest_multiplier is not None and abs(motion.largest_multiplier - 1) <= NEUTRAL
 
 
 def alike(first: CellMotion, second: CellMotion, apart: float = SAME) -> bool:

@@ -1,10 +1,11 @@
 """What a motion settles to within a number of drive periods, cheaply enough for thousands of cells.
 
 Orbits are solved for and accepted as by ``respond``, but only from where the motion returns closely, since in
-chaos many an attempt is in vain. What does not settle is not watched for as long: the last drive periods are
-compared with those of a neighbour. Where their distance grows like an exponential the motion is chaotic,
-where it neither grows nor shrinks and the motion keeps its size it is on a torus, and otherwise nothing is
-said.
+chaos many an attempt is in vain. A neutral one, as where friction holds a body wherever it stopped, is
+accepted once the motion comes again to rounding. What does not settle is not watched for as long: the last
+drive periods are compared with those of a neighbour. Where their distance grows like an exponential the
+motion is chaotic, where it neither grows nor shrinks and the motion keeps its size it is on a torus, and
+otherwise nothing is said.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 
 from trimmer.contact.advance import Ending
 from trimmer.response.orbit import orbit_of
-from trimmer.response.recurrence import settles_to
+from trimmer.response.recurrence import has_returned, settles_to
 from trimmer.response.response import MotionKind
 from trimmer.response.settling import MOST_REPEATS, PATIENCE
 from trimmer.response.shooting import Return, solve
@@ -130,20 +131,26 @@ class _Following:
         done = len(self.states) - 1
         if strobe.ending is not Ending.REACHED_END:
             return Settled(MotionKind.UNDECIDED, done, self.instant, ending=strobe.ending)
-        self._solve()
+        held = self._solve()
+        if held is not None:
+            return Settled(MotionKind.PERIODIC, done, held.instant, held)
         for orbit in self.known:
             if settles_to(orbit, self.states):
                 return Settled(MotionKind.PERIODIC, done, orbit.instant, orbit)
         return None
 
-    def _solve(self) -> None:
-        """Solve for the orbit near the motion, if it returns closely."""
+    def _solve(self) -> MechanismOrbit | None:
+        """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
         count, difference = _recurrence(self.states)
-        if difference < PROGRESS * self.tried:
-            self.tried = difference
-            orbit = orbit_near(self.flow, self.instant, count)
-            if orbit is not None and orbit.stable:
-                self.known.append(orbit)
+        if difference >= PROGRESS * self.tried:
+            return None
+        self.tried = difference
+        orbit = orbit_near(self.flow, self.instant, count)
+        if orbit is not None and orbit.stable:
+            self.known.append(orbit)
+        elif orbit is not None and orbit.neutral and has_returned(self.states, orbit.sizes, orbit.periods):
+            return orbit
+        return None
 
 
 def orbit_near(flow: ExactFlow, instant: Instant, periods: int) -> MechanismOrbit | None:

@@ -26,7 +26,7 @@ def fit(latex: str, line: float) -> str:
         return latex
     left, rest = _sides(atoms(latex))
     indent = _width(left) if _width(left) <= _OWN_LINE_SHARE * line else _INDENT
-    lines = _filled(_terms(_opened(rest, line - indent)), line - indent)
+    lines = _filled(_narrowed(rest, line - indent), line - indent)
     if len(lines) == 1:
         return latex
     return _aligned(_text(left), lines, own_line=_width(left) > _OWN_LINE_SHARE * line)
@@ -40,15 +40,26 @@ def _sides(row: tuple[Atom, ...]) -> tuple[tuple[Atom, ...], tuple[Atom, ...]]:
     return (), row
 
 
-def _opened(row: tuple[Atom, ...], line: float) -> tuple[Atom, ...]:
-    """Replace a bracketed sum that is wider than a line by its bracket, its atoms and its bracket."""
-    opened: list[Atom] = []
-    for atom in row:
-        if atom.inside and atom.width > line:
-            opened += [_OPENING, *_opened(atom.inside, line), Atom(f"){atom.scripts}", 0.4)]
-        else:
-            opened.append(atom)
-    return tuple(opened)
+def _narrowed(row: tuple[Atom, ...], line: float) -> list[tuple[Atom, ...]]:
+    """Cut a row into terms; open the widest bracketed sum of each that would not fit, and cut that too."""
+    cut = _terms(row)
+    narrow = [cut[0]] if _fits(cut[0], line) else _opened(cut[0], line)
+    for term in cut[1:]:
+        narrow += [term] if _fits(term, line - _INDENT) else _opened(term, line)
+    return narrow
+
+
+def _fits(term: tuple[Atom, ...], room: float) -> bool:
+    """Say whether a term fits, or has nothing to open."""
+    return _width(term) <= room or not any(atom.inside for atom in term)
+
+
+def _opened(term: tuple[Atom, ...], line: float) -> list[tuple[Atom, ...]]:
+    """Replace the widest bracketed sum of a term by its bracket, its atoms and its bracket."""
+    place = max((place for place, atom in enumerate(term) if atom.inside), key=lambda at: term[at].width)
+    atom = term[place]
+    closing = Atom(f"){atom.scripts}", 0.4)
+    return _narrowed((*term[:place], _OPENING, *atom.inside, closing, *term[place + 1 :]), line)
 
 
 def _terms(row: tuple[Atom, ...]) -> list[tuple[Atom, ...]]:

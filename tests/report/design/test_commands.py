@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from report.cache.stage_store import StageStore
-from report.design import command
+from report.design import building, command
 from report.design.building import CACHE, keeper_of, looked_at
 from trimmer import SerialRunner
 from trimmer.command_line import main as command_line
@@ -144,6 +144,15 @@ def test_a_file_of_another_kind_is_not_replaced(folder: Path, capsys: pytest.Cap
     assert not (folder / "out" / CACHE).exists()
 
 
+def test_a_folder_that_cannot_be_made_is_told_before_any_work(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "taken").write_text("notes")
+    monkeypatch.setattr(Keeper, "made", lambda *_: pytest.fail("work was begun"))
+    assert main(["design", "block.toml", "--directory", "taken"]) == 2
+    assert "taken/.kept cannot be made" in capsys.readouterr().err
+
+
 def test_an_interrupted_design_leaves_nothing_half_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -162,6 +171,18 @@ def test_an_interrupted_design_leaves_nothing_half_written(
     monkeypatch.setattr(Keeper, "made", whole)
     assert main(arguments) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
+
+
+def test_an_interrupt_while_pages_are_made_tells_what_is_kept(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupt(*_: object) -> object:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(building, "report_on", interrupt)
+    assert main(["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]) == 130
+    assert "what is done is kept in out/.kept" in capsys.readouterr().err
+    assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
 
 
 def look(path: Path, folder: Path) -> None:

@@ -37,6 +37,10 @@ def test_digits_are_kept_and_no_more() -> None:
     assert percent(0.12345) == "12 %"
 
 
+def test_what_is_no_finite_number_is_written_too() -> None:
+    assert [written(each) for each in (float("inf"), -float("inf"), float("nan"))] == ["∞", "−∞", "unknown"]
+
+
 def test_places_have_words() -> None:
     assert place_words("frequency") == "frequency of the drive"
     assert place_words('links."motor mount".stiffness') == "stiffness of motor mount"

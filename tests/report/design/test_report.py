@@ -11,12 +11,16 @@ from pathlib import Path
 
 import pytest
 
+from report.design.comparison import comparison_sentence
 from report.design.markdown import to_markdown
 from report.design.report import DesignReport
-from report.design.words import verdict_sentence
+from report.design.tables import target_rows
+from report.design.words import measure_value, sureness_sentences, verdict_sentence
 from report.rendering.request import Format
+from trimmer.design.comparison import compared
 from trimmer.design.design import Design
-from trimmer.design.verdict import Outcome, Sureness, Verdict
+from trimmer.design.targets import Measure
+from trimmer.design.verdict import Judged, Outcome, Sureness, Verdict
 
 SECTIONS = (
     *("Verdict", "What nobody knows", "The mechanism", "Its equations", "Modes and transfer functions"),
@@ -117,6 +121,85 @@ def test_sentences_for_each_outcome(design: Design) -> None:
     assert "names no targets" in verdict_sentence(with_verdict(design, nothing))
     otherwise = Verdict(Outcome.DEPENDS, Sureness.UNSURE, judged, 0.5, False)
     assert "one of 2 starts leads to a motion that" in verdict_sentence(with_verdict(design, otherwise))
+
+
+def judged_at(design: Design, **bounds: float) -> Design:
+    """Return a design without ranges, judged by targets with other bounds, each met or missed by far."""
+    judged = tuple(
+        Judged(target, each.value, target.met_by(each.value))
+        for each in design.verdict.judged
+        if each.target.key in bounds
+        for target in [dataclasses.replace(each.target, bound=bounds[each.target.key])]
+    )
+    outcome = Outcome.MET if all(each.met for each in judged) else Outcome.MISSED
+    changed = with_verdict(design, Verdict(outcome, Sureness.SURE, judged, 0.0, True))
+    file = dataclasses.replace(design.file, targets=tuple(each.target for each in judged))
+    return dataclasses.replace(changed, file=file, remedies=None)
+
+
+def test_a_bound_of_zero_has_no_margin(design: Design) -> None:
+    none = judged_at(design, impact_speed_at_most=0.0, stroke_at_least=0.0)
+    assert [row[3] for row in target_rows(none)[1:]] == ["—", "—"]
+    assert "where at most" in verdict_sentence(none)
+    assert "%" not in verdict_sentence(judged_at(design, stroke_at_least=0.0))
+    both = judged_at(design, impact_speed_at_most=1.0, stroke_at_least=1e-3)
+    assert verdict_sentence(both).startswith("**Both targets are met**")
+
+
+def test_a_bound_that_is_far_away_is_not_measured_in_per_cent(design: Design) -> None:
+    assert verdict_sentence(judged_at(design, stroke_at_least=1e-9)).endswith("is wanted.")
+
+
+def test_a_mechanism_that_comes_to_rest_is_said_to_do_so(design: Design) -> None:
+    message = "It comes to rest within 60 s, and nothing sets it in motion."
+    motions = dataclasses.replace(design.motions, first_failed=True, message=message)
+    open_one = Verdict(Outcome.OPEN, Sureness.UNSURE, (), 0.0, True)
+    told = verdict_sentence(dataclasses.replace(with_verdict(design, open_one), motions=motions))
+    assert told.replace("\\", "") == f"**Nothing can be said about the targets**: it{message[2:]}"
+
+
+def test_what_was_not_measured_is_called_unknown() -> None:
+    assert measure_value(Measure.PERIOD, float("nan")) == "unknown"
+
+
+def test_a_comparison_says_better_only_of_the_same_targets(design: Design) -> None:
+    def told(before: Design, after: Design) -> str:
+        return comparison_sentence(compared(before, after), ("A", "B"))
+
+    missed, met = (judged_at(design, stroke_at_least=1e-3, impact_speed_at_most=1e-9),) * 2
+    met = dataclasses.replace(
+        met,
+        verdict=dataclasses.replace(
+            met.verdict, judged=tuple(dataclasses.replace(each, met=True) for each in met.verdict.judged)
+        ),
+    )
+    nothing = dataclasses.replace(
+        with_verdict(design, Verdict(Outcome.NO_TARGETS, Sureness.UNSURE, (), 0.0, True)),
+        file=dataclasses.replace(design.file, targets=()),
+    )
+    assert told(missed, met).startswith("**Better**: in A one of two targets is met, in B two of two")
+    assert told(met, missed).startswith("**Worse**")
+    assert told(met, met).startswith("**As many targets are met**")
+    assert told(met, nothing).startswith(
+        "**The files want different things**: in A two of two targets are met, in B"
+    )
+    assert told(met, nothing).endswith("there are no targets.")
+    at_rest = dataclasses.replace(met, verdict=Verdict(Outcome.OPEN, Sureness.UNSURE, (), 0.0, True))
+    assert told(met, at_rest).endswith("in B there is no motion to judge.")
+    one = judged_at(design, stroke_at_least=1e-9)
+    assert told(nothing, one).endswith("in B the target is met.")
+    other = judged_at(design, stroke_at_least=1e-3, impact_speed_at_most=1.0)
+    assert told(met, other).startswith("**The files want different things**")
+
+
+def test_how_many_starts_lead_to_it_is_told(design: Design) -> None:
+    motion = design.motion
+    assert motion is not None
+    first, *others = design.motions.found
+    for starts, told in ((1, "one of 5 starts leads to it"), (4, "four of 5 starts lead to it")):
+        found = (dataclasses.replace(first, starts=starts), *others)
+        motions = dataclasses.replace(design.motions, found=found, starts=5)
+        assert told in sureness_sentences(dataclasses.replace(design, motions=motions))
 
 
 def test_a_title_cannot_act_as_markup(report: DesignReport) -> None:

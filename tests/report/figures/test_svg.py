@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 
 import matplotlib
 import pytest
+from matplotlib.figure import Figure
 
 from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
 from report.drawing.style import LINES, new_figure, style
@@ -27,6 +28,18 @@ def plot(identifier: str) -> str:
 
 def test_the_same_figure_gives_the_same_text() -> None:
     assert plot("fig-5.1") == plot("fig-5.1")
+
+
+def test_a_last_digit_of_the_layout_changes_nothing() -> None:
+    texts = []
+    for left in (0.1, 0.1 + 2**-52):
+        with style():
+            figure = Figure(figsize=(4.0, 2.0))
+            axes = figure.add_axes((left, 0.2, 0.8, 0.7))
+            axes.plot([0, 1], [1, 2], marker="o")
+            axes.fill_between([0, 1], [0, 0], [1, 1], hatch="//")
+        texts.append(to_svg(figure, "fig-5.1", "A", "B"))
+    assert texts[0] == texts[1]
 
 
 def test_places_have_two_decimals_and_scales_keep_all() -> None:

@@ -88,6 +88,15 @@ def test_a_fraction_is_not_broken() -> None:
     assert r"\\" not in fit(formula, LINE)
 
 
+def test_a_bracket_that_fits_only_without_its_sign_is_broken() -> None:
+    """Found among random polynomials: with the minus before it and the indent it was wider than the line."""
+    symbols = ["m_{1}", "m_{2}", "m_{3}"]
+    products = ["m_{1}^{2}", "m_{1} m_{2} m_{3}", "m_{1} m_{2}", "m_{1} m_{3}"]
+    inside = " + ".join(["k_{1} m_{1}", "k_{1}", *products, *symbols])
+    formula = rf"p = m_{{1}}^{{2}} + m_{{1}} - \left({inside}\right)^{{2}}"
+    assert max(width(line) for line in lines_of(fit(formula, LINE))) <= LINE
+
+
 @settings(max_examples=60, deadline=None)
 @given(polynomials())
 def test_breaking_loses_nothing_and_every_line_fits(expression: sympy.Expr) -> None:

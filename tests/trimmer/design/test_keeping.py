@@ -68,6 +68,22 @@ def test_an_interrupted_map_goes_on_with_the_rows_that_are_left(file: DesignFile
     assert resumed.result.cells == alone.result.cells
 
 
+def test_a_map_is_whole_even_if_what_was_kept_is_cleared_meanwhile(file: DesignFile) -> None:
+    @dataclass
+    class Clearing(Counting):
+        def results(self, work: Any, cells: Iterable[Any]) -> Iterator[Any]:
+            store.held.clear()
+            return super().results(work, cells)
+
+    store = InMemory()
+    keeper = Keeper(store)
+    with pytest.raises(KeyboardInterrupt):
+        made(file, Counting(most=10), keeper)
+    resumed = made(file, Clearing(), keeper)
+    assert resumed.result.cells == made(file, SerialRunner(), Keeper()).result.cells
+    assert made(file, SerialRunner(), keeper).result.cells == resumed.result.cells
+
+
 def test_a_kept_map_is_not_computed_again(file: DesignFile) -> None:
     keeper, runner = Keeper(InMemory()), Counting()
     first = made(file, runner, keeper)

@@ -127,6 +127,24 @@ def test_what_is_unlikely_is_asked_about(old: str, new: str, oddity: Oddity, pla
     assert [(each.oddity, each.place_text) for each in asked] == [(oddity, place)]
 
 
+def test_a_heavy_cutter_beside_a_light_motor_alone_is_asked_about() -> None:
+    text = """
+frequency = "100 Hz"
+[bodies]
+motor = { mass = "35 g" }
+cutter = { mass = 3 }
+[links]
+mount = { between = ["ground", "motor"], stiffness = "200 N/mm" }
+spring = { between = ["motor", "cutter"], stiffness = "1 N/mm" }
+[outputs]
+stroke = { cutter = 1 }
+"""
+    asked = questions(design_file_of_text(text, "two.toml").mechanism, None)
+    assert [(each.oddity, each.place_text) for each in asked] == [
+        (Oddity.HEAVY_FOR_HAND, "bodies.cutter.mass")
+    ]
+
+
 def test_nothing_is_asked_about_the_examples(trimmer_file: DesignFile, trimmer_motion: FoundMotion) -> None:
     assert questions(trimmer_file.mechanism, trimmer_motion) == ()
     for name in ("den-hartog", "gear-pair", "two-mass-stop", "held", "foil-shaver", "servo"):

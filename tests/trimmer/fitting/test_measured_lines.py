@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from trimmer import Signal, SignalError
+from trimmer.fitting.doubted_drive import doubts_of
 from trimmer.fitting.measured import MeasuredLines, measure_lines
 from trimmer.fitting.stray import fraction_of
 from trimmer.fitting.unknowns import Unknown
@@ -66,6 +67,29 @@ def test_the_drive_is_found() -> None:
     noise = 0.01 * np.random.default_rng(8).normal(size=COUNT)
     found = lines(noise, drive=None)
     assert found.found and found.frequency == pytest.approx(DRIVE, abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        (DRIVE, []),
+        (DRIVE + 1e-3, []),
+        (50.2, ["the record's own lines are at multiples of 50.000"]),
+        (51.3, ["the record's own lines are at multiples of 50.000"]),
+        (25.0, ["all lines of the record are at multiples of 50 Hz"]),
+        (30.0, ["the largest line of the record is at 50 Hz, no multiple of the drive"]),
+    ],
+)
+def test_a_drive_that_is_given_is_doubted_where_the_record_has_another(given: float, told: list[str]) -> None:
+    noise = 0.001 * np.random.default_rng(8).normal(size=COUNT)
+    doubts = list(doubts_of(lines(noise, drive=given)))
+    assert [doubt[: len(start)] for doubt, start in zip(doubts, told, strict=True)] == told
+    assert all(f"is --drive {given:g} right?" in doubt for doubt in doubts)
+
+
+def test_a_drive_that_was_found_is_not_doubted() -> None:
+    noise = 0.001 * np.random.default_rng(8).normal(size=COUNT)
+    assert not list(doubts_of(lines(noise, drive=None)))
 
 
 def test_lines_between_the_harmonics_are_named() -> None:

@@ -1,0 +1,93 @@
+"""Samples on a real cluster whose scheduler is killed on the way."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from trimmer.command_line.main import main
+
+pytest.importorskip("distributed")
+PATIENCE = 60.0
+
+
+@contextmanager
+def cluster(folder: Path) -> Iterator[tuple[str, int]]:
+    """Begin a scheduler and a worker, each a process of its own; yield its address and its process."""
+    told = folder / "scheduler.json"
+    here = ["--host", "127.0.0.1", "--scheduler-file", str(told)]
+    commands = [
+        ["scheduler", *here, "--port", "0", "--no-dashboard", "--no-show"],
+        ["worker", *here, "--nthreads", "1", "--no-dashboard", "--death-timeout", "5"],
+    ]
+    with (folder / "log").open("w") as log:
+        programs = [
+            subprocess.Popen(
+                [sys.executable, "-m", "dask", *words], stdout=log, stderr=log, cwd=folder, env=os.environ
+            )
+            for words in commands
+        ]
+    try:
+        end = time.monotonic() + PATIENCE
+        while not told.exists() or not told.stat().st_size:
+            assert time.monotonic() < end, (folder / "log").read_text()
+            time.sleep(0.1)
+        yield json.loads(told.read_text())["address"], programs[0].pid
+    finally:
+        for program in programs:
+            program.terminate()
+        for program in programs:
+            program.wait(PATIENCE)
+
+
+@pytest.mark.slow
+def test_samples_go_on_after_the_scheduler_was_killed(
+    project_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from trimmer.uncertainty import kept
+
+    file, output = str(project_folder / "examples" / "scatter.toml"), tmp_path / "samples.jsonl"
+    words = ["sample", file, "--count", "48", "--periods", "60", "--json"]
+    # Dask's workers have one thread for linear algebra, and the last digit depends on their number.
+    alone = subprocess.run(
+        [sys.executable, "-m", "trimmer", *words, "--jobs", "1"],
+        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+        cwd=project_folder,
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+
+    append = kept.append
+    first, second = tmp_path / "first", tmp_path / "second"
+    for folder in (first, second):
+        folder.mkdir()
+    with cluster(first) as (address, scheduler):
+
+        def killing(path: Path, results: Iterator[object]) -> Iterator[object]:
+            for count, result in enumerate(append(path, results)):
+                if count == 8:
+                    os.kill(scheduler, signal.SIGKILL)
+                yield result
+
+        monkeypatch.setattr(kept, "append", killing)
+        assert main([*words, "--output", str(output), "--scheduler", address]) == 2
+        assert "has left: begin it again, and go on" in capsys.readouterr().err
+    monkeypatch.undo()
+    whole = output.read_bytes()
+    assert 1 + 8 < whole.count(b"\n") < 1 + 48
+    assert whole.endswith(b"\n")
+    with cluster(second) as (address, _):
+        assert main([*words, "--output", str(output), "--resume", "--scheduler", address]) == 0
+    assert capsys.readouterr().out == alone
+    assert output.read_bytes().startswith(whole)
+    assert len(output.read_text().splitlines()) == 1 + 48
