@@ -83,9 +83,9 @@ class Contact:
                 edges.append(crossings(force, 0.0, period))
             times = np.sort(np.concatenate(edges))
             middle = 0.5 * (times[1:] + times[:-1])
-            acts = side * beyond.at(middle) > 0.0
+            acts = np.sign(beyond.at(middle)) == side
             if truncated:
-                acts &= side * force.at(middle) > 0.0
+                acts &= np.sign(force.at(middle)) == side
             for begin, end in zip(times[:-1][acts].tolist(), times[1:][acts].tolist(), strict=True):
                 yield begin, end, side
 
@@ -94,7 +94,7 @@ class Contact:
         period, rate = self.distance.period, self.part.stiffness / self.part.damping
         time, z = 0.0, self._stretch_at(0.0)
         side = int(np.sign(z))
-        if side and side * float(self.force(side).at(np.array(0.0))) <= 0.0:
+        if side and np.sign(self.force(side).at(np.array(0.0))) != side:
             side = 0
         released = 0
         for _ in range(MOST_CONTACTS):
@@ -125,7 +125,7 @@ class Contact:
             skipped = SKIPPED * period if side == released else 0.0
             for begin in (time, time + period):
                 moments = crossings(gap, begin + (skipped if begin == time else 0.0), begin + period)
-                entered = moments[side * gap.slope(moments) > 0.0]
+                entered = moments[np.sign(gap.slope(moments)) == side]
                 if len(entered):
                     found.append((float(entered[0]), side))
                     break
@@ -135,7 +135,7 @@ class Contact:
         """Return when the force on a side vanishes next, None if it never does."""
         force, period = self.force(side), self.distance.period
         moments = crossings(force, time, time + period)
-        falling = moments[side * force.slope(moments) < 0.0]
+        falling = moments[np.sign(force.slope(moments)) == -side]
         return float(falling[0]) if len(falling) else None
 
 

@@ -69,11 +69,10 @@ def piecewise(signal: Waveform, factors: Complexes, constant: float, pieces: Pie
 def _exponentials(signal: Waveform, pieces: Pieces, weights: Reals) -> Complexes:
     """Integrate exp(i p omega t) over weighted pieces for p = -2 (H + 1) ... 2 (H + 1)."""
     count = 2 * len(signal.coefficients)
-    exponents = np.arange(-count, count + 1)
-    rates = 1j * signal.omega * np.where(exponents == 0, 1, exponents)
+    exponents = np.delete(np.arange(-count, count + 1), count)
+    rates = 1j * signal.omega * exponents
     ends = np.exp(np.multiply.outer(rates, pieces.end)) - np.exp(np.multiply.outer(rates, pieces.begin))
-    integrals = (ends @ weights) / rates
-    integrals[count] = float(weights @ (pieces.end - pieces.begin))
+    integrals = np.insert((ends @ weights) / rates, count, weights @ (pieces.end - pieces.begin))
     return np.asarray(integrals, dtype=np.complex128)
 
 

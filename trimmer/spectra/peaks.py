@@ -287,8 +287,8 @@ def _fitted(spectrum: Spectrum, lines: _Lines, left: Complexes) -> _Lines:
     # The amplitude is free, so only the part of the slope that it cannot make up for determines the place.
     slope = slope - shape * (_product(shape, slope) / _product(shape, shape))[:, None]
     slope = slope * amplitudes[:, None]
-    rest = left - amplitudes[:, None] * shape
-    steps = _product(slope, rest).real / _product(slope, slope).real
+    # What the shape makes up of the bins is orthogonal to this slope, and need not be taken off.
+    steps = _product(slope, left).real / _product(slope, slope).real
     places = np.clip(lines.places + steps, lines.bins - _LARGEST_OFFSET, lines.bins + _LARGEST_OFFSET)
     shape = _shape(spectrum, bins, places)
     return _Lines(lines.bins, places, _product(shape, left) / _product(shape, shape))

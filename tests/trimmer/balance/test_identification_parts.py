@@ -1,0 +1,218 @@
+"""The parts of identification with hand-made bands: turning points, the nearest end, and intervals."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import control
+import numpy as np
+import pytest
+
+from tests.trimmer.balance.loops import GAP, THESIS_LOOP, s
+from trimmer.balance import feasible_frequencies as feasible
+from trimmer.balance.feasible_frequencies import BandEnd, FeasibleBand, feasible_bands
+from trimmer.balance.identification import (
+    IdentifiedTimeConstant,
+    _at_limit,
+    _intervals,
+    _nearest,
+    _turning_points,
+    identify_time_constant,
+)
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.solve import limit_cycles
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer.linear.frequency_response import response_at
+
+CYCLE = LimitCycle(0.5, 40.0 * math.pi, True, 0.0, 1.0, 1, 0)
+
+
+def band(lower: float, upper: float, first: float = math.nan, last: float = math.nan) -> FeasibleBand:
+    return FeasibleBand(BandEnd(lower, first), BandEnd(upper, last))
+
+
+def test_a_band_holds_its_ends() -> None:
+    given = band(20.0, 30.0, 0.1, 0.2)
+    assert [given.holds(each) for each in (19.9, 20.0, 25.0, 30.0, 30.1)] == [False, True, True, True, False]
+    assert given.frequencies == (20.0, 30.0)
+    assert "from 20 Hz, M/D 0.1 s, to 30 Hz, M/D 0.2 s" in repr(given)
+    assert "no end" in repr(band(0.0, math.inf))
+
+
+def test_neighbouring_bands_are_joined_where_the_border_is_only_touched(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ends = [BandEnd(each, each / 100.0) for each in (10.0, 40.0, 90.0)]
+    monkeypatch.setattr(feasible, "_limits", lambda G, gap: ends[:0:-1])
+    monkeypatch.setattr(feasible, "_touching", lambda G: ends[:1])
+    G = 1 / (s + 1)
+    # Places between: 0.01, 20, 60 and 90e3 Hz.
+    tried: list[float] = []
+
+    def solvable(*frequencies: float):
+        def at(frequency: float) -> bool:
+            tried.append(frequency)
+            return round(frequency, 6) in frequencies
+
+        return at
+
+    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(20.0, 60.0))] == [(10.0, 90.0)]
+    assert tried == pytest.approx([0.01, 20.0, 60.0, 9e4])
+    (joined,) = feasible_bands(G, GAP, solvable(20.0, 60.0))
+    assert (joined.lower, joined.upper) == (ends[0], ends[2])
+    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(20.0, 9e4))] == [
+        (10.0, 40.0),
+        (90.0, math.inf),
+    ]
+    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(0.01, 60.0))] == [
+        (0.0, 10.0),
+        (40.0, 90.0),
+    ]
+    assert feasible_bands(G, GAP, solvable()) == ()
+
+
+def test_without_ends_a_frequency_among_the_roots_stands_for_all() -> None:
+    between = feasible._between
+    assert between((s + 8) / ((s + 1) * (s + 27)), 0.0, math.inf) == pytest.approx(6.0 / (2.0 * math.pi))
+    assert between(8 / (s * (s + 4) ** 2), 0.0, math.inf) == pytest.approx(4.0 / (2.0 * math.pi))
+    assert between(1 / s**2, 0.0, math.inf) == 1.0
+
+
+@pytest.mark.parametrize("G", [5 * (s + 3) / (s**2 + 2 * s + 9), (2 * s + 1) / (s + 4)])
+def test_a_system_is_integrated_in_either_form(G: control.TransferFunction) -> None:
+    omega = np.array([0.7, 3.0])
+    expected = response_at(G, omega) / (1j * omega)
+    assert response_at(feasible._integrated(G), omega) == pytest.approx(expected)
+    assert response_at(feasible._integrated(control.ss(G)), omega) == pytest.approx(expected)
+
+
+def test_where_the_pin_only_just_touches_n_is_negative_imaginary() -> None:
+    for gamma in (0.2, 3.0):
+        element = ViscousBacklash(1.0, gamma)
+        gain = complex(element.describing_function(1.0 / (float(element.domain(1.0)) * (1.0 - 1e-12)), 1.0))
+        assert abs(gain.real) < 1e-4 * abs(gain)
+        assert feasible._touching_size(math.log(gamma)) == pytest.approx(-gain.imag, rel=1e-12)
+
+
+def test_ends_where_the_pin_only_just_touches_have_their_load() -> None:
+    # 1/G = ± size (s + 0.3 (s² + 1)) is imaginary at 1 rad/s only: ± j size, with the size of gamma = 0.8.
+    gamma = 0.8
+    size = feasible._touching_size(math.log(gamma))
+    for sign, count in ((1.0, 1), (-1.0, 0)):
+        G = sign / (size * (s + 0.3 * (s**2 + 1)))
+        ends = list(feasible._touching(G))
+        assert len(ends) == count
+        for end in ends:
+            assert end.frequency == pytest.approx(1.0 / (2.0 * math.pi))
+            assert end.time_constant == pytest.approx(gamma, rel=1e-8)
+            assert end.limit_cycle is None
+
+
+def test_turning_points_are_minima_and_maxima_between_samples() -> None:
+    frequencies = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
+
+    def value(frequency: float) -> float:
+        return math.sin(0.5 * math.pi * (frequency - 0.3))
+
+    found = list(_turning_points(value, frequencies, [value(each) for each in frequencies]))
+    assert found == pytest.approx([1.3, 3.3], abs=1e-4)
+    assert list(_turning_points(value, frequencies, frequencies)) == []
+    assert list(_turning_points(value, frequencies, [1.0] * 6)) == []
+    assert len(list(_turning_points(value, [0.0, 1.0, 2.0], [5.0, 5.0, 1.0]))) == 0
+
+
+def identified(time_constant: float) -> IdentifiedTimeConstant:
+    return IdentifiedTimeConstant(time_constant, CYCLE)
+
+
+def test_an_interval_is_that_part_of_a_band_that_was_measured() -> None:
+    bands = [band(10.0, 20.0, 0.5, 0.9), band(30.0, 40.0, 7.0, 8.0), band(50.0, 60.0, 0.0, 1.0)]
+
+    def at(frequency: float) -> tuple[IdentifiedTimeConstant, ...]:
+        return (identified(1.0 + (frequency - 17.0) ** 2), identified(99.0))
+
+    first, second = _intervals(at, bands, 15.0, 35.0)
+    assert first.frequencies == (15.0, 20.0)
+    assert first.lowest == 0.9  # at the end of the band
+    assert first.highest == pytest.approx(10.0)
+    assert second.frequencies == (30.0, 35.0)
+    assert (second.lowest, second.highest) == (7.0, pytest.approx(1.0 + 18.0**2))
+    (inner,) = _intervals(at, bands, 15.0, 19.5)
+    assert inner.lowest == pytest.approx(1.0, abs=1e-8)  # between samples
+    assert (inner.highest, inner.frequencies) == (pytest.approx(1.0 + 2.5**2), (15.0, 19.5))
+    (point,) = _intervals(at, bands, 20.0, 20.0)
+    assert (point.lowest, point.highest) == (0.9, 10.0)
+    assert list(_intervals(at, bands, 21.0, 29.0)) == []
+    assert list(_intervals(lambda frequency: (), bands, 15.0, 19.0)) == []
+
+
+def test_the_nearest_end_is_that_of_the_nearest_band() -> None:
+    asked: list[float] = []
+
+    def at(frequency: float) -> tuple[IdentifiedTimeConstant, ...]:
+        asked.append(frequency)
+        return (identified(3.0), identified(4.0))
+
+    bands = [band(10.0, 20.0), band(30.0, 40.0)]
+    for frequency, inside in (
+        (9.0, 10.0 + 1e-5),
+        (24.0, 20.0 - 2e-5),
+        (26.0, 30.0 + 3e-5),
+        (99.0, 40.0 - 4e-5),
+    ):
+        found = _nearest(at, bands, frequency)
+        assert found is not None
+        assert found.time_constant == 3.0
+        assert asked.pop() == pytest.approx(inside, rel=1e-12)
+    _nearest(at, [band(10.0, 10.0 + 2e-6)], 9.0)
+    assert asked.pop() == pytest.approx(10.0 + 1e-6, rel=1e-12)
+    known = FeasibleBand(BandEnd(10.0, 0.0, CYCLE), BandEnd(20.0, math.inf))
+    assert _nearest(at, [known], 9.0) == IdentifiedTimeConstant(0.0, CYCLE)
+    assert asked == []
+    assert _nearest(at, [], 9.0) is None
+    assert _nearest(lambda frequency: (), bands, 9.0) is None
+
+
+@pytest.mark.parametrize("time_constant", [0.0, math.inf])
+def test_a_load_without_a_time_constant_is_told_from_n_itself(time_constant: float) -> None:
+    element = ViscousBacklash(GAP, time_constant)
+    exact = {0.0: FrictionBacklash(GAP), math.inf: InertiaBacklash(GAP)}[time_constant]
+    for u in (0.3, 0.9):
+        inverse = -complex(exact.describing_function(GAP / u))
+        assert _at_limit(element, inverse, 691.0) == pytest.approx([u], rel=1e-10)
+        assert _at_limit(element, inverse * (1.0 + 1e-5j), 691.0).size == 0
+        assert _at_limit(element, -inverse, 691.0).size == 0
+
+
+def test_what_was_identified_tells_itself() -> None:
+    one = identified(2.5e-3)
+    assert (one.amplitude, one.stable) == (0.5, True)
+    assert "M/D 0.0025 s, amplitude 0.5, 20 Hz, stable" in repr(one)
+    unstable = IdentifiedTimeConstant(0.0, replace(CYCLE, stable=False))
+    assert not unstable.stable
+    assert "unstable" in repr(unstable)
+
+
+def test_an_identification_holds_what_was_given() -> None:
+    (*_, given) = limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 2e-4))
+    result = identify_time_constant(THESIS_LOOP, GAP, given.frequency, frequency_uncertainty=0.5)
+    assert (result.frequency, result.frequency_uncertainty, result.gap) == (given.frequency, 0.5, GAP)
+    for found in result.time_constants:
+        cycle = found.limit_cycle
+        assert cycle.frequency == pytest.approx(given.frequency)
+        element = ViscousBacklash(GAP, found.time_constant)
+        gain = complex(element.describing_function(cycle.amplitude, cycle.omega))
+        assert 1.0 + gain * complex(response_at(THESIS_LOOP, cycle.omega)) == pytest.approx(0.0, abs=1e-9)
+        again = result.limit_cycles_with(found.time_constant)
+        assert any(each.amplitude == pytest.approx(cycle.amplitude) for each in again)
+    constants = [found.time_constant for found in result.time_constants]
+    assert constants == sorted(constants)
+    assert any(each == pytest.approx(2e-4, rel=1e-8) for each in constants)
+    assert result.nearest is None
+    assert result.success
+    (interval,) = result.intervals
+    assert interval.lowest < 2e-4 < interval.highest
+    assert interval.frequencies == pytest.approx((given.frequency - 0.5, given.frequency + 0.5))
