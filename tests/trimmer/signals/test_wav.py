@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import wave
-from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -134,21 +133,6 @@ def test_what_cannot_be_heard_or_written_is_refused(tmp_path: Path, signal, rate
 def test_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileWriteError, match="is a folder"):
         write_wav(tmp_path, np.zeros(500), 20_000)
-
-
-def test_a_rate_is_brought_to_the_next_one_that_is_suited() -> None:
-    rates = {192_000.0: 192_000, 8000.5: 11_025, 7999.0: 8000, 44_100.5: 48_000, 48_000.5: 48_000}
-    assert {rate: wav._suited(rate) for rate in rates} == rates
-    assert wav._suited(100_000.0) == wav._suited(1e6) == 48_000
-
-
-def test_ratios_of_rates_keep_factors_that_are_not_large(monkeypatch) -> None:
-    monkeypatch.setattr(wav, "_LARGEST_FACTOR", 10)
-    for ratio, simple in (((7, 9), (7, 9)), ((9, 7), (9, 7)), ((100, 211), (1, 2)), ((211, 100), (2, 1))):
-        assert wav._simple(Fraction(*ratio)) == Fraction(*simple)
-    # The denominator of a small ratio must be larger, or nothing is left of it.
-    assert wav._simple(Fraction(10, 258)) == Fraction(1, 26)
-    assert wav._simple(Fraction(258, 10)) == 26
 
 
 def test_a_sound_is_long_and_fast_enough_at_the_very_limit() -> None:
