@@ -64,12 +64,11 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             return mechanism.outputs[name].weights[body]
         case ("start", name, key):
             return mechanism.start.get(name, (0.0, 0.0))[list(STATE).index(key)]
-        case (section, name, key):
-            part = getattr(mechanism, section)[name]
-            if isinstance(part, Friction) and key == "static":
-                return part.static_force
-            return getattr(part, key)  # type: ignore[no-any-return]
-    raise AssertionError(names)
+    section, name, key = names
+    part = getattr(mechanism, section)[name]
+    if isinstance(part, Friction) and key == "static":
+        return part.static_force
+    return getattr(part, key)  # type: ignore[no-any-return]
 
 
 def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mechanism:
@@ -95,10 +94,9 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[list(STATE).index(key)] = number
             return _with_entry(mechanism, "start", name, tuple(state))
-        case (section, name, key):
-            part = replace(getattr(mechanism, section)[name], **{key: number})
-            return _with_entry(mechanism, section, name, part)
-    raise AssertionError(names)
+    section, name, key = names
+    part = replace(getattr(mechanism, section)[name], **{key: number})
+    return _with_entry(mechanism, section, name, part)
 
 
 def assignment(text: str) -> tuple[str, float | str]:

@@ -207,7 +207,7 @@ def _first_free(letters: str, indices: Iterator[str | None], used: set[str]) -> 
 
 
 def _is_printable(index: str) -> bool:
-    return index in GREEK or all(character <= LAST_LATIN_LETTER for character in index)
+    return all(character <= LAST_LATIN_LETTER for character in index)
 
 
 def _split(symbol: str) -> tuple[str, str | None]:

@@ -113,3 +113,23 @@ def test_two_symbols_that_print_the_same_are_refused():
     links = {name: Link((GROUND, name), 1.0) for name in bodies}
     with pytest.raises(MechanismError, match=re.escape('bodies.b.symbol = "m1": several parts carry')):
         printed_symbols(Mechanism(bodies=bodies, links=links))
+
+
+def test_names_in_letters_that_latex_lacks_are_numbers_in_their_order():
+    names = ["theta", "Ж", "ſ", "ƀ", "xЖ"]  # the long s is the last letter that is printed
+    mechanism = one_body(
+        bodies={name: Body(1.0) for name in names},
+        links={name: Link((GROUND, name), 1.0) for name in names},
+    )
+    found = [symbol(mechanism, "bodies", name, "mass") for name in names]
+    assert found == ["m_theta", "m_2", r"m_{\text{ſ}}", "m_4", "m_5"]
+    assert symbol(mechanism, "links", "ƀ", "stiffness") == "k_4"
+
+
+def test_a_number_that_is_taken_is_passed_over():
+    bodies = {"Ж": Body(1.0), "a": Body(1.0, "m_1")}
+    mechanism = one_body(
+        bodies=bodies, links={name: Link((GROUND, name), 1.0, symbol=None) for name in bodies}
+    )
+    assert [symbol(mechanism, "bodies", name, "mass") for name in bodies] == ["m_2", "m_1"]
+    assert [symbol(mechanism, "bodies", name, "coordinate") for name in bodies] == ["q_1", "q_a"]

@@ -133,3 +133,28 @@ def test_scale_and_time_do_not_matter() -> None:
     one, two = clipping(values), clipping(-3e-6 * values)
     assert one is not None and two is not None
     assert (one.certainty, one.largest, one.runs) == (two.certainty, two.smallest, two.runs)
+
+
+@pytest.mark.parametrize(
+    ("high", "low", "certainty"),
+    [
+        (1.0, 1.0, Certainty.LIKELY),
+        (1.0, 0.97, Certainty.LIKELY),
+        (0.97, 1.0, Certainty.LIKELY),
+        (1.0, 0.9, Certainty.POSSIBLE),
+        (0.9, 1.0, Certainty.POSSIBLE),
+    ],
+)
+def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(
+    high: float, low: float, certainty: Certainty
+) -> None:
+    values = 0.1 * NOISE
+    values[500:504], values[2500:2505] = high, -low
+    told = clipping(values)
+    assert told is not None
+    assert (told.certainty, told.largest, told.smallest, told.runs) == (certainty, 4, 5, 2)
+    assert (told.first, told.level) == (0.1, max(high, low))
+    values[4000:4003] = high  # a third run
+    told = clipping(values)
+    assert told is not None
+    assert (told.certainty, told.largest, told.runs) == (Certainty.LIKELY, 7, 3)

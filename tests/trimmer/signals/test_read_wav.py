@@ -95,3 +95,29 @@ def test_a_file_that_ends_early_is_read_and_told(tmp_path: Path) -> None:
     signal = read_wav(tmp_path / "a.wav")
     assert signal.values.size == 667
     assert "Reached EOF prematurely" in signal.notes[1]
+
+
+@pytest.mark.parametrize(
+    ("begin", "end", "first", "last"),
+    [
+        (-1.0, 0.0, 0, 0),
+        (0.0, np.inf, 0, 9),
+        (0.001, 0.002, 1, 2),
+        (0.0011, 0.0029, 2, 2),
+        (0.0, 7.0, 0, 9),
+        (0.009, np.inf, 9, 9),
+        (0.003 + 1e-12, 0.004 - 1e-12, 3, 4),
+    ],
+)
+def test_both_ends_of_a_part_are_included(tmp_path: Path, begin, end, first: int, last: int) -> None:
+    wavfile.write(tmp_path / "a.wav", 1000, np.arange(10, dtype=np.int16))
+    part = read_wav(tmp_path / "a.wav", begin=begin, end=end)
+    np.testing.assert_array_equal(part.values * 2**15, np.arange(first, last + 1))
+    assert part.start == first / 1000
+
+
+@pytest.mark.parametrize(("begin", "end"), [(0.0, -0.001), (0.0091, np.inf), (0.0011, 0.0019), (-2.0, -1.0)])
+def test_a_part_without_samples_is_refused(tmp_path: Path, begin: float, end: float) -> None:
+    wavfile.write(tmp_path / "a.wav", 1000, np.arange(10, dtype=np.int16))
+    with pytest.raises(SignalFileError, match="holds no sample"):
+        read_wav(tmp_path / "a.wav", begin=begin, end=end)

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -86,3 +88,12 @@ def test_any_heading_gives_a_name_that_a_signal_can_have(heading: str) -> None:
 def test_a_name_that_would_not_read_back_is_refused(name: str, unit: str) -> None:
     with pytest.raises(SignalError, match="cannot have the name"):
         Signal(np.zeros(1), 1.0, name, unit)
+
+
+def test_a_signal_that_was_pickled_is_the_same_and_cannot_be_changed_either() -> None:
+    signal = Signal([1.0, -2.0, 3.0], 50.0, "stroke", "m", start=0.25, notes=("a note",), converted=2)
+    back = pickle.loads(pickle.dumps(signal))
+    assert back.values.tolist() == [1.0, -2.0, 3.0]
+    assert not back.values.flags.writeable
+    for name in ("sample_rate", "name", "unit", "start", "notes", "converted", "full_scale", "trusted"):
+        assert getattr(back, name) == getattr(signal, name)

@@ -133,3 +133,19 @@ def test_what_cannot_be_heard_or_written_is_refused(tmp_path: Path, signal, rate
 def test_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileWriteError, match="is a folder"):
         write_wav(tmp_path, np.zeros(500), 20_000)
+
+
+def test_a_sound_is_long_and_fast_enough_at_the_very_limit() -> None:
+    wav._check_audible(10, 1000.0)
+    wav._check_audible(100, 40.0)
+    for samples, rate in ((9, 1000.0), (100, 39.9)):
+        with pytest.raises(SignalError):
+            wav._check_audible(samples, rate)
+
+
+def test_a_mean_is_taken_off_before_samples_could_be_too_large() -> None:
+    scale, mean, vibration = wav._without_mean(np.array([1.0, -4.0, 2.0, 3.0]))
+    assert (scale, mean) == (4.0, 0.5)
+    np.testing.assert_allclose(vibration, [0.125, -1.125, 0.375, 0.625])
+    scale, mean, vibration = wav._without_mean(np.zeros(3))
+    assert (scale, mean, vibration.tolist()) == (1.0, 0.0, [0.0, 0.0, 0.0])

@@ -117,8 +117,8 @@ def draw_averaged(spectrum: AveragedSpectrum, ax: Axes | None = None) -> Axes:
 
 def outline(spectrum: Spectrum, highest_peak: float) -> tuple[Reals, Reals]:
     """Return frequency, Hz, and amplitude of at most ``POINTS`` points, largest of each block of bins."""
-    last = _last_bin(spectrum, highest_peak)
-    frequency, amplitude = spectrum.frequency[1 : last + 1], spectrum.amplitude[1 : last + 1]
+    drawn = slice(1, _last_bin(spectrum, highest_peak) + 1)
+    frequency, amplitude = spectrum.frequency[drawn], spectrum.amplitude[drawn]
     amplitude = np.maximum(amplitude, DYNAMIC_RANGE * (float(amplitude.max()) or 1.0))
     block = -(-amplitude.size // POINTS)
     begins = np.arange(0, amplitude.size, block)
