@@ -25,6 +25,7 @@ from trimmer.ensembles.grid import Grid, grid_at, merged
 from trimmer.ensembles.limit_cycles import (
     SampledLimitCycles,
     _Columns,
+    _found,
     _in_rows,
     _near_poles,
     sampled_limit_cycles,
@@ -352,3 +353,35 @@ def test_numbers_and_rows_mix_and_keep_their_places() -> None:
     assert varied.omega[1] != pytest.approx(plain.omega[0], rel=1e-4)
     with pytest.raises(ValueError, match="rows of one length"):
         sampled_limit_cycles({"m2": [[thesis.m2]]}, gap=4e-5)
+
+
+def test_a_trimmer_is_searched_again_where_the_curves_nearly_touch(monkeypatch: pytest.MonkeyPatch) -> None:
+    # K/((s + 0.3)(s + 1)) for two K.
+    loops = Responses(
+        np.array([[0.0, 9.0], [0.0, 20.0]]), np.array([[1.0, 1.3, 0.3]] * 2), np.array([1.0, 3.0])
+    )
+    gaps, near = np.array([2.0, 3.0]), np.array([-0.31, -1.05], complex)
+    angles = {"sine": np.sin(np.radians(90.0)), "found": True}
+
+    def pretended(responses: Responses, enclosures: object) -> Solutions:
+        solutions = polished(responses, enclosures)
+        first = enclosures.rows == 0
+        return solutions._replace(
+            sine=np.where(first, angles["sine"], 1.0), found=np.where(first, angles["found"], True)
+        )
+
+    plain = _found(loops, gaps, near)
+    assert plain.again.tolist() == [False, False]
+    assert set(plain.rows.tolist()) == {0, 1}
+    for row, amplitude, omega in zip(plain.rows, plain.amplitude, plain.omega, strict=True):
+        s = 1j * omega / loops.reference[row]
+        gain = complex(FrictionBacklash(gaps[row]).describing_function(amplitude))
+        assert gain == pytest.approx(-(s + 0.3) * (s + 1.0) / (9.0, 20.0)[row], rel=1e-9)
+    monkeypatch.setattr("trimmer.ensembles.limit_cycles.polished", pretended)
+    for degrees, again in ((2.1, False), (1.9, True), (-1.9, True), (-2.1, False)):
+        angles["sine"] = np.sin(np.radians(degrees))
+        found = _found(loops, gaps, near)
+        assert found.again.tolist() == [again, False]
+        assert not found.stable[found.rows == 0].any() or degrees > 0
+    angles.update(sine=1.0, found=False)
+    assert _found(loops, gaps, near).again.tolist() == [True, False]

@@ -257,3 +257,17 @@ def test_initial_states_are_drawn_at_all_sizes_and_the_same_again() -> None:
     play = [float(loop.modes.mode(mode).signals[0].input @ state) - state[2] for mode, state in first]
     assert max(abs(each) for each in play) <= 0.5e-3 * (1 + 1e-9)
     assert np.ptp(play) > 0.5e-3
+
+
+def test_the_amplitude_of_half_of_the_initial_states_is_that_of_the_input() -> None:
+    # The response is at most 1e-6 per unit: what is meant for the output makes an input below 1e-4.
+    small = ClosedLoop(control.tf([1e-6], [1.0, 1.0]), FrictionBacklash(1.0))
+    states = [state for _, state in initial_states(small, 60, 5)]
+    inputs = np.array([abs(small.model.C[0] @ state[:1]) for state in states])
+    assert 15 < (inputs > 2e-4).sum() < 45
+    assert inputs.max() < 1e2
+    # Where no input answers, the output alone can have an amplitude.
+    unseen = ClosedLoop(control.ss([[-1.0]], [[2.0]], [[0.0]], [[0.0]]), FrictionBacklash(1.0))
+    drawn = np.array([state[0] for _, state in initial_states(unseen, 20, 5)])
+    assert np.isfinite(drawn).all()
+    assert 1e-3 < abs(drawn).max() < 2e2
