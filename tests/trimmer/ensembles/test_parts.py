@@ -24,6 +24,7 @@ from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.grid import Grid, grid_at, merged
 from trimmer.ensembles.limit_cycles import (
     SampledLimitCycles,
+    _check,
     _Columns,
     _found,
     _in_rows,
@@ -36,7 +37,7 @@ from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses, responses_of
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.parameters import TrimmerParameters
+from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
 
 # G = K/(s (s + 1)) twice, with other K, and 1/(s + 1) in between: N + 1/G = 0 for K = 4 at about 1 rad/s.
 THREE = Responses(
@@ -272,6 +273,32 @@ def test_unstable_others_are_those_of_the_polynomial_with_n_frozen() -> None:
             poles = np.delete(poles, np.abs(poles - 1j * omega).argmin())
             assert unstable[row] == bool(((poles.real > 0) & (poles.imag > 0)).any())
         assert not unknown.any()
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+def test_what_is_rounding_of_a_pole_is_a_share_of_its_modulus(unit: float) -> None:
+    shares = np.array([1e-7, 5e-11, -1e-7])
+    poles = unit * np.array([[-1.0, each + 2j, each - 2j] for each in shares])
+    denominator = np.array([np.poly(row).real for row in poles])
+    responses = Responses(np.zeros((3, 3)), denominator, np.ones(3))
+    three = np.ones(3)
+    solutions = Solutions(0.1 * unit * three, three, 0.5 + 0j * three, three, three, three > 0)
+    unstable, unknown = unstable_others(responses, poles, solutions)
+    assert unstable.tolist() == [True, False, False]
+    assert not unknown.any()
+
+
+def test_only_a_mass_must_not_be_zero() -> None:
+    for parameter in parameter_table():
+        _check(parameter, np.array([3.0, 1e-9]))
+        wrong = [np.array([1.0, -1e-9]), np.array([np.inf])]
+        if parameter.quantity is ParameterKind.MASS:
+            wrong.append(np.zeros(1))
+        else:
+            _check(parameter, np.zeros(1))
+        for values in wrong:
+            with pytest.raises(ParameterError, match=parameter.symbol):
+                _check(parameter, values)
 
 
 def test_responses_are_those_of_the_model() -> None:
