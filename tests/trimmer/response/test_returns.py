@@ -176,6 +176,7 @@ def test_a_motion_is_told_over_its_smallest_period(monkeypatch: pytest.MonkeyPat
             return np.array([[1.0 + one, 2.0 + two, 99.0]])
 
         def solved(problem: Return, begin: SimpleNamespace, span: float) -> SimpleNamespace:
+            assert problem.periods == 0
             asked.append(span)
             return SimpleNamespace(miss=miss, course="shorter", duration=span)
 
