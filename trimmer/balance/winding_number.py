@@ -127,7 +127,7 @@ def _largest_u(loop: LoopEquation, pieces: _Pieces) -> float | None:
         largest = max(largest, float(enclosure.largest[fine].max(initial=0.0)))
         pieces = pieces.halves(~fine)
         if pieces.x_start.size == 0:
-            slope = loop.curve.expansion(np.ones(1), np.zeros(1)).by_u
+            slope = loop.curve.value(np.ones(1), np.zeros(1))
             return 2.0 * largest / float(np.abs(slope[0]))
         if pieces.x_start.size > _MOST_PIECES:  # pieces at a zero of G are never fine, and double each time
             break

@@ -151,7 +151,7 @@ def sampled_limit_cycles(
     values, gaps = _arranged(samples, gap, base)
     near = _near_poles(base)
     chosen = Displacement.parse(output), InputChannels.chosen(channels, "channels")
-    again = np.zeros(len(gaps), dtype=bool)
+    again = np.empty(len(gaps), dtype=bool)
     found: list[_Columns] = []
     for start in range(0, len(gaps), BLOCK):
         block = slice(start, start + BLOCK)

@@ -166,4 +166,5 @@ def test_other_unstable_poles_are_those_above_the_axis_and_real_ones_of_the_mean
     assert np.asarray(_drifting_poles(drifting, np.array([0.0, 2.9, 3.1, np.nan]))).tolist() == [1, 1, 0, 0]
     resting = InverseResponse.of(ZeroPoleGain.of(1 / ((s + 1) * (s + 3))))
     assert np.asarray(_drifting_poles(resting, np.array([-2.9, -3.1]))).tolist() == [0, 1]
+    assert np.asarray(_drifting_poles(resting, np.array([5.0, -3.1]))).tolist() == [0, 1]
     assert np.asarray(_drifting_poles(resting, np.array([0.0, 5.0]))).tolist() == 0

@@ -17,7 +17,7 @@ from trimmer.branches.loci import steps as stepping
 from trimmer.branches.loci.follow_special import _distance, _message, _ranges_of
 from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.loci.relocation import Sought, _centre, relocated
-from trimmer.branches.loci.search import Point, Search, Track, apart
+from trimmer.branches.loci.search import Point, Search, Track, apart, first_point
 from trimmer.branches.loci.steps import (
     _at_border,
     _closed,
@@ -41,6 +41,28 @@ def point(first: float, second: float, *state: float) -> Point:
 def test_the_distance_of_points_is_in_ranges_and_sizes() -> None:
     away = apart(point(0.3, 0.1, 4.0, 8e-5), np.array([0.0, 0.5]), np.array([0.0, 4e-5]))
     assert away == pytest.approx(math.sqrt(0.09 + 0.16 + 4.0 + 1.0), rel=1e-14)
+
+
+def test_the_first_point_has_shares_of_the_ranges_and_sizes_of_what_moves() -> None:
+    asked = []
+
+    def map_at(held: int, number: float) -> SimpleNamespace:
+        def passage(value: float, state: np.ndarray) -> SimpleNamespace:
+            asked.append((held, number, value, state.tolist()))
+            return SimpleNamespace(sizes=np.array([4e-5, 0.0, 691.0]))
+
+        return SimpleNamespace(passage=passage)
+
+    ranges = Search((None, None), None, LocusRanges((2.0, 6.0), (-1.0, 9.0)))  # type: ignore[arg-type]
+    search = SimpleNamespace(map_at=map_at, lowest=ranges.lowest, spans=ranges.spans)
+    found = first_point(search, np.array([3.0, 7.0]), np.array([1.0, 2.0, 3.0]))  # type: ignore[arg-type]
+    assert found.values == pytest.approx([0.25, 0.8], rel=1e-14)
+    assert found.state.tolist() == [1.0, 2.0, 3.0]
+    assert found.sizes.tolist() == [4e-5, 1.0, 691.0]
+    assert asked == [(1, 7.0, 3.0, [1.0, 2.0, 3.0])]
+    assert ranges.inside(np.array([0.0, 1.0]))
+    assert not ranges.inside(np.array([-1e-9, 0.5]))
+    assert not ranges.inside(np.array([0.5, 1.0 + 1e-9]))
 
 
 def test_a_point_is_predicted_on_the_curve_through_the_last_three() -> None:
@@ -113,9 +135,9 @@ def test_a_locus_that_is_lost_ends_in_a_cusp_where_its_numbers_hardly_move(
 ) -> None:
     other = SpecialPoint(SpecialKind.FOLD, 0.0, np.zeros(2))
     track = Track([point(0.2, 0.5), point(0.3, 0.5), point(0.3 + moved, 0.5, 2.0, 0.0)], [other] * others)
-    assert _obstacle(None, track) is reason  # type: ignore[arg-type]
+    assert _obstacle(track) is reason
     short = Track(track.points[1:], track.others)
-    assert _obstacle(None, short) is (LocusEnd.CHANGED if others else LocusEnd.LOST)  # type: ignore[arg-type]
+    assert _obstacle(short) is (LocusEnd.CHANGED if others else LocusEnd.LOST)
 
 
 class OnCircle:

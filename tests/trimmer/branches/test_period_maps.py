@@ -17,6 +17,7 @@ from trimmer.branches.period_maps.fitting import _asymmetric, fitting, is_symmet
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.period_map import Phase
 from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import CONTACT_MADE, MINUS, PLUS, STICK_BEGUN
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.parts import Friction
 
@@ -100,6 +101,17 @@ def test_phases_of_contact_are_counted_and_timed() -> None:
         assert whole.shortest("springs", phase) == pytest.approx(lengths.min(), abs=3e-4)
     linear = MechanismMap(linear_oscillator(), "frequency", 1.2).passage(1.2, np.zeros(2))
     assert linear.signature == {}
+
+
+@pytest.mark.parametrize(("side", "phase"), [("plus", Phase.UPPER), ("minus", Phase.LOWER)])
+def test_a_contact_is_told_from_one_on_the_other_side(side: str, phase: Phase) -> None:
+    log = SimpleNamespace(kind=np.array([CONTACT_MADE, STICK_BEGUN]), mode=np.array([4, 4]))
+    status = {"plus": PLUS, "minus": MINUS}[side]
+    flow = SimpleNamespace(modes={4: SimpleNamespace(statuses=(0, status))})
+    for mirrored, contact in ((False, phase), (True, Phase.EITHER)):
+        map = SimpleNamespace(mirrored=mirrored)
+        passage = mechanism_map.MechanismPassage(map, 1.0, flow, None, SimpleNamespace(log=log))
+        assert [passage._phase(row, 1) for row in (0, 1)] == [contact, Phase.STICK]
 
 
 def test_the_flows_of_the_last_values_are_kept() -> None:

@@ -24,7 +24,9 @@ from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.grid import Grid, grid_at, merged
 from trimmer.ensembles.limit_cycles import (
     SampledLimitCycles,
+    _check,
     _Columns,
+    _found,
     _in_rows,
     _near_poles,
     sampled_limit_cycles,
@@ -35,7 +37,7 @@ from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses, responses_of
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.parameters import TrimmerParameters
+from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
 
 # G = K/(s (s + 1)) twice, with other K, and 1/(s + 1) in between: N + 1/G = 0 for K = 4 at about 1 rad/s.
 THREE = Responses(
@@ -273,6 +275,32 @@ def test_unstable_others_are_those_of_the_polynomial_with_n_frozen() -> None:
         assert not unknown.any()
 
 
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+def test_what_is_rounding_of_a_pole_is_a_share_of_its_modulus(unit: float) -> None:
+    shares = np.array([1e-7, 5e-11, -1e-7])
+    poles = unit * np.array([[-1.0, each + 2j, each - 2j] for each in shares])
+    denominator = np.array([np.poly(row).real for row in poles])
+    responses = Responses(np.zeros((3, 3)), denominator, np.ones(3))
+    three = np.ones(3)
+    solutions = Solutions(0.1 * unit * three, three, 0.5 + 0j * three, three, three, three > 0)
+    unstable, unknown = unstable_others(responses, poles, solutions)
+    assert unstable.tolist() == [True, False, False]
+    assert not unknown.any()
+
+
+def test_only_a_mass_must_not_be_zero() -> None:
+    for parameter in parameter_table():
+        _check(parameter, np.array([3.0, 1e-9]))
+        wrong = [np.array([1.0, -1e-9]), np.array([np.inf])]
+        if parameter.quantity is ParameterKind.MASS:
+            wrong.append(np.zeros(1))
+        else:
+            _check(parameter, np.zeros(1))
+        for values in wrong:
+            with pytest.raises(ParameterError, match=parameter.symbol):
+                _check(parameter, values)
+
+
 def test_responses_are_those_of_the_model() -> None:
     parameters = TrimmerParameters.thesis()
     values = np.array([parameters.values(), [1.7 * each for each in parameters.values()]])
@@ -352,3 +380,35 @@ def test_numbers_and_rows_mix_and_keep_their_places() -> None:
     assert varied.omega[1] != pytest.approx(plain.omega[0], rel=1e-4)
     with pytest.raises(ValueError, match="rows of one length"):
         sampled_limit_cycles({"m2": [[thesis.m2]]}, gap=4e-5)
+
+
+def test_a_trimmer_is_searched_again_where_the_curves_nearly_touch(monkeypatch: pytest.MonkeyPatch) -> None:
+    # K/((s + 0.3)(s + 1)) for two K.
+    loops = Responses(
+        np.array([[0.0, 9.0], [0.0, 20.0]]), np.array([[1.0, 1.3, 0.3]] * 2), np.array([1.0, 3.0])
+    )
+    gaps, near = np.array([2.0, 3.0]), np.array([-0.31, -1.05], complex)
+    angles = {"sine": np.sin(np.radians(90.0)), "found": True}
+
+    def pretended(responses: Responses, enclosures: object) -> Solutions:
+        solutions = polished(responses, enclosures)
+        first = enclosures.rows == 0
+        return solutions._replace(
+            sine=np.where(first, angles["sine"], 1.0), found=np.where(first, angles["found"], True)
+        )
+
+    plain = _found(loops, gaps, near)
+    assert plain.again.tolist() == [False, False]
+    assert set(plain.rows.tolist()) == {0, 1}
+    for row, amplitude, omega in zip(plain.rows, plain.amplitude, plain.omega, strict=True):
+        s = 1j * omega / loops.reference[row]
+        gain = complex(FrictionBacklash(gaps[row]).describing_function(amplitude))
+        assert gain == pytest.approx(-(s + 0.3) * (s + 1.0) / (9.0, 20.0)[row], rel=1e-9)
+    monkeypatch.setattr("trimmer.ensembles.limit_cycles.polished", pretended)
+    for degrees, again in ((2.1, False), (1.9, True), (-1.9, True), (-2.1, False)):
+        angles["sine"] = np.sin(np.radians(degrees))
+        found = _found(loops, gaps, near)
+        assert found.again.tolist() == [again, False]
+        assert not found.stable[found.rows == 0].any() or degrees > 0
+    angles.update(sine=1.0, found=False)
+    assert _found(loops, gaps, near).again.tolist() == [True, False]

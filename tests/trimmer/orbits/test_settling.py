@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import control
@@ -12,6 +13,7 @@ import pytest
 from trimmer import ClosedLoop, OrbitSearch, Relay, Saturation, Simulations, periodic_orbits
 from trimmer.motion.integration import new_log
 from trimmer.motion.taylor import DEGREE
+from trimmer.orbits import settling
 from trimmer.orbits.distinct import _prime_factors, same
 from trimmer.orbits.initial_states import initial_states
 from trimmer.orbits.measures import _extremes_of
@@ -99,6 +101,31 @@ def test_a_turn_leads_to_the_orbit(orbit, log) -> None:
     assert len(fresh) == 1
     assert same(fresh[0], orbit)
     assert fresh[0].period == pytest.approx(orbit.period, rel=1e-10)
+
+
+def test_a_motion_stays_where_newtons_method_hardly_moves_it(orbit, log) -> None:
+    turn = replace(_last_turn(LOOP, log), miss=1e-3)
+    order = LOOP.modes.layout.order
+    for entry in range(order):
+        for share, stays in ((0.01, True), (0.4, False)):
+            state = turn.state.copy()
+            state[entry] += share * turn.sizes[entry]
+            assert _settles(LOOP, replace(turn, state=state), [orbit]) is stays
+    assert _settles(LOOP, replace(turn, span=1.01 * turn.span), [orbit])
+    assert not _settles(LOOP, replace(turn, span=1.2 * turn.span), [orbit])
+    assert not _settles(LOOP, replace(turn, span=turn.span / 1.2), [orbit])
+
+
+def test_an_unstable_orbit_is_kept_but_a_motion_leaves_it(orbit, log, monkeypatch) -> None:
+    turn = replace(_last_turn(LOOP, log), miss=1e-3)
+    unstable = SimpleNamespace(stable=False)
+    monkeypatch.setattr(settling, "orbit_of", lambda *_: unstable)
+    monkeypatch.setattr(settling, "same", lambda one, other: one is other)
+    known: list = []
+    assert not _settles(LOOP, turn, known)
+    assert known == [unstable]
+    assert _settles(LOOP, replace(turn, miss=1e-9), known)
+    assert known == [unstable]
 
 
 def test_what_does_not_move_or_has_no_event_has_collapsed() -> None:

@@ -257,3 +257,53 @@ def test_initial_states_are_drawn_at_all_sizes_and_the_same_again() -> None:
     play = [float(loop.modes.mode(mode).signals[0].input @ state) - state[2] for mode, state in first]
     assert max(abs(each) for each in play) <= 0.5e-3 * (1 + 1e-9)
     assert np.ptp(play) > 0.5e-3
+
+
+def test_the_amplitude_of_half_of_the_initial_states_is_that_of_the_input() -> None:
+    # The response is at most 1e-6 per unit: what is meant for the output makes an input below 1e-4.
+    small = ClosedLoop(control.tf([1e-6], [1.0, 1.0]), FrictionBacklash(1.0))
+    states = [state for _, state in initial_states(small, 60, 5)]
+    inputs = np.array([abs(small.model.C[0] @ state[:1]) for state in states])
+    assert 15 < (inputs > 2e-4).sum() < 45
+    assert inputs.max() < 1e2
+    # Where no input answers, the output alone can have an amplitude.
+    unseen = ClosedLoop(control.ss([[-1.0]], [[2.0]], [[0.0]], [[0.0]]), FrictionBacklash(1.0))
+    drawn = np.array([state[0] for _, state in initial_states(unseen, 20, 5)])
+    assert np.isfinite(drawn).all()
+    assert 1e-3 < abs(drawn).max() < 2e2
+
+
+class AlwaysTheSame:
+    """A generator that draws the same share of each range."""
+
+    def __init__(self, share: float) -> None:
+        self.share = share
+
+    def uniform(self, low: float, high: float, count: int | None = None) -> float | np.ndarray:
+        value = low + self.share * (high - low)
+        return value if count is None else np.full(count, value)
+
+    def integers(self, count: int) -> int:
+        return count - 1
+
+    def random(self) -> float:
+        return self.share
+
+
+@pytest.mark.parametrize("share", [0.3, 0.8])
+def test_initial_states_are_responses_to_what_was_drawn(monkeypatch, share: float) -> None:
+    gap = 4e-5
+    loop = ClosedLoop(PLANT, FrictionBacklash(gap))
+    monkeypatch.setattr(np.random, "default_rng", lambda seed: AlwaysTheSame(share))
+    (mode, in_box), (_, in_swing) = initial_states(loop, 2, 3)
+    A, B, C = (np.asarray(each) for each in (loop.model.A, loop.model.B, loop.model.C))
+    moduli = abs(np.concatenate([np.linalg.eigvals(A), np.linalg.eigvals(A - B @ C)]))
+    omega = (moduli.min() / 3) ** (1 - share) * (3 * moduli.max()) ** share
+    size = gap * 10 ** (3 * share - 1)
+    response = (np.linalg.inv((0.01 + 1j) * omega * np.eye(2) - A) @ B)[:, 0]
+    # Below a half the size is that of the input, else that of the output.
+    response *= size / abs(C[0] @ response) if share < 0.5 else size
+    np.testing.assert_allclose(in_box[:2], abs(response) * (2 * share - 1), rtol=1e-9)
+    np.testing.assert_allclose(in_swing[:2], (response * np.exp(2j * math.pi * share)).real, rtol=1e-9)
+    apart = float(loop.modes.mode(mode).signals[0].input @ in_box) - in_box[2]
+    assert abs(apart) == pytest.approx(abs(share - 0.5) * gap, rel=1e-6)

@@ -11,6 +11,7 @@ import pytest
 from trimmer.contact.flow import ExactFlow
 from trimmer.contact.statuses import CONTACT_MADE, NOTHING, REVERSED
 from trimmer.mechanism import Body, Force, Link, Mechanism
+from trimmer.response import self_excited
 from trimmer.response.orbit import MechanismOrbit, _divides, _smallest, orbit_of
 from trimmer.response.self_excited import _recurrences, at_rest, time_scale
 from trimmer.response.settling import Settling
@@ -163,6 +164,43 @@ def test_recurrences_are_the_same_event_in_nearly_the_same_state() -> None:
     course = logged(rows, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 6.0, 8.0])
     assert _recurrences(course, np.array([1.0, 5.0])) == [(2, 7), (1, 3)]
     assert _recurrences(course, np.array([0.1, 0.1])) == []
+
+
+def test_a_motion_is_told_over_its_smallest_period(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+
+    def once(apart: dict[int, list], *, events: int = 6, miss: float = 0.0, resting: bool = False):
+        def states(times: np.ndarray) -> np.ndarray:
+            (count,) = np.round(12.0 / times).astype(int)
+            one, two = apart.get(count, [0.0, 0.0])
+            return np.array([[1.0 + one, 2.0 + two, 99.0]])
+
+        def solved(problem: Return, begin: SimpleNamespace, span: float) -> SimpleNamespace:
+            assert problem.periods == 0
+            asked.append(span)
+            return SimpleNamespace(miss=miss, course="shorter", duration=span)
+
+        begin = SimpleNamespace(state=np.array([1.0, 2.0]))
+        course = SimpleNamespace(events=[0] * events, duration=12.0, states=states, begin=begin)
+        monkeypatch.setattr(self_excited, "solve", solved)
+        monkeypatch.setattr(self_excited, "at_rest", lambda course, unit: resting)
+        given = SimpleNamespace(course=course, sizes=np.array([10.0, 0.1]))
+        found = self_excited._once(SimpleNamespace(size=2), given)
+        return None if found is given else found.duration
+
+    assert once({}) == 2.0
+    # In units of the sizes: the first entry is 10, the second 0.1.
+    assert once({6: [9e-6, 9e-8]}) == 2.0
+    assert once({6: [-1.1e-5, 0.0]}) == 4.0
+    assert once({6: [0.0, 1.1e-7], 3: [0.0, -1.1e-7]}) == 6.0
+    assert once({6: [1.0, 0.0], 3: [0.0, 1.0], 2: [1.0, 0.0]}) is None
+    assert once({}, events=5) == 12.0 / 5
+    asked.clear()
+    assert once({}, events=1) is None
+    assert asked == []
+    assert once({}, miss=1.0) is None
+    assert asked == [2.0, 4.0, 6.0]
+    assert once({}, resting=True) is None
 
 
 def orbit(multipliers: list, periods: int = 1, success: bool = True, sizes: tuple = (1.0, 1.0), **parts):

@@ -46,7 +46,7 @@ def followed(search: Search, track: Track, sign: float, settings: LocusSettings)
             if made is None:
                 length *= 0.5
                 if length < settings.smallest_step:
-                    return _obstacle(search, track)
+                    return _obstacle(track)
                 continue
             point, error = made
             track.points.append(point)
@@ -138,7 +138,7 @@ def _closed(points: Sequence[Point]) -> bool:
     return apart(first, before.values + share * chord, state) <= SAME + 0.1 * float(np.linalg.norm(chord))
 
 
-def _obstacle(search: Search, track: Track) -> LocusEnd:
+def _obstacle(track: Track) -> LocusEnd:
     if len(track.points) > 2:
         before, last = track.points[-2:]
         moved = np.linalg.norm(last.values - before.values)
