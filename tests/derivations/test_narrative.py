@@ -8,7 +8,7 @@ import sympy
 from derivations.latex import latex
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import derive_linear_trimmer
-from derivations.narrative import narrative
+from derivations.narrative import narrative, symmetric_matrices
 from derivations.step import Formula, Step
 from derivations.symbols import c2, k2, q1, t, u_dot
 
@@ -60,3 +60,9 @@ def test_document_has_balanced_braces_and_all_coefficients(derivation):
     assert places == sorted(places)
     assert text.index("So the unknowns are") < text.index("F(\\ell, \\omega) = N(\\ell)")
     assert "number={2.41}" in text
+
+
+def test_each_matrix_is_named_on_the_left(derivation):
+    shown = [formula.latex for formula in symmetric_matrices(derivation.matrices)]
+    matrices = (derivation.matrices.mass, derivation.matrices.damping, derivation.matrices.stiffness)
+    assert shown == [f"{name} = {latex(matrix)}" for name, matrix in zip("MCK", matrices, strict=True)]
