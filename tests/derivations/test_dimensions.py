@@ -87,3 +87,10 @@ def test_require_consistent_names_the_failing_expression():
     wrong = type(check)("a wrong one", q1 * q2 * u, LENGTH)
     with pytest.raises(DimensionError, match="a wrong one"):
         require_consistent((check, wrong))
+
+
+def test_a_product_with_zero_has_every_dimension():
+    nothing = sympy.Mul(sympy.Integer(0), m1, evaluate=False)
+    assert dimension_of(sympy.Add(k1 * q1, nothing, evaluate=False), DIMENSIONS) == FORCE
+    hidden = sympy.Add(q1, -q1, evaluate=False)
+    assert dimension_of(sympy.Mul(m1, hidden, evaluate=False), DIMENSIONS) in (None, MASS * LENGTH)

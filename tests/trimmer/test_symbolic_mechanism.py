@@ -21,7 +21,7 @@ from trimmer.contact.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import printed_symbols
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
@@ -218,6 +218,24 @@ def test_what_is_zero_is_left_out():
     symbolic = symbolic_mechanism(mechanism).mechanism
     assert symbolic.contacts == symbolic.frictions == ()
     assert len(symbolic.springs) == len(symbolic.dampers) == 1
+
+
+def test_a_contact_with_a_spring_or_a_damper_alone_is_kept():
+    mechanism = one_body(
+        plays={
+            "soft": Play((GROUND, "a"), stiffness=3.0, gap=4e-5),
+            "oiled": Play((GROUND, "a"), damping=2.0, gap=4e-5, law=ContactLaw.PULLING),
+        },
+        stops={
+            "bumper": Stop((GROUND, "a"), stiffness=5.0, gap=4e-5),
+            "pad": Stop((GROUND, "a"), damping=7.0, gap=4e-5, law=ContactLaw.PULLING),
+            "nothing": Stop((GROUND, "a"), gap=4e-5),
+        },
+    )
+    symbolic = symbolic_mechanism(mechanism)
+    assert [each.name for each in symbolic.mechanism.contacts] == ["soft", "oiled", "bumper", "pad"]
+    held = [(each.stiffness != 0, each.damping != 0) for each in symbolic.mechanism.contacts]
+    assert held == [(True, False), (False, True), (True, False), (False, True)]
 
 
 @settings(max_examples=8)

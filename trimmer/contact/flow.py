@@ -223,16 +223,17 @@ class ExactFlow:
 
     def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
         """Go on for a number of drive periods, at least 1, and keep the state between them."""
-        if not self.modes.layout.ramp:
-            stretch = advance(self.modes, instant, periods, self.period, False, most_steps)
-            return Strobe(stretch.states, stretch.counts, stretch.end, stretch.ending)
         # What moves on for ever forces each period in a way of its own.
-        stretches = [advance(self.modes, instant, 1, self.period, False, most_steps)]
-        while len(stretches) < periods and stretches[-1].ending is Ending.REACHED_END:
-            stretches.append(advance(self.modes, stretches[-1].end, 1, self.period, False, most_steps))
-        states = [instant.state, *(each.states[1:] for each in stretches)]
-        counts = np.concatenate([each.counts for each in stretches])
-        return Strobe(np.vstack(states), counts, stretches[-1].end, stretches[-1].ending)
+        portions = ([1] * periods if self.modes.layout.ramp else []) or [periods]
+        states, counts, end = [instant.state[None]], [], instant
+        for portion in portions:
+            stretch = advance(self.modes, end, portion, self.period, False, most_steps)
+            states.append(stretch.states[1:])
+            counts.append(stretch.counts)
+            end = stretch.end
+            if stretch.ending is not Ending.REACHED_END:
+                break
+        return Strobe(np.concatenate(states), np.concatenate(counts), end, stretch.ending)
 
     def course(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Course:
         """Go on for a number of drive periods, and keep the motion."""

@@ -95,7 +95,5 @@ def _fallen(taylor: Reals, stretch: float, decay: float, low: float, high: float
             break
         if not low < following < high:
             following = 0.5 * (low + high)
-            if not low < following < high:
-                break
         point = following
     return point

@@ -83,3 +83,15 @@ def test_matrices_need_the_same_shape_and_entries():
     assert prove_equal_matrices(square, square.T).holds
     assert "shapes" in prove_equal_matrices(square, sympy.Matrix([[x, y]])).method
     assert "(2, 1)" in prove_equal_matrices(square, sympy.Matrix([[x, y], [x, x]])).method
+
+
+def test_what_only_simplification_shows_is_told_so():
+    x = sympy.Symbol("x", positive=True)
+    proof = prove_equal(sympy.log(x**2 + x), sympy.log(x) + sympy.log(x + 1))
+    assert (proof.holds, proof.sampled, proof.method) == (True, False, "difference simplifies to zero")
+
+
+def test_a_derivative_of_what_is_no_function_alone_is_carried_out():
+    power = sympy.Derivative(q1**3, t)
+    assert prove_equal(power, 3 * q1**2 * q1.diff(t)).holds
+    assert not prove_equal(power, 2 * q1**2 * q1.diff(t)).holds

@@ -79,3 +79,17 @@ def test_every_letter_has_a_meaning(declared):
     for step in declared:
         for equality in step.equalities:
             assert equality.closed.free_symbols <= known
+
+
+def test_what_is_shown_is_the_closed_form_not_what_it_came_from(declared):
+    ideal = 4 * LEVEL / (sympy.pi * HARMONIC * A)
+    expected = {
+        r"N_n(r = 1)": ideal * sympy.cos(HARMONIC * CORNER),
+        r"N_n(r = -1)": ideal * sympy.exp(-sympy.I * HARMONIC * CORNER),
+        r"N_n(\Delta = 0)": ideal,
+        r"\lim N_n": ideal,
+        r"\lim N_1": 4 * LEVEL / (sympy.pi * A),
+        r"N_1(A = \Delta)": SLOPE,
+    }
+    shown = {each.name: each.closed for step in declared for each in step.equalities}
+    assert {name: shown[name] for name in expected} == expected

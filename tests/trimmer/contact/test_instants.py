@@ -209,6 +209,8 @@ def test_a_ramp_goes_on_over_the_periods_of_a_strobe_until_it_ends() -> None:
     limited = flow.strobe(flow.rest(), 3, 0)
     assert limited.ending is Ending.STEP_LIMIT
     assert limited.counts.shape == (1, 6)
+    with pytest.raises(ValueError, match="at least 1, not 0"):
+        flow.strobe(flow.rest(), 0)
 
 
 @pytest.mark.parametrize("keeps", [True, False])

@@ -116,3 +116,13 @@ def test_the_spring_decides_when_the_gap_closes() -> None:
         found = search([0.5, -1.0], stretch, 4.0)
         assert (found > 0.5) == (stretch > 0.0)
         assert found - 0.5 == pytest.approx(stretch * math.exp(-4.0 * found), rel=1e-13)
+
+
+@pytest.mark.parametrize("stretch", [0.2, -0.2])
+def test_the_slope_of_the_gap_is_compared_with_the_fastest_that_the_spring_can_relax(stretch: float) -> None:
+    # g = 0.32 - s falls at 1, the spring at most at 0.2 decay: 0.98, and 1.02.
+    found = search([0.32, -1.0], stretch, 4.9)
+    with mpmath.workdps(30):
+        expected = mpmath.findroot(lambda s: mpmath.mpf(0.32) - s + stretch * mpmath.exp(-4.9 * s), found)
+    assert found == pytest.approx(float(expected), rel=1e-14, abs=0.0)
+    assert search([0.32, -1.0], stretch, 5.1) == UNSURE

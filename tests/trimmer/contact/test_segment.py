@@ -175,3 +175,23 @@ def test_contact_is_made_where_gap_and_spring_say(gap: float, stretch: float) ->
         spring = stretch * math.exp(-16 * elapsed)
         assert gap - elapsed / STEP + spring == pytest.approx(0.0, abs=1e-14)
         assert work.state[1] == pytest.approx(spring, rel=1e-12)
+
+
+def test_a_spring_that_has_left_the_neighbourhood_of_contact_is_left_out_from_then_on() -> None:
+    # Stretched by 0.1 it is less than two stretches away from contact, one short step later it is not.
+    tables, work = relaxing((0.25,), -0.1, 16.0)
+    tables.step[0] = STEP / 8
+    assert segment._is_near(tables, work, 0)
+    fired, _, elapsed, steps = segment.follow(tables, work, 0, -2, 2.125 * STEP, 100)
+    assert (fired, elapsed, steps) == (NO_EVENT, 2.125 * STEP, 3)
+
+
+def test_a_spring_that_may_decide_is_taken_in_although_it_was_not_near() -> None:
+    # The gap closes by less than the spring can relax in the same time: the step is done with the spring.
+    tables, work = relaxing((0.15, -0.28), 0.1, 12.0)
+    assert not segment._is_near(tables, work, 0)
+    fired, jumped, elapsed, steps = segment.follow(tables, work, 0, -2, STEP, 100)
+    assert (fired, jumped, steps) == (1, False, 1)
+    fraction = elapsed / STEP
+    assert 0.15 - 0.28 * fraction + 0.1 * math.exp(-3 * fraction) == pytest.approx(0.0, abs=1e-13)
+    assert work.state[1] == pytest.approx(0.1 * math.exp(-3 * fraction), rel=1e-12)

@@ -145,3 +145,14 @@ def test_the_names_of_the_first_version_are_no_arguments() -> None:
 def test_stamps_that_are_rounded_count_as_equally_spaced() -> None:
     times = np.round(np.arange(0.0, 1.0, 1 / 3000), 10)
     assert time_response(FIRST_ORDER, times, np.ones(times.size)).outputs.shape == times.shape
+
+
+def test_two_instants_suffice() -> None:
+    response = time_response(FIRST_ORDER, [2.0, 5.0], [1.0, 1.0], [4.0])
+    np.testing.assert_allclose(response.outputs, [4.0, 1.0 + 3.0 * math.exp(-3.0)], rtol=1e-14)
+
+
+@pytest.mark.parametrize("later", [0.4, 0.5])
+def test_the_first_instant_that_does_not_rise_is_named(later: float) -> None:
+    with pytest.raises(ValueError, match=rf"but 0\.5 s is followed by {later} s"):
+        time_response(FIRST_ORDER, [0.0, 0.25, 0.5, later, 0.2], np.zeros(5))
