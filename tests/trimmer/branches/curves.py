@@ -10,6 +10,7 @@ import numpy as np
 from tests.trimmer.branches.maps import Given, Single
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import Phase
+from trimmer.branches.step import Front, begun
 from trimmer.errors import UnsupportedMotionError
 
 Curve = Callable[[float], np.ndarray]
@@ -60,3 +61,13 @@ def parabola(**others: object) -> OnCurve:
         lambda p: np.array([2.0 * p, 3.0]),
         **others,  # type: ignore[arg-type]
     )
+
+
+def line_front(map: object, value: float, state: float, sign: float = 1.0) -> Front:
+    """Return the front of a branch of a map with one state, towards larger values or smaller ones."""
+    problem = Problem(map, 1.0, np.ones(1))  # type: ignore[arg-type]
+    place = problem.correct(np.array([state, value]), np.array([0.0, 1.0]), value)
+    assert place is not None
+    tangent = place.tangent(np.array([0.0, sign]))
+    assert tangent is not None
+    return begun(problem, place, tangent)

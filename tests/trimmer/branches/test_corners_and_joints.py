@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, parabola
+from tests.trimmer.branches.curves import OnCurve, line_front, parabola
 from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.corner import _tangents, turned
@@ -23,15 +23,6 @@ from trimmer.branches.switching import _critical, _first, parted_fronts
 
 ALONG = np.array([0.0, 0.0, 1.0])
 ALONE = FollowSettings(switches=0, quiet=True)
-
-
-def line_front(map: object, value: float, state: float, sign: float = 1.0) -> Front:
-    problem = Problem(map, 1.0, np.ones(1))  # type: ignore[arg-type]
-    place = problem.correct(np.array([state, value]), np.array([0.0, 1.0]), value)
-    assert place is not None
-    tangent = place.tangent(np.array([0.0, sign]))
-    assert tangent is not None
-    return begun(problem, place, tangent)
 
 
 def test_a_corner_is_passed_or_turned_at() -> None:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, parabola
+from tests.trimmer.branches.curves import OnCurve, line_front, parabola
 from tests.trimmer.branches.maps import Cubic, Failing, Given, Logistic, Torn
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.continuation import _by_modulus, _first_front, _interval, continuation
@@ -39,15 +39,6 @@ def front_at(map: OnCurve, value: float, problem: Problem | None = None) -> Fron
     tangent = place.tangent(ALONG)
     assert tangent is not None
     return begun(place.problem, place, tangent)
-
-
-def line_front(map: object, value: float, state: float, sign: float = 1.0) -> Front:
-    problem = Problem(map, 1.0, np.ones(1))  # type: ignore[arg-type]
-    place = problem.correct(np.array([state, value]), np.array([0.0, 1.0]), value)
-    assert place is not None
-    tangent = place.tangent(np.array([0.0, sign]))
-    assert tangent is not None
-    return begun(problem, place, tangent)
 
 
 def test_an_interval_holds_what_is_inside_and_not_its_ends() -> None:
