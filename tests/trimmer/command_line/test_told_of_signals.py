@@ -9,7 +9,7 @@ from types import SimpleNamespace as Made
 import numpy as np
 import pytest
 
-from tests.trimmer.command_line.test_told import cells
+from tests.trimmer.command_line.told import cells
 from trimmer.command_line.signals import averaged_text, overlay_text, spectrum_text
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, Match, NaturalMode
