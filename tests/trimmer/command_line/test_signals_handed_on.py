@@ -11,13 +11,12 @@ import numpy as np
 import pytest
 
 import trimmer
-from tests.trimmer.command_line.test_handed_on import Called, as_words, replaced, written
+from tests.trimmer.command_line.handed_on import Called, as_words
 from trimmer.command_line.loops import loop_options
 from trimmer.command_line.main import main
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.signals import fit, overlay, signal_options
 
-__all__ = ["replaced", "written"]
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
 
