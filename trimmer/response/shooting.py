@@ -29,6 +29,8 @@ SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
 STILL = 1e-1
 """Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
+SINGULAR = 1e-12
+"""Share of the largest singular value of Newton's matrix below which one is rounding."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -86,6 +88,16 @@ def _rate(course: Course, instant: Instant, forcing: Reals) -> Reals:
     return rate
 
 
+def _shortest(matrix: Reals, right: Reals) -> Reals:
+    """Solve linear equations; where they are singular to rounding, with the shortest solution.
+
+    So of the motions that friction or a free position allows side by side, Newton's method finds the nearest.
+    """
+    if np.linalg.cond(matrix) * SINGULAR > 1.0:
+        return np.asarray(np.linalg.lstsq(matrix, right, rcond=SINGULAR)[0], float)
+    return np.asarray(np.linalg.solve(matrix, right), float)
+
+
 @dataclass(frozen=True, eq=False)
 class Return:
     """The problem of a state that returns.
@@ -120,11 +132,11 @@ class Return:
         """Return Newton's correction of the state, (n,), and of the duration, s.
 
         Raises:
-            LinAlgError: if the derivative is singular.
+            LinAlgError: if no correction can be told, as of numbers that are not finite.
         """
         matrix = shot.monodromy * shot.sizes / shot.sizes[:, None] - np.eye(len(shot.gap))
         if self.periods:
-            return -np.linalg.solve(matrix, shot.gap) * shot.sizes, 0.0
+            return -_shortest(matrix, shot.gap) * shot.sizes, 0.0
         # The state may slide along the orbit: the correction is to be at right angles to it.
         tangent, rate = (each / shot.sizes for each in shot.rates)
         bordered = np.block([[matrix, rate[:, None]], [tangent[None], np.zeros((1, 1))]])

@@ -17,7 +17,7 @@ from trimmer.mechanism import Force
 from trimmer.response.energy import energy_of
 from trimmer.response.response_json import response_json
 
-QUICK = (0, 4, 7, 11, 13, 15, 24, 25, 27, 29, 38, 43, 51, 54, 58)
+QUICK = (0, 4, 7, 11, 13, 15, 24, 25, 27, 29, 38, 43, 51, 54, 58, 280)
 BRUTE = (4, 25, 98, 107)
 PERIODS = 200
 
