@@ -4,20 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing.look import BLACK
 from trimmer.drawing.mechanisms.branch import branch_figure
 
 FOLD = 8.566394 / (2 * np.pi)
 """Published of pyHarm's example, see ``machines.impact_oscillator``; Hz."""
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def test_a_branch_is_drawn_with_its_stability() -> None:

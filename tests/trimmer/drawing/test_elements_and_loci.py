@@ -7,12 +7,11 @@ from types import SimpleNamespace
 import control
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.balance.limit_cycle import HarmonicBalance
 from trimmer.drawing import describing_function, identification, locus
 from trimmer.drawing.describing_function import amplitudes_of
@@ -23,10 +22,6 @@ from trimmer.drawing.plane import inverse
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 RELAY = trimmer.Relay(1.0)
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def test_amplitudes_begin_at_the_smallest_and_are_close_together_there() -> None:

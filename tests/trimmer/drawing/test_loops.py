@@ -7,19 +7,15 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import same_color
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.balance.limit_cycle import HarmonicBalance
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.locus import balance_figure
 from trimmer.drawing.look import UNSTABLE
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def line(axes: Axes, label: str) -> np.ndarray:

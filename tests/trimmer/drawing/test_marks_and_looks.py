@@ -11,6 +11,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing import look
 from trimmer.drawing.along import Along, plot_along
 from trimmer.drawing.axes import add_legend, axes_for
@@ -18,10 +19,6 @@ from trimmer.drawing.content import content_of, figure_of, head, new_figure
 from trimmer.drawing.marks import arrow, as_pair, critical_point, limit_cycle
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis, prefix_for, with_prefix
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def test_lines_are_told_apart_by_their_dashes() -> None:

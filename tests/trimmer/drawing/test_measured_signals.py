@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing.look import LINES, colour
 from trimmer.drawing.signals import comparison as of_comparison
 from trimmer.drawing.signals import fit as of_fit
@@ -20,10 +20,6 @@ from trimmer.fitting.result import Fit
 from trimmer.signals.quantity import Quantity
 from trimmer.spectra.classification import Harmonic, LimitCycleLine, NaturalMode
 from trimmer.spectra.harmonics import HarmonicFit
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def assert_framed(axes: Axes) -> None:

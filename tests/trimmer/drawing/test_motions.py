@@ -5,16 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def bars(axes: Axes, name: str) -> np.ndarray:

@@ -5,18 +5,13 @@ from __future__ import annotations
 import control
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing.frequency_response import summary_figure
 from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.samples import MOST_POINTS, thinned
-
-
-def new_axes() -> Axes:
-    return Figure().add_subplot()
 
 
 def test_samples_are_drawn_over_time() -> None:
