@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.machine import independent
+from trimmer.contact.machine import NO_STATE, independent, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
     ARRIVED,
@@ -86,11 +86,11 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
     contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses)
     hold = np.eye(len(flow))
-    for contact, z in enumerate(machine.relaxing_state):
-        if z >= 0 and statuses[contact] in PUSHING:
+    for contact, z in relaxing_springs(machine):
+        if statuses[contact] in PUSHING:
             hold[z] = machine.contact_distance[contact]
             hold[z, -1] -= offset(machine, contact, statuses[contact])
-        elif z >= 0 and statuses[contact] == FREE:
+        elif statuses[contact] == FREE:
             hold[z] = 0.0
     functions = list(_of_contacts(machine, statuses))
     sticking = np.array([i for i, each in enumerate(statuses[contacts:]) if each == STICK], dtype=np.intp)
@@ -119,7 +119,7 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
         if status in PUSHING:
             force = force_of(machine, contact, status)
             flow[bodies : 2 * bodies] += machine.contact_push[contact][:, None] * force
-            if z >= 0:
+            if z != NO_STATE:
                 flow[z] = machine.contact_rate[contact]
         elif status == RELAXING:
             flow[z, z] = -machine.stiffness[contact] / machine.damping[contact]

@@ -15,7 +15,7 @@ import numpy as np
 from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
 from trimmer.contact.joint import decide
-from trimmer.contact.machine import machine_of
+from trimmer.contact.machine import NO_STATE, machine_of
 from trimmer.contact.nodes import Nodes, nodes, sample
 from trimmer.contact.statuses import (
     ALWAYS,
@@ -174,12 +174,10 @@ class ExactFlow:
             held = self.modes[self.modes.number(like.statuses)].hold @ extended
             return replace(like, state=held[: self.size], periods=0, phase=phase)
         contacts = [self._contact(contact, extended, stretched) for contact in range(len(machine.stiffness))]
-        negligible = 2.0**-56 * np.array(
-            [abs(each).max(initial=0.0) for each in machine.contact_distance @ extended[:, None]]
-        )
+        negligible = 2.0**-56 * abs(machine.contact_distance @ extended)
         speeds = machine.friction_rate @ extended
         # A wave that turns back is at rest, although the cosine of its phase is rounding.
-        largest = np.concatenate([abs(extended[: self.size]), np.maximum(abs(extended[self.size :]), 1.0)])
+        largest = np.concatenate([abs(extended[: self.size]), np.ones(layout.forcing)])
         sizes = abs(machine.friction_rate) @ largest
         slow = abs(speeds) <= AT_REST * sizes
         frictions = [
@@ -198,23 +196,25 @@ class ExactFlow:
         """Return the status of a contact, and set the stretch of its spring if that is not given."""
         machine = self.modes.machine
         z = machine.relaxing_state[contact]
+        relaxes = z != NO_STATE
         distance = machine.contact_distance[contact] @ extended
         upper, lower = machine.offsets[contact]
         if machine.always[contact]:
-            if z >= 0:
+            if relaxes:
                 extended[z] = distance
             return ALWAYS
         nearest = distance - min(max(distance, lower), upper)
-        if z >= 0 and not stretched:
+        if relaxes and not stretched:
             extended[z] = nearest
-        held = z >= 0 and stretched and extended[z] != 0
+        held = relaxes and stretched and extended[z] != 0
         side = PLUS if distance >= upper else MINUS if distance <= lower else FREE
         if held:
             reach = distance - extended[z]
             side = PLUS if reach >= upper else MINUS if reach <= lower else FREE
         if side == FREE:
             return RELAXING if held else FREE
-        force = force_of(machine, contact, side) @ extended * (1 if side == PLUS else -1)
+        force = force_of(machine, contact, side) @ extended
+        force = force if side == PLUS else -force
         if machine.law[contact] == RELAXES:
             return side if force >= 0 else RELAXING
         if machine.law[contact] == TRUNCATES and force < 0:
@@ -270,5 +270,5 @@ class ExactFlow:
     ) -> Course:
         log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
         if duration is None or ending is not Ending.REACHED_END:
-            duration = (end.periods - begin.periods) * self.period + end.phase
+            duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
         return Course(self.modes, begin, end, ending, float(duration), log)

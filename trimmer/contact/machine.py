@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from trimmer.mechanism.mechanism import Mechanism
 
+NO_STATE = -1
+"""In place of the place of z of a contact without a relaxing spring."""
 _LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactLaw.PULLING: PULLS}
 
 
@@ -31,7 +33,7 @@ class Machine(NamedTuple):
         offsets: Distances at which contact begins on the plus side, and on the minus side with its sign, m,
             infinite for none: (m, 2).
         law: Contact laws, (m,).
-        relaxing_state: Place of z in the extended state, -1 for none, (m,).
+        relaxing_state: Place of z in the extended state, ``NO_STATE`` for none, (m,).
         always: Whether a contact has no gap and so never ends, (m,).
         friction_rate: Velocities of end relative to start as functionals, (p, N).
         friction_push: Accelerations by a force of 1 N on the end, (p, n).
@@ -69,6 +71,11 @@ def machine_of(mechanism: Mechanism) -> tuple[Machine, Layout]:
         **_frictions(mechanism, frictions, layout, rows),
     )
     return machine, layout
+
+
+def relaxing_springs(machine: Machine) -> list[tuple[int, int]]:
+    """Return the contacts with a relaxing spring, each with the place of its z in the extended state."""
+    return [(contact, int(z)) for contact, z in enumerate(machine.relaxing_state) if z != NO_STATE]
 
 
 def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
@@ -117,7 +124,10 @@ def _contacts(contacts: Mapping[str, Play | Stop], layout: Layout, rows: Rows) -
         "offsets": np.array([_offsets(part) for part in parts], dtype=np.float64).reshape(count, 2),
         "law": np.array([PULLS if p.damping == 0 else _LAWS[p.law] for p in parts], dtype=np.int64),
         "relaxing_state": np.array(
-            [first + layout.relaxing.index(name) if name in layout.relaxing else -1 for name in contacts],
+            [
+                first + layout.relaxing.index(name) if name in layout.relaxing else NO_STATE
+                for name in contacts
+            ],
             dtype=np.int64,
         ),
         "always": np.array([_never_ends(part) for part in parts], dtype=np.int64),

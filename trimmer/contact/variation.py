@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.contact.machine import relaxing_springs
 from trimmer.contact.statuses import FREE
 from trimmer.motion.taylor import DEGREE
 
@@ -38,8 +39,8 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
     rows = len(log.start)
     row = 0
     while row < rows:
-        following = row + 1
-        while following < rows and log.start[following] == log.start[row] and log.kind[row] >= 0:
+        following = row
+        while following < rows and log.start[following] == log.start[row]:
             following += 1
         last = following - 1  # Of the segments at one instant, the last one is that which goes on.
         if row > 0:
@@ -54,8 +55,8 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
 def _fitted(modes: Modes, mode: int, distances: Reals) -> Reals:
     """Return distances that fit what a mode holds; a spring that has relaxed may have been stretched."""
     fitted: Reals = modes[mode].hold[: len(distances), : len(distances)] @ distances
-    for contact, z in enumerate(modes.machine.relaxing_state):
-        if z >= 0 and modes[mode].statuses[contact] == FREE:
+    for contact, z in relaxing_springs(modes.machine):
+        if modes[mode].statuses[contact] == FREE:
             fitted[z] = distances[z]
     return fitted
 
@@ -68,13 +69,12 @@ def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
     steps = max(math.ceil(duration / step) - 1, 0)
     powers = (duration / step - steps) ** np.arange(DEGREE + 1)
     flow = (powers @ tables.series[settled].reshape(size, DEGREE + 1, size)[:count, :, :count]).T
-    if steps > 0:
-        flow = flow @ np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
-    distances[:] = flow @ distances
+    whole = np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
+    distances[:] = flow @ whole @ distances
     machine = modes.machine
-    for contact, z in enumerate(machine.relaxing_state):
+    for contact, z in relaxing_springs(machine):
         # Springs that relax, or that have relaxed, are left out of the flow.
-        if z >= 0 and modes[settled].statuses[contact] == FREE:
+        if modes[settled].statuses[contact] == FREE:
             distances[z] *= np.exp(-machine.stiffness[contact] / machine.damping[contact] * duration)
 
 
@@ -90,7 +90,7 @@ def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> No
     gradient = before.functions[int(log.function[events[0]])].row
     rates = before.flow @ log.state[first]
     slope = gradient @ rates
-    if slope != 0:
+    if slope:
         jump = (after.flow @ state - rates)[:count] / slope
         distances += np.outer(jump, gradient[:count] @ distances)
     distances[:] = _fitted(modes, int(log.mode[last]), distances)

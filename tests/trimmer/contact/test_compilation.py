@@ -1,12 +1,14 @@
 """Compiled code of the contact package: nothing at import, and no stale machine code."""
 
 import ast
+import hashlib
 import subprocess
 import sys
 from pathlib import Path
 
 import trimmer.contact
-from trimmer.contact.compilation import SOURCES
+from trimmer.contact.compilation import SOURCES, sources
+from trimmer.motion import compilation as of_motion
 
 IMPORT_ALONE = """
 from numba.core.dispatcher import Dispatcher
@@ -40,3 +42,11 @@ def test_a_change_in_any_module_with_compiled_code_is_noticed() -> None:
     assert {"integration", "step_event", "relaxing_root", "series", "nodes"} <= compiled <= set(SOURCES)
     # Constants that compiled code closes over come from these.
     assert {"statuses"} <= imported("integration") & set(SOURCES)
+
+
+def test_the_digest_is_that_of_all_modules() -> None:
+    motion = Path(of_motion.__file__).parent
+    of_loops = b"".join((motion / f"{module}.py").read_bytes() for module in of_motion.SOURCES)
+    assert of_motion.sources() == hashlib.sha256(of_loops).digest()
+    own = b"".join((FOLDER / f"{module}.py").read_bytes() for module in SOURCES)
+    assert sources() == hashlib.sha256(of_motion.sources() + own).digest()

@@ -92,7 +92,7 @@ def test_an_instant_takes_a_start_from_the_mechanism_and_from_the_caller() -> No
     assert flow.names == ("one", "two", "one'", "two'", "soft")
     assert (flow.size, flow.period) == (5, 0.0)
     # Stretches count as zero below a share of the distance, here 4.9 m.
-    assert flow.rest({"two": (5.0, 6.0)}).negligible == pytest.approx([2.0**-56 * 4.9])
+    assert flow.rest({"two": (5.0, 6.0)}).negligible == pytest.approx([2.0**-56 * 4.9], rel=1e-14, abs=0)
     assert flow.at(flow.rest().state, 0.7).phase == 0.7
 
 

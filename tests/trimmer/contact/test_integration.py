@@ -23,6 +23,7 @@ from trimmer.contact.integration import (
     Task,
 )
 from trimmer.contact.statuses import BROKEN, KINDS, NOTHING, REVERSED, STICK_BEGUN
+from trimmer.contact.step_event import NO_EVENT
 from trimmer.contact.work import Log
 from trimmer.motion import first_event as first_event_of_motion
 from trimmer.motion.taylor import bernstein_from_taylor
@@ -167,6 +168,24 @@ def test_what_is_known_to_vanish_is_forgotten_when_time_goes_on() -> None:
     run(tables, work, log_of(9), task_of(1, 1.5 * STEP, True))
     assert work.known_zeros.tolist() == [0] * 4
     assert work.known_action.tolist() == [BROKEN, BROKEN, -1, -1]
+
+
+def test_the_row_that_no_event_begins_says_so() -> None:
+    tables, task, log = between_walls(), task_of(1, 0.1 * STEP, True), log_of(3)
+    for each in log:
+        each[:] = 7
+    assert run(tables, work_at(tables, 0.0, 5.0, 1.0), log, task)[0] == REACHED_END
+    assert [each[0].tolist() for each in log] == [0.0, 0, [0.0, 5.0, 1.0], -1, NOTHING, -1]
+    place = Place(1, 2, 3, 4.0, 5)
+    assert (place.fired, place.jumped) == (NO_EVENT, False)
+
+
+def test_what_forces_comes_last_in_the_state() -> None:
+    tables, log = between_walls(), log_of(3)
+    task = task_of(1, 0.1 * STEP, True)._replace(forcing=np.array([5.5, 1.0]), states=np.zeros((2, 1)))
+    assert run(tables, work_at(tables, 0.0, 9.0, 9.0), log, task)[0] == REACHED_END
+    assert log.state[0].tolist() == [0.0, 5.5, 1.0]
+    assert task.states[1].tolist() == pytest.approx([0.1])
 
 
 def test_a_log_has_room_for_more_and_gives_its_first_rows() -> None:

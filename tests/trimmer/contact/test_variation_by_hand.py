@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import scipy.linalg
 
 from trimmer.contact.flow import ExactFlow
-from trimmer.contact.statuses import CONTACT_MADE, REVERSED, STICK_BEGUN
+from trimmer.contact.statuses import CONTACT_MADE, FREE, PLUS, REVERSED, STICK_BEGUN
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Stop
+from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Stop
 
 BETWEEN = ("ground", "body")
 
@@ -72,3 +73,81 @@ def test_a_stretch_that_relaxes_in_flight_dies_out_by_itself() -> None:
         expected = [[1.0, 0.25, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, math.exp(-10 / 3)]]
         np.testing.assert_allclose(course.monodromy, expected, rtol=1e-12, atol=1e-15)
         assert course.end.state == pytest.approx([0.075, 0.3, stretch * math.exp(-10 / 3)], rel=1e-12)
+
+
+def oscillator(**parts) -> ExactFlow:
+    """2 kg on a spring of 8 N/m with a damper: q'' = -4 q - 0.3 q'."""
+    links = {"spring": Link(BETWEEN, 8.0, 0.6), **parts.pop("links", {})}
+    return ExactFlow(Mechanism({"body": Body(2.0)}, links=links, start={"body": (0.2, -0.1)}, **parts))
+
+
+SWINGING = np.array([[0.0, 1.0], [-4.0, -0.3]])
+
+
+@pytest.mark.parametrize("share", [0.97, 1.0, 6.96, 7.0, 7.04])
+def test_over_many_steps_it_is_the_flow(share: float) -> None:
+    flow = oscillator()
+    duration = share * float(flow.modes.tables.step[flow.modes.number(flow.rest().statuses)])
+    monodromy = flow.timed(flow.rest(), duration).monodromy
+    np.testing.assert_allclose(monodromy, scipy.linalg.expm(SWINGING * duration), rtol=0, atol=1e-13)
+
+
+def test_a_new_period_is_no_event() -> None:
+    flow = oscillator(
+        frequency=0.8, pins={"base": Pin("ground", 1.0)}, links={"drive": Link(("base", "body"), 1e-3)}
+    )
+    course = flow.course(flow.rest(), 3)
+    assert course.log.start.tolist() == pytest.approx([0.0, 1.25, 2.5])
+    expected = scipy.linalg.expm((SWINGING - [[0.0, 0.0], [5e-4, 0.0]]) * 3.75)
+    np.testing.assert_allclose(course.monodromy, expected, rtol=1e-12)
+
+
+def test_what_happens_at_the_start_turns_nothing() -> None:
+    # It is said to be free 0.1 m behind a wall, so contact is made at once.
+    wall = Stop(BETWEEN, 40.0, 3.0, 0.5, ContactLaw.TRUNCATED)
+    flow = ExactFlow(Mechanism({"body": Body(2.0)}, stops={"wall": wall}, start={"body": (0.6, 0.7)}))
+    course = flow.timed(replace(flow.rest(), statuses=(FREE,)), 0.02)
+    assert course.log.start.tolist() == [0.0, 0.0]
+    assert course.end.statuses == (PLUS,)
+    expected = scipy.linalg.expm(np.array([[0.0, 1.0], [-20.0, -1.5]]) * 0.02)
+    np.testing.assert_allclose(course.monodromy, expected, rtol=1e-13)
+
+
+def test_two_walls_that_are_met_at_one_instant_turn_distances_once() -> None:
+    first, second = (
+        Stop(BETWEEN, stiffness, damping, 0.5, ContactLaw.TRUNCATED)
+        for stiffness, damping in ((40.0, 3.0), (10.0, 0.5))
+    )
+    mechanism = Mechanism(
+        {"body": Body(2.0)}, stops={"first": first, "second": second}, start={"body": (0.0, 0.7)}
+    )
+    flow = ExactFlow(mechanism)
+    flight, contact = 0.5 / 0.7, 0.05
+    course = flow.timed(flow.rest(), flight + contact)
+    assert [(part, kind) for _, part, kind in course.events] == [(0, CONTACT_MADE), (1, CONTACT_MADE)]
+    assert course.log.start[1] == course.log.start[2]
+    pressed = scipy.linalg.expm(np.array([[0.0, 1.0], [-25.0, -1.75]]) * contact)
+    expected = pressed @ [[1.0, 0.0], [-1.75, 1.0]] @ [[1.0, flight], [0.0, 1.0]]
+    np.testing.assert_allclose(course.monodromy, expected, rtol=1e-11)
+
+
+def test_contact_gives_a_relaxing_spring_its_length() -> None:
+    # The first stop is far and has no state; the spring of the second one is the third state.
+    stops = {
+        "far": Stop(BETWEEN, 1.0, 1.0, 90.0, ContactLaw.TRUNCATED),
+        "wall": Stop(BETWEEN, 40.0, 3.0, 0.5, ContactLaw.RELAXING),
+    }
+    flow = ExactFlow(Mechanism({"body": Body(2.0)}, stops=stops, start={"body": (0.0, 0.7)}))
+    flight, contact = 0.5 / 0.7, 0.05
+    course = flow.timed(flow.rest(), flight + contact)
+    pressed = scipy.linalg.expm(np.array([[0.0, 1.0], [-20.0, -1.5]]) * contact)
+    expected = np.zeros((3, 3))
+    expected[:2, :2] = pressed @ [[1.0, 0.0], [-1.5, 1.0]] @ [[1.0, flight], [0.0, 1.0]]
+    expected[2] = expected[0]
+    np.testing.assert_allclose(course.monodromy, expected, rtol=1e-11, atol=1e-13)
+    # From a start in contact it has the length at once; free and relaxed it keeps what it has.
+    pressed_from = flow.timed(flow.rest({"body": (0.6, 0.0)}), contact).monodromy
+    np.testing.assert_allclose(pressed_from[:2, :2], pressed, rtol=1e-12)
+    np.testing.assert_allclose(pressed_from[2], pressed_from[0], rtol=1e-12)
+    free = flow.timed(flow.rest(), 0.1).monodromy
+    assert free[2].tolist() == pytest.approx([0.0, 0.0, math.exp(-4 / 3)], rel=1e-13)
