@@ -140,12 +140,12 @@ class _Progress:
         self.states = np.empty((periods + 1, modes.layout.state_count))
         self.states[0] = instant.state
         self.counts = np.zeros((periods, KINDS), dtype=np.int64)
-        self.cascade, self.cascade_at = 0, (-1, -1.0)
+        self.cascade: int
+        self.cascade_at: tuple[int, float] | None = None
 
     def _take(self, instant: Instant) -> None:
         free = self.modes.layout.state_count
         self.work.state[:free] = instant.state
-        self.work.state[free:] = self._forcing()
         self.work.known_zeros[:] = instant.known_zeros
         self.work.known_action[:] = instant.known_action
         self.work.negligible[:] = instant.negligible
@@ -190,8 +190,7 @@ class _Progress:
         at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
         alone = function.action not in (ARRIVED, AT_LIMIT) or len(at_rest) == 1
         if alone or (function.action == AT_LIMIT and not place.jumped):
-            if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] < 0:
-                self.modes.follow(*event)
+            self.modes.follow(*event)
             if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
                 return place
         machine, before = self.modes.machine, self.modes[self.mode].statuses
@@ -255,7 +254,7 @@ class _Progress:
             ending,
             self.log.first(place.row),
             self.states[: done + 1],
-            self.counts[: min(done + 1, len(self.counts))],
+            self.counts[: done + 1],
         )
 
     def _reached(self, done: int, time: float) -> tuple[int, float]:

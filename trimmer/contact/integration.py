@@ -18,6 +18,8 @@ from trimmer.motion.linear_combination import combine, copy
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT, GOES_ON = range(7)
 """Why the integration stopped, or that it goes on."""
+NOBODY = -2
+"""In place of the part that had the last event; ``JOINTLY`` is another."""
 LONGEST_CASCADE = 60
 """Events at one instant, after which the integration stops."""
 
@@ -112,14 +114,14 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, _Reached]:
         sources  # noqa: B018
         done, row, mode, time, steps_left, fired, jumped = place
-        cascade, recent, begun = 0, -2, fired != NO_EVENT
+        cascade, recent, begun = 0, NOBODY, fired != NO_EVENT
         reason = LOG_FULL
         while begun or row + 1 < log.start.size:
             if not begun:
                 if time == 0.0:
                     _force(tables, work, mode, task.forcing)
                 _begin(log, row, time, mode, work.state)
-                row, cascade, recent, begun = row + 1, 0, -2, True
+                row, cascade, recent, begun = row + 1, 0, NOBODY, True
             if fired == NO_EVENT:
                 fired, jumped, elapsed, steps = follow(
                     tables, work, mode, recent, task.length - time, steps_left

@@ -115,7 +115,7 @@ def layout_of(
         ramp,
         omega,
         tuple(mechanism.pins),
-        np.zeros((0, 0)),
+        np.array([]),
     )
     rows = Rows(mechanism, layout)
     pin_rows = np.array([rows.displacement(name) for name in mechanism.pins]).reshape(-1, layout.size)

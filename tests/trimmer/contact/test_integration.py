@@ -101,6 +101,19 @@ def test_a_log_that_is_full(keeps: bool) -> None:
         assert log.kind[0] == NOTHING
     assert task.counts.sum() == (2 if keeps else 5)
     assert run(tables, work_at(tables, 0.0, 5.0, 1.0), log_of(1), task)[0] == LOG_FULL
+    short = task_of(1, 0.1 * STEP, keeps)
+    assert run(tables, work_at(tables, 0.0, 5.0, 1.0), log_of(2), short)[0] == REACHED_END
+
+
+def test_a_log_that_is_not_kept_begins_again_with_the_last_event_that_had_room() -> None:
+    # Events are after 0.4, 1.2, 2.0, 2.8 and 3.6 steps; the second and the fourth one take the last row.
+    tables, log, task = between_walls(), log_of(4), task_of(1, 3.7 * STEP, False)
+    reason, place = run(tables, work_at(tables, 0.0, 5.0, 1.0), log, task)
+    assert (reason, place.row, place.mode) == (REACHED_END, 2, 1)
+    np.testing.assert_allclose(log.start[:2], np.array([2.8, 3.6]) * STEP, rtol=1e-12)
+    assert log.mode[:2].tolist() == [0, 1]
+    assert log.part[:2].tolist() == [-1, 0]
+    np.testing.assert_allclose(log.state[:2, 0], [-0.4, 0.4], rtol=1e-12)
 
 
 def test_it_goes_on_with_an_event_that_was_to_be_decided() -> None:
@@ -156,6 +169,20 @@ def test_events_without_end_at_one_instant_are_a_cascade() -> None:
     assert place.row == LONGEST_CASCADE + 1
 
 
+def test_events_that_time_lies_between_are_none() -> None:
+    tables, task = between_walls(), task_of(1, 56.1 * STEP, True)
+    reason, place = run(tables, work_at(tables, 0.0, 5.0, 1.0), log_of(99), task)
+    assert (reason, place.row) == (REACHED_END, 1 + 70)
+    # From the first wall on it turns back for ever.
+    tables.taylor[1, 0], tables.sizes[1, 0] = 0.0, 0.0
+    tables.taylor[1, 0, 2, 0], tables.sizes[1, 0, 0, 2] = -1.0, 1.0
+    tables.screen[1, :, 3:] = tables.taylor[1, 0] @ bernstein_from_taylor()[0]
+    tables.target[1], tables.known_zeros[:] = 1, 0
+    reason, place = run(tables, work_at(tables, 0.0, 5.0, 1.0), log_of(99), task)
+    assert (reason, place.row) == (CYCLING, 1 + 1 + LONGEST_CASCADE)
+    assert place.time == pytest.approx(0.4 * STEP, rel=1e-14)
+
+
 def test_what_is_known_to_vanish_is_forgotten_when_time_goes_on() -> None:
     tables = between_walls()
     tables.known_zeros[:] = 1
@@ -174,8 +201,9 @@ def test_the_row_that_no_event_begins_says_so() -> None:
     tables, task, log = between_walls(), task_of(1, 0.1 * STEP, True), log_of(3)
     for each in log:
         each[:] = 7
-    assert run(tables, work_at(tables, 0.0, 5.0, 1.0), log, task)[0] == REACHED_END
-    assert [each[0].tolist() for each in log] == [0.0, 0, [0.0, 5.0, 1.0], -1, NOTHING, -1]
+    work = work_at(tables, 0.0, 5.0, 1.0)
+    assert run(tables, work, log, task, mode=1, time=0.05 * STEP)[0] == REACHED_END
+    assert [each[0].tolist() for each in log] == [0.05 * STEP, 1, [0.0, 5.0, 1.0], -1, NOTHING, -1]
     place = Place(1, 2, 3, 4.0, 5)
     assert (place.fired, place.jumped) == (NO_EVENT, False)
 

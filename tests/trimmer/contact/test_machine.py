@@ -53,6 +53,14 @@ def rich() -> Mechanism:
     )
 
 
+def test_orders_of_the_drive_ascend() -> None:
+    forces = {"eighth": Force("one", amplitude=1.0, order=8), "first": Force("one", amplitude=1.0)}
+    mechanism = Mechanism({"one": Body(1.0)}, frequency=2.0, forces=forces)
+    assert machine_of(mechanism)[1].orders == (1, 8)
+    still = machine_of(replace(mechanism, frequency=None, forces={"weight": Force("one", 1.0)}))[1]
+    assert (still.orders, still.omega, still.period, still.pin_rows.shape) == ((), 0.0, 0.0, (0, 3))
+
+
 def test_the_layout_of_a_rich_mechanism() -> None:
     machine, layout = machine_of(rich())
     assert layout.bodies == ("motor", "cutter")

@@ -48,7 +48,8 @@ class CoupledRelays:
         influence = np.array([[-_row(system, i) @ system.B[:, j] for j in members] for i in members])
         scales = symmetrizing_scales(influence)
         if scales is None:
-            return cls((), np.zeros((0, 0)), np.zeros(0), np.zeros(0))
+            nothing = np.array([])
+            return cls((), nothing, nothing, nothing)
         return cls(members, directions, scales, np.array([_level(system, k) for k in members]))
 
     @property
@@ -121,7 +122,7 @@ class _Facets(dict[tuple[int, ...], "Reals"]):
 def _dependent(relays: list[int], directions: list[Reals]) -> tuple[tuple[int, ...], Reals]:
     """Return those whose direction is a combination of the others', and the directions of these."""
     if not relays:
-        return (), np.zeros((0, 0))
+        return (), np.array([])
     rows = np.array(directions)
     left, values, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None])
     free = left[:, int((values > DEPENDENT * values[0]).sum()) :]

@@ -45,6 +45,6 @@ def _with_equal_rows(matrix: Reals) -> Reals:
     for first in range(len(rows)):
         for other in range(first + 1, len(rows)):
             size = abs(rows[first]).max()
-            if size > 0.0 and abs(rows[first] - rows[other]).max() <= NEGLIGIBLE * size:
+            if abs(rows[first] - rows[other]).max() <= NEGLIGIBLE * size:
                 rows[other] = rows[first]
     return rows
