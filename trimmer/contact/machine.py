@@ -158,12 +158,12 @@ def _frictions(
         "static": np.array([part.static_force for part in parts], dtype=np.float64),
         "vertices": np.array(
             [[rows.carrier(start), rows.carrier(end)] for start, end in between], dtype=np.int64
-        ).reshape(-1, 2),
+        ).reshape(len(parts), 2),
     }
 
 
 def _stacked(rows: list[Reals], size: int) -> Reals:
-    return np.array(rows, dtype=np.float64).reshape(-1, size)
+    return np.array(rows, dtype=np.float64).reshape(len(rows), size)
 
 
 def independent(vertices: Integers, frictions: Places) -> Places:
@@ -171,10 +171,10 @@ def independent(vertices: Integers, frictions: Places) -> Places:
 
     Bodies and the ground are vertices of a graph and the frictions its edges; these are a spanning tree.
     """
-    parents = list(range(int(vertices.max(initial=0)) + 1))
+    parents: dict[int, int] = {}
 
     def root(vertex: int) -> int:
-        while parents[vertex] != vertex:
+        while vertex in parents:
             vertex = parents[vertex]
         return vertex
 

@@ -19,8 +19,10 @@ LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed."""
 NEAR = 2.0
 """Distance from contact, in stretches of a relaxing spring, within which it is not left out."""
-OUT_OF_BOUNDS, OUT_OF_STEPS = -2, -3
-"""In place of the number of an event function: why a segment ends without event."""
+OUT_OF_BOUNDS = -2
+"""In place of the number of an event function: the state has grown beyond ``LARGEST``."""
+OUT_OF_STEPS = -3
+"""In place of the number of an event function: there are no steps left."""
 
 
 @inlined

@@ -17,8 +17,10 @@ from trimmer.contact.statuses import FREE, RELAXING
 from trimmer.contact.transitions import transition
 from trimmer.motion.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
-UNKNOWN, JOINT = -1, -2
-"""In place of a mode to go on in: not tabulated yet; several frictions decide it together."""
+UNKNOWN = -1
+"""In place of a mode to go on in: not tabulated yet."""
+JOINT = -2
+"""In place of a mode to go on in: several frictions decide it together."""
 CAPACITY = 12
 """Modes for which there is room at first."""
 
@@ -83,13 +85,13 @@ def _empty(machine: Machine, capacity: int, functions: int) -> Tables:
     return Tables(
         statuses=integers(parts),
         settled=integers(),
-        step=np.zeros(capacity),
-        screen=np.zeros((capacity, size, size + functions * degree)),
-        series=np.zeros((capacity, size, degree * size)),
+        step=np.empty(capacity),
+        screen=np.empty((capacity, size, size + functions * degree)),
+        series=np.empty((capacity, size, degree * size)),
         terms=integers(LEVELS),
-        taylor=np.zeros((capacity, functions, size, degree)),
-        sizes=np.zeros((capacity, functions, degree, size)),
-        hold=np.zeros((capacity, size, size)),
+        taylor=np.empty((capacity, functions, size, degree)),
+        sizes=np.empty((capacity, functions, degree, size)),
+        hold=np.empty((capacity, size, size)),
         function_count=integers(),
         owner=integers(functions),
         action=integers(functions),
@@ -126,7 +128,7 @@ class Modes:
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
         functions = 2 * len(self.machine.stiffness) + 2 * len(self.machine.kinetic)
-        return _empty(self.machine, CAPACITY, max(functions, 1))
+        return _empty(self.machine, CAPACITY, functions)
 
     def __getitem__(self, number: int) -> Mode:
         return self._known[number]
@@ -162,8 +164,7 @@ class Modes:
         tables = self.tables
         if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
             return
-        capacity = len(tables.step) * (2 if modes > len(tables.step) else 1)
-        larger = _empty(self.machine, capacity, max(functions, tables.taylor.shape[1]))
+        larger = _empty(self.machine, 2 * len(tables.step), max(functions, tables.taylor.shape[1]))
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)

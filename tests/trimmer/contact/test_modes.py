@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from trimmer.contact import tables as module
 from trimmer.contact.machine import machine_of
 from trimmer.contact.statuses import (
     ARRIVED,
+    BACKWARD,
     BROKEN,
     CONTACT_MADE,
     FORWARD,
@@ -25,7 +26,8 @@ from trimmer.contact.statuses import (
 )
 from trimmer.contact.tables import JOINT, UNKNOWN, Modes
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, Friction, Play, Stop
+from trimmer.mechanism.parts import Body, Friction, Link, Play, Stop
+from trimmer.motion.taylor import DEGREE
 
 BETWEEN = ("ground", "body")
 AT_REST, RELAXED = (RELAXING, FREE, FORWARD), (FREE, FREE, FORWARD)
@@ -92,10 +94,36 @@ def test_there_is_room_for_more_modes_and_what_was_known_stays(monkeypatch: pyte
     monkeypatch.setattr(module, "CAPACITY", 12)
     for statuses in listed:
         roomy.number(statuses)
-    for name in ("statuses", "settled", "step", "screen", "taylor", "hold", "owner", "relaxation"):
+    for name in ("statuses", "settled", "step", "terms", "series", "hold", "owner", "relaxation"):
         np.testing.assert_array_equal(
             getattr(modes.tables, name)[:5], getattr(roomy.tables, name)[:5], err_msg=name
         )
+    for number, count in enumerate(modes.tables.function_count[:5]):
+        for name in ("taylor", "sizes"):
+            of_both = (getattr(each.tables, name)[number, :count] for each in (modes, roomy))
+            np.testing.assert_array_equal(*of_both, err_msg=name)
+        width = 4 + count * (DEGREE + 1)
+        np.testing.assert_array_equal(*(each.tables.screen[number, :, :width] for each in (modes, roomy)))
+
+
+def test_there_is_no_more_room_than_needed() -> None:
+    modes = modes_of()
+    tables = modes.tables
+    assert tables.taylor.shape[:2] == (12, 6)
+    for statuses in product((FREE, PLUS, MINUS, RELAXING), (FREE, PLUS), (FORWARD, STICK)):
+        if len(modes._known) < 12:
+            modes.number(statuses)
+            assert modes.tables is tables
+    assert len(modes._known) == 12
+    modes.number((MINUS, PLUS, BACKWARD))
+    assert modes.tables.taylor.shape[:2] == (24, 6)
+    linear = Mechanism({"body": Body(2.0)}, links={"spring": Link(BETWEEN, 1.0)})
+    assert Modes(*machine_of(linear)).tables.taylor.shape[:2] == (12, 0)
+
+
+def test_a_preload_has_the_size_of_its_gap() -> None:
+    stops = {"preload": Stop(BETWEEN, 5.0, 1.0, -0.5)}
+    assert Modes(*machine_of(Mechanism({"body": Body(2.0)}, stops=stops))).tables.gap.tolist() == [0.5]
 
 
 def test_there_is_room_for_the_limits_of_rings() -> None:
@@ -106,7 +134,7 @@ def test_there_is_room_for_the_limits_of_rings() -> None:
     modes.number((FORWARD,) * 6)
     assert modes.tables.taylor.shape[:2] == (12, 12)
     number = modes.number((STICK,) * 6)
-    assert modes.tables.taylor.shape[:2] == (12, 14)
+    assert modes.tables.taylor.shape[:2] == (24, 14)
     assert modes.tables.function_count[:2].tolist() == [6, 14]
     assert len(modes[number].functions) == 14
     assert modes.tables.owner[0].tolist() == [*range(6), *[UNKNOWN] * 8]
