@@ -188,8 +188,7 @@ def _quadrature(motion: Motion) -> Iterator[tuple[Reals, Reals]]:
     """Yield times and weights that integrate over the motion, some steps at once."""
     begins = motion.log.start
     lengths = np.diff(np.append(begins, motion.duration))
-    steps = np.maximum(np.ceil(lengths / motion.loop.modes.tables.step[motion.log.mode]), 1.0).astype(int)
-    steps[lengths <= 0] = 0
+    steps = np.ceil(lengths / motion.loop.modes.tables.step[motion.log.mode]).astype(int)
     widths = np.repeat(lengths / np.maximum(steps, 1), steps)
     places = np.arange(len(widths)) - np.repeat(np.cumsum(steps) - steps, steps)
     lows = np.repeat(begins, steps) + places * widths

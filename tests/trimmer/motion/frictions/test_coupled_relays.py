@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer.motion.backlash_component import BacklashComponent
+from tests.trimmer.motion.hand_made_loop import RING, ring_of_bodies
 from trimmer.motion.frictions.coupled_relays import (
     CoupledRelays,
     _dependent,
@@ -16,36 +16,12 @@ from trimmer.motion.frictions.coupled_relays import (
 from trimmer.motion.interconnection import Interconnection
 from trimmer.motion.relay_component import HELD, MINUS, PLUS, RelayComponent
 
-RING = np.array([[1.0, -1.0, 0.0], [0.0, 1.0, -1.0], [1.0, 0.0, -1.0]])
 RELAYS = CoupledRelays((1, 3, 4), RING, np.array([1.0, 2.0, 4.0]), np.array([3.0, 5.0, 7.0]))
 """The second, fourth and fifth component of five; their forces are the outputs times the scales."""
-MASSES = np.array([0.5, 2.0, 4.0])
 
 
 def modes(*of_members: int) -> tuple[int, ...]:
     return (PLUS, of_members[0], MINUS, *of_members[1:])
-
-
-def ring_of_bodies(factors: tuple[float, ...] = (1.0, 1.0, 1.0), sign: float = -1.0) -> Interconnection:
-    """Three masses in a ring of frictions, the fourth component on the ground, a backlash before them."""
-    rows = np.vstack([np.zeros(3), RING, [0.0, 0.0, 1.0]])
-    scaled = sign * np.array([1.0, *factors, 1.0]) * (rows / MASSES).T
-    A = np.zeros((6, 6))
-    A[:3, 3:] = np.eye(3)
-    B = np.vstack([np.zeros((3, 5)), scaled])
-    B[3, 0] = 1.0
-    frictions = tuple(RelayComponent(level, True) for level in (0.3, 0.5, 0.7, 0.9))
-    return Interconnection(
-        A=A,
-        B=B,
-        C=np.hstack([rows, np.zeros((5, 3))]),
-        D=np.zeros((5, 5)),
-        drive_gain=np.array([1.0, 0, 0, 0, 0]),
-        components=(BacklashComponent(4e-5, 0.0), *frictions),
-        labels=("pin", "a", "b", "c", "d"),
-        drive=None,
-        element_factors=(1.0,),
-    )
 
 
 def test_the_members_of_a_ring() -> None:
