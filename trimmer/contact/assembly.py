@@ -133,7 +133,13 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
 def offset(machine: Machine, contact: int, status: int) -> float:
     """Return the distance at which the spring behind a slot is relaxed, m."""
     side = SIDES.get(status, 0)
-    return float(machine.offsets[contact, 0 if side > 0 else 1]) if side else 0.0
+    return _edge(machine, contact, side) if side else 0.0
+
+
+def _edge(machine: Machine, contact: int, side: int) -> float:
+    """Return the distance at which contact begins on a side, m, infinite for none."""
+    upper, lower = machine.offsets[contact]
+    return float(upper if side == SIDES[PLUS] else lower)
 
 
 def force_of(machine: Machine, contact: int, status: int) -> Reals:
@@ -162,7 +168,7 @@ def _of_contacts(machine: Machine, statuses: tuple[int, ...]) -> Iterator[EventF
 
 def _while_free(machine: Machine, contact: int, status: int) -> Iterator[EventFunction]:
     for side, action in ((1, MADE_PLUS), (-1, MADE_MINUS)):
-        if np.isfinite(machine.offsets[contact, 0 if side > 0 else 1]):
+        if np.isfinite(_edge(machine, contact, side)):
             row = -_beyond(machine, contact, side)
             if status == RELAXING:
                 row[machine.relaxing_state[contact]] += side
@@ -172,7 +178,7 @@ def _while_free(machine: Machine, contact: int, status: int) -> Iterator[EventFu
 def _beyond(machine: Machine, contact: int, side: int) -> Reals:
     """Return how far the end is beyond the place where contact begins, as a functional."""
     row = side * machine.contact_distance[contact]
-    row[-1] -= side * machine.offsets[contact, 0 if side > 0 else 1]
+    row[-1] -= side * _edge(machine, contact, side)
     return np.asarray(row)
 
 

@@ -42,7 +42,7 @@ def _counted_kind(
     tables: Tables, log: Log, row: int, mode: int, fired: int, jumped: bool, counts: Integers
 ) -> int:
     """Return what an event counts as; one that did not stick after all turns back, or goes on."""
-    target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
+    owner = tables.owner[mode, fired]
     kind = tables.kind[mode, fired, 1 if jumped else 0]
     last = row - 1
     while last > 0 and log.kind[last] == NOTHING and log.start[last] == log.start[row]:
@@ -51,7 +51,7 @@ def _counted_kind(
     if begun and jumped and tables.action[mode, fired] == AT_LIMIT and log.start[last] == log.start[row]:
         log.kind[last] = NOTHING
         counts[STICK_BEGUN] -= 1
-        before = tables.statuses[log.mode[last - 1], owner]
+        before, target = tables.statuses[log.mode[last - 1], owner], tables.target[mode, fired, 1]
         kind = NOTHING if before == tables.statuses[target, owner] else REVERSED
     return int(kind)
 

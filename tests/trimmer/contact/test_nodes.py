@@ -54,14 +54,25 @@ def test_at_any_times() -> None:
     np.testing.assert_allclose(nodes_module.sample(tables, log, late), exact(late), rtol=1e-12)
 
 
-def test_a_relaxing_spring_follows_from_the_start_of_its_row() -> None:
+@pytest.mark.parametrize("rate", [16.0, 0.5])
+def test_a_relaxing_spring_follows_from_the_start_of_its_row(rate: float) -> None:
     tables, log = turning()
-    tables.settled[1], tables.relaxing_state[1], tables.relaxation[1, 1] = 0, 0, 16.0
+    tables.settled[1], tables.relaxing_state[1], tables.relaxation[1, 1] = 0, 0, rate
     log.state[1] = 0.05, 0.0, 1.0
     times = np.array([0.3, 0.6, 0.7, 1.3])
     states = nodes_module.sample(tables, log, times)
-    np.testing.assert_allclose(states[1:, 0], 0.05 * np.exp(-16 * (times[1:] - 0.6)), rtol=1e-12)
+    np.testing.assert_allclose(states[1:, 0], 0.05 * np.exp(-rate * (times[1:] - 0.6)), rtol=1e-12)
     assert states[0, 0] == pytest.approx(math.sin(1.8), rel=1e-12)
+
+
+def test_each_row_lasts_until_the_next_one() -> None:
+    tables, _ = turning()
+    log = log_of(3)
+    log.start[:] = 0.0, 0.1, 0.3
+    log.state[:, 0], log.state[:, 1] = (1.0, 2.0, 3.0), 0.0
+    times = np.array([0.05, 0.1, 0.25, 0.3, 0.4])
+    expected = np.array([1.0, 2.0, 2.0, 3.0, 3.0]) * np.cos(OMEGA * (times - [0.0, 0.1, 0.1, 0.3, 0.3]))
+    np.testing.assert_allclose(nodes_module.sample(tables, log, times)[:, 0], expected, rtol=1e-12)
 
 
 def test_sums_over_the_nodes_are_integrals() -> None:

@@ -125,11 +125,11 @@ def relaxing(polynomial, stretch: float, rate: float):
 
 
 def test_a_spring_that_is_left_out_relaxes_in_closed_form() -> None:
-    for fraction in (0.25, 3.0):
-        tables, work = relaxing((0.5,), 0.05, 16.0)
+    for fraction, rate in ((0.25, 16.0), (3.0, 0.5)):
+        tables, work = relaxing((0.5,), 0.05, rate)
         work.screened[:3] = 0.0, 0.05, 1.0
         segment._step(tables, work, 0, 1, fraction)
-        assert work.state[1] == pytest.approx(0.05 * math.exp(-16 * STEP * min(fraction, 1.0)), rel=1e-14)
+        assert work.state[1] == pytest.approx(0.05 * math.exp(-rate * STEP * min(fraction, 1.0)), rel=1e-14)
     tables, work = relaxing((0.5,), 0.05, 16.0)
     segment._step(tables, work, 1, 1, 0.25)
     assert work.state[1] == 0.05
@@ -137,7 +137,7 @@ def test_a_spring_that_is_left_out_relaxes_in_closed_form() -> None:
 
 @pytest.mark.parametrize("stretch", [3e-6, -3e-6])
 def test_margins_are_the_stretches_that_count(stretch: float) -> None:
-    tables, work = relaxing((0.5,), stretch, 16.0)
+    tables, work = relaxing((0.5,), stretch, 0.5)
     work.margins[:] = 7.0
     segment._set_margins(tables, 0, work)
     assert work.margins.tolist() == [0.0, 3e-6]
@@ -153,7 +153,7 @@ def test_margins_are_the_stretches_that_count(stretch: float) -> None:
     ("gap", "stretch", "near"), [(0.2, 0.1, False), (0.1, 0.1, True), (0.35, -0.1, False)]
 )
 def test_near_is_within_two_stretches_of_contact(gap: float, stretch: float, near: bool) -> None:
-    tables, work = relaxing((gap, -1.0), stretch, 16.0)
+    tables, work = relaxing((gap, -1.0), stretch, 0.5)
     assert segment._is_near(tables, work, 0) == near
     assert not segment._is_near(tables, work, 1)
     # Contacts whose springs do not relax, and frictions, do not count.
@@ -161,6 +161,15 @@ def test_near_is_within_two_stretches_of_contact(gap: float, stretch: float, nea
     tables.owner[0, 0] = 2
     tables.taylor[0, 0] = 0.0
     assert not segment._is_near(tables, work, 0)
+    tables.owner[0, 0], tables.relaxing_state[0] = 0, 1
+    assert segment._is_near(tables, work, 0)
+
+
+def test_an_event_at_the_very_end_is_one() -> None:
+    tables = tables_of([(0.5, -1.0)], (2,), (ARRIVED,))
+    for duration, fired in ((0.5 * STEP, 0), (np.nextafter(0.5 * STEP, 0.0), NO_EVENT)):
+        found = segment.follow(tables, work_at(tables, 0.0, 0.0, 1.0), 0, -2, duration, 100)
+        assert found == (fired, False, duration, 1)
 
 
 @pytest.mark.parametrize(("gap", "stretch"), [(0.5, -0.05), (0.5, 0.05), (0.12, -0.1), (1.7, -0.05)])

@@ -11,7 +11,15 @@ import scipy.linalg
 from tests.trimmer.uncompiled import uncompile
 from trimmer.contact import series
 from trimmer.contact.series import COUNT, STEP, ModeTables, tabulate
-from trimmer.motion.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER, bernstein_from_taylor
+from trimmer.motion.taylor import (
+    DEGREE,
+    LEVELS,
+    LONGEST_STEP,
+    REMAINDER,
+    StepSeries,
+    bernstein_from_taylor,
+    sufficient_terms,
+)
 
 STATES, ORDER = 2, 691.0
 """States of the flow below; angular frequency of its drive, rad/s."""
@@ -75,6 +83,16 @@ def test_the_tables_are_those_of_the_exponential() -> None:
         # The first slope of Bernstein coefficients is that of the polynomial over its degree.
         slope = (bernstein[:, 1] - bernstein[:, 0]) * DEGREE
         np.testing.assert_allclose(slope, row @ flow * step, rtol=1e-10, atol=1e-12)
+
+
+def test_the_number_of_terms_for_each_fraction() -> None:
+    flow = forced_oscillator(900.0, ORDER)
+    step, tables = tabulated(flow, np.zeros((0, 5)))
+    terms = np.array([np.linalg.matrix_power(flow * step, k) / math.factorial(k) for k in range(COUNT)])
+    # The other package counts the same terms; a difference of one is one of rounding.
+    assert abs(tables.terms - sufficient_terms(StepSeries(step, terms))).max() <= 1
+    assert tables.terms[0] >= COUNT - 2
+    assert (np.diff(tables.terms) <= 0).all()
 
 
 def test_terms_that_do_for_a_fraction() -> None:

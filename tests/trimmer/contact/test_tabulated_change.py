@@ -81,6 +81,14 @@ def test_another_velocity_that_is_zero_to_rounding_has_a_say(share: float) -> No
     assert is_tabulated(tables, work, 1)
 
 
+@pytest.mark.parametrize("share", [0.9, -0.9, 1.1, -1.1])
+def test_a_small_velocity_is_zero_by_its_small_terms(share: float) -> None:
+    tables, work = sliding()
+    tables.taylor[0, 2], tables.sizes[0, 2] = 0.0, 0.0
+    tables.taylor[0, 2, 2, 0], tables.sizes[0, 2, 1, 2] = share * AT_REST * 1e-9, 1e-9
+    assert is_tabulated(tables, work, 1) == (abs(share) > 1)
+
+
 def counted(tables, log, fired: int, jumped: bool, counts) -> int:
     return tabulated_change._counted_kind(tables, log, 3, 0, fired, jumped, counts)
 
@@ -91,6 +99,7 @@ def stuck_at_once(before: int, after: int):
     tables.kind[0, 1] = STICK_ENDED, STICK_ENDED
     tables.kind[0, 0] = CONTACT_BROKEN, STICK_ENDED
     tables.statuses[0, 2], tables.statuses[1, 2] = before, after
+    tables.target[0, :, 0] = 0
     log = log_of(4)
     log.start[:] = 0.5, 2.0, 2.0, 2.0
     log.kind[1], log.part[1] = STICK_BEGUN, 2
@@ -161,7 +170,7 @@ def test_a_change_is_made_and_logged(jumped: bool) -> None:
     assert work.known_action.tolist() == [-1, -1, -1, AT_LIMIT]
 
 
-@pytest.mark.parametrize(("kind", "rate"), [(CONTACT_BROKEN, 9.0), (CONTACT_BROKEN, 0.0), (NOTHING, 9.0)])
+@pytest.mark.parametrize(("kind", "rate"), [(CONTACT_BROKEN, 0.5), (CONTACT_BROKEN, 0.0), (NOTHING, 9.0)])
 def test_a_spring_that_begins_to_relax_is_negligible_below_a_share(kind: int, rate: float) -> None:
     tables, work = sliding()
     tables.kind[0, 0], tables.relaxing_state[0], tables.relaxation[1, 0] = kind, 1, rate
