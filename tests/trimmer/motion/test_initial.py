@@ -54,17 +54,17 @@ def test_a_relay_at_zero_starts_by_the_rate_of_its_input(x: float, v: float) -> 
     assert started(ModeTables(system), x, v)[0][1] == expected(x + 0.01 * v)
 
 
-def test_rounding_has_no_sign() -> None:
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_rounding_has_no_sign(side: float) -> None:
     system = one_body(second=RelayComponent(0.7, False))
-    system.C[1], system.B[1, 1] = (1.0, 1.0), 0.0
-    system.B[0, 1] = -2.0
+    system.C[1], system.B[:, 1] = (side, side), (-2.0 * side, 0.0)
     system.A[0] = 0.0, 3.0
     # The input is zero but for its last digit; its rate is what the output acts on, so that it is held.
     v = -0.3
     for x in (0.3, np.nextafter(0.3, 1.0), np.nextafter(0.3, 0.0)):
         assert started(ModeTables(system), x, v)[0][1] == HELD
-    assert started(ModeTables(system), 0.3 + 1e-13, v)[0][1] == PLUS
-    assert started(ModeTables(system), 0.3 - 1e-13, v)[0][1] == MINUS
+    assert started(ModeTables(system), 0.3 + side * 1e-13, v)[0][1] == PLUS
+    assert started(ModeTables(system), 0.3 - side * 1e-13, v)[0][1] == MINUS
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -91,6 +91,8 @@ def test_relays_that_follow_from_held_ones_are_held() -> None:
 def test_states_and_an_impulse_add() -> None:
     system = control.ss([[0.0, 1.0], [-4.0, -1.0]], [[0.5], [2.0]], [[1.0, 0.0]], 0)
     loop = ClosedLoop(system, FrictionBacklash(9.0))
+    with pytest.raises(ValueError, match="initial_state must be finite"):
+        initial_segment(loop, loop.modes, [0.1, math.inf], 0.0, 0.0)
     given = np.array([0.1, -0.2])
     number, state = initial_segment(loop, loop.modes, given, 0.3, 0.25)
     assert state[:3].tolist() == pytest.approx([0.1 + 0.15, -0.2 + 0.6, 0.25], rel=1e-14)

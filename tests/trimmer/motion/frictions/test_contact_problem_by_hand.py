@@ -140,12 +140,26 @@ def test_forces_that_meet_a_bound_on_their_way_stay_there() -> None:
     assert forces.tolist() == [0.0, 0.0]
 
 
+def test_forces_that_cannot_balance_go_to_their_bounds() -> None:
+    # Both ends move differently by 0.2 m/s^2, which no force changes; so the forces part until one stops.
+    same, both, given = np.ones((2, 2)), np.array([True, True]), np.array([0.25, 0.5])
+    bounds = np.array([-3.0, -3.0]), np.array([3.0, 3.0])
+    forces, between = _with_zero_acceleration(same, np.array([0.9, 0.7]), bounds, given, both)
+    # The one that has not met its bound balances alone.
+    assert (forces.tolist(), between.tolist()) == (pytest.approx([3.0, 0.7 - 3.0]), [False, True])
+    # It would need -3.9 N, and stops at its own bound.
+    forces, between = _with_zero_acceleration(same, np.array([-0.9, -0.7]), bounds, given, both)
+    assert (forces.tolist(), between.tolist()) == ([-3.0, 3.0], [False, False])
+
+
 def test_steps_to_balance() -> None:
     step, ends = _step_to_balance(np.diag([2.0, 5.0]), np.array([4.0, 5.0]), np.array([1.0, 3.0]))
     assert (step.tolist(), ends) == (pytest.approx([1.0, -2.0]), True)
     same = np.ones((2, 2))
     step, ends = _step_to_balance(same, np.array([4.0, 4.0]), np.array([0.5, 0.0]))
     assert (step.tolist(), ends) == (pytest.approx([1.75, 1.75]), True)
+    step, ends = _step_to_balance(same, np.array([-4.0, -4.0]), np.array([-0.5, 0.0]))
+    assert (step.tolist(), ends) == (pytest.approx([-1.75, -1.75]), True)
     # What they touch moves differently: no forces balance.
     step, ends = _step_to_balance(same, np.array([3.0, 1.0]), np.array([0.5, 0.0]))
     assert (step.tolist(), ends) == (pytest.approx([1.0, -1.0]), False)
