@@ -107,7 +107,6 @@ class _Facets(dict[tuple[int, ...], "Reals"]):
     """Elementary vectors of the held ones among m directions, as rows of length m; found when first asked."""
 
     def __init__(self, directions: Reals, scales: Reals) -> None:
-        super().__init__()
         self._directions, self._scales = directions, scales
 
     def __missing__(self, held: tuple[int, ...]) -> Reals:
@@ -153,7 +152,7 @@ def symmetrizing_scales(influence: Reals) -> Reals | None:
                 reached.append(j)
     scaled = influence / scales
     size = np.sqrt(np.outer(scaled.diagonal(), scaled.diagonal()))
-    return scales if (abs(scaled - scaled.T) <= DEPENDENT * size).all() else None
+    return scales if (scaled - scaled.T <= DEPENDENT * size).all() else None
 
 
 def _row(system: Interconnection, k: int) -> Reals:

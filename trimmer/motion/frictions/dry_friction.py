@@ -88,7 +88,7 @@ def elementary_vectors(directions: Reals) -> Reals:
         vector = np.where(abs(vector) > DEPENDENT, vector * lengths, 0.0)
         support = tuple(np.flatnonzero(vector).tolist())
         if support not in found:
-            found[support] = vector / (abs(vector).max() * np.sign(vector[support[0]]))
+            found[support] = vector / np.copysign(abs(vector).max(), vector[support[0]])
     return np.array([found[support] for support in sorted(found)])
 
 
@@ -138,7 +138,7 @@ def always_at_limit(vectors: Reals, limits: Reals, forces: Reals, tolerance: flo
         For each contact, the sign of its limit, or 0.
     """
     touched = margins(vectors, limits, forces) <= tolerance
-    outward = vectors[touched] * np.sign(vectors[touched] @ forces)[:, None]
+    outward = vectors[touched] * (vectors[touched] @ forces)[:, None]
     return np.asarray(np.sign(np.sign(outward).sum(axis=0)), dtype=np.int64)
 
 

@@ -36,6 +36,13 @@ def test_elementary_vectors_in_order() -> None:
         pytest.approx([0.0, 1.0, -0.2], rel=1e-12),
     ]
     assert (found[0, 2], found[1, 1], found[2, 0]) == (0.0, 0.0, 0.0)
+    # Contacts that repeat each other say nothing about others.
+    repeated = elementary_vectors(np.array([[1.0, 0, 0], [-2.0, 0, 0], [0, 3.0, 0], [0, 0, 1.0]]))
+    assert repeated.tolist() == [
+        pytest.approx([0.5, -1.0, 0.0, 0.0]),
+        pytest.approx([0.0, 0.0, 1.0, 0.0]),
+        pytest.approx([0.0, 0.0, 0.0, 1.0]),
+    ]
     # Of three bodies on a line, each on the next and on the ground, none is left out.
     line = np.array([[1.0, 0, 0], [1.0, -1.0, 0], [0, 1.0, -1.0], [0, 0, 1.0]])
     pairs = [tuple(np.flatnonzero(row)) for row in elementary_vectors(line)]
@@ -120,6 +127,16 @@ def test_accelerations_below_the_noise_are_zero() -> None:
     assert rates[0] == 0.0
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_acceleration_is_zero_by_the_terms_that_it_is_made_of(sign: float) -> None:
+    # 1 m/s^2 and a bit more, less what 1 N does to 1 kg: the terms add up to 2 m/s^2.
+    bounds = np.array([-1.0]), np.array([1.0])
+    for excess, counts in ((1.5e-12, False), (2.5e-12, True)):
+        forces, rates = complementary_forces(np.eye(1), sign * np.array([1.0 + excess]), *bounds)
+        assert forces.tolist() == [sign]
+        assert rates.tolist() == [pytest.approx(sign * excess, rel=1e-3) if counts else 0.0]
+
+
 def test_forces_that_meet_a_bound_on_their_way_stay_there() -> None:
     # Balance is at (3, 1); the first one meets 2 first, and then the second one balances alone.
     influence, drift = np.array([[2.0, 1.0], [1.0, 2.0]]), np.array([7.0, 5.0])
@@ -163,6 +180,14 @@ def test_steps_to_balance() -> None:
     # What they touch moves differently: no forces balance.
     step, ends = _step_to_balance(same, np.array([3.0, 1.0]), np.array([0.5, 0.0]))
     assert (step.tolist(), ends) == (pytest.approx([1.0, -1.0]), False)
+    # A small difference is none of rounding.
+    assert _step_to_balance(same, np.array([1e7, 1e7 + 1.0]), np.zeros(2))[1]
+    assert _step_to_balance(same, np.array([1.0, 1.0 + 1e-8]), np.zeros(2))[1]
+    assert not _step_to_balance(same, np.array([1.0, 1.0 + 1e-5]), np.zeros(2))[1]
+    directions = np.array([[1.0, 0.0], [1.0, 0.0], [0.6, 0.8]])
+    step, ends = _step_to_balance(directions @ directions.T, np.array([3.0, 1.0, 7.0]), np.zeros(3))
+    assert (step.tolist(), ends) == (pytest.approx([1.0, -1.0, 0.0]), False)
+    assert step[2] == 0.0
     third = np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     step, ends = _step_to_balance(third, np.array([3.0, 1.0, 7.0]), np.zeros(3))
     assert (step.tolist(), ends) == (pytest.approx([1.0, -1.0, 0.0]), False)
@@ -171,6 +196,7 @@ def test_steps_to_balance() -> None:
 
 def test_the_number_of_independent_directions() -> None:
     assert _rank(np.array([3.0, 1e-9, 1e-11])) == 2
+    assert _rank(np.array([1e-11, 1e-12, 1e-22])) == 2
     assert _rank(np.array([])) == 0
     assert _rank(np.zeros(2)) == 0
     assert elementary_vectors(math.sqrt(3) * np.eye(3)).tolist() == np.eye(3).tolist()

@@ -38,6 +38,13 @@ def test_the_members_of_a_ring() -> None:
     assert not any(attracting(ring_of_bodies(sign=1.0), k) for k in range(5))
     assert CoupledRelays.of(ring_of_bodies((1.0, -1.0, 1.0))).members == ()
     assert CoupledRelays.of(ring_of_bodies()).most_event_functions == 3 + 2 * 3
+    # Nor where what one does to another is not what that does to it, as forces do.
+    system.B[3, 2] = 4.0
+    assert all(attracting(system, k) for k in (1, 2, 3))
+    none = CoupledRelays.of(system)
+    assert (none.members, none.most_event_functions) == ((), 0)
+    system.B[:, 4] = 0.0
+    assert not attracting(system, 4)
 
 
 def test_no_members() -> None:
@@ -109,6 +116,13 @@ def test_how_held_members_share_a_force() -> None:
     assert RELAYS.shared(modes(HELD, PLUS, HELD), outputs) == pytest.approx(outputs, rel=1e-14)
 
 
+def test_two_that_repeat_each_other_share_what_they_hold() -> None:
+    pair = CoupledRelays((0, 2), np.array([[1.0], [1.0]]), np.ones(2), np.array([1.0, 3.0]))
+    # Relative to the limits the forces are as 1 to 3.
+    assert pair.shared((HELD, 0, HELD), np.array([2.0, 9.0, 0.0])) == pytest.approx([0.2, 9.0, 1.8])
+    assert pair._facets[(0, 1)] is pair._facets[(0, 1)]
+
+
 def test_relays_that_depend_on_others() -> None:
     rows = [np.array(row) for row in ([1.0, 0, 0, 0], [0, 0, 5.0, 0], [0, 1.0, 0, 0], [-2e3, 3e3, 0, 0])]
     members, directions = _dependent([2, 5, 7, 9], rows)
@@ -127,7 +141,9 @@ def test_relays_that_depend_on_others() -> None:
         ([[2.0, -3.0], [-6.0, 5.0]], [1.0, 0.5]),
         ([[2.0, 0.0], [0.0, 5.0]], [1.0, 1.0]),
         ([[2.0, 1e-11], [0.0, 5.0]], [1.0, 1.0]),
-        ([[1.0, 2.0, 0.0], [4.0, 9.0, 6.0], [0.0, 3.0, 9.0]], [1.0, 0.5, 1.0]),
+        ([[1.0, 2.0, 0.0], [4.0, 9.0, 12.0], [0.0, 3.0, 9.0]], [1.0, 0.5, 2.0]),
+        ([[1e6, 1e-6], [0.0, 1e6]], [1.0, 1.0]),
+        ([[1e6, 10.0], [20.0, 1e6]], [1.0, 0.5]),
         ([[1.0, 2.0, 3.0], [4.0, 9.0, 6.0], [3.0, 3.0, 9.0]], [1.0, 0.5, 1.0]),
         ([[2.0, 3.0], [-6.0, 5.0]], None),
         ([[2.0, 3.0], [0.0, 5.0]], None),
