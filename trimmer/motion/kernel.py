@@ -16,8 +16,12 @@ from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
 """Reasons why the integration stopped."""
-NO_EVENT, TOO_LARGE, TOO_MANY_STEPS = -1, -2, -3
-"""In place of the number of an event function: why a segment ended without event."""
+NO_EVENT = -1
+"""In place of the number of an event function: a segment ended without one, because the motion did."""
+TOO_LARGE = -2
+"""In place of the number of an event function: the state has grown beyond ``LARGEST``."""
+TOO_MANY_STEPS = -3
+"""In place of the number of an event function: there are no steps left."""
 LONGEST_CASCADE = 40
 """Events at one instant, after which the integration stops."""
 AN_INSTANT = 2.0**-51

@@ -97,3 +97,30 @@ def test_bernstein_coefficients_give_the_same_polynomial(zeros: int) -> None:
     for s in (0.0, 0.3, 1.0):
         basis = [math.comb(degree, i) * s**i * (1 - s) ** (degree - i) for i in range(degree + 1)]
         assert bernstein @ basis == pytest.approx(np.polynomial.polynomial.polyval(s, taylor), rel=1e-12)
+
+
+STEP = (2.0**-56 * math.factorial(25)) ** (1 / 25)
+"""Length of a step times the growth of its flow."""
+
+
+@pytest.mark.parametrize(("omega", "drive"), [(1024.0, 691.0), (256.0, 691.0), (4.0, 0.0)])
+def test_a_step_is_as_long_as_the_faster_of_states_and_drive_allows(omega: float, drive: float) -> None:
+    # Balanced by powers of two, the oscillator is its frequency times a rotation, whose powers have norm one.
+    matrix = np.zeros((5, 5))
+    matrix[0, 1], matrix[1, 0] = 1.0, -(omega**2)
+    matrix[2, 3], matrix[3, 2], matrix[1, 2:] = drive, -drive, (300.0, 0.0, -7.0)
+    series = step_series(matrix, 3)
+    assert series.step == pytest.approx(STEP / max(omega, drive), rel=1e-12)
+    np.testing.assert_allclose(series.whole, series.terms.sum(axis=0), rtol=1e-12, atol=1e-12)
+    for k in (0, 1, 2, DEGREE):
+        expected = np.linalg.matrix_power(matrix * series.step, k) / math.factorial(k)
+        np.testing.assert_allclose(series.terms[k], expected, rtol=1e-10, atol=1e-28)
+
+
+def test_the_growth_of_a_chain_is_the_root_of_the_norm_of_its_power() -> None:
+    # [[-2, 2], [0, -2]]^25 = -2^25 [[1, -25], [0, 1]], whose largest column sum is 26 2^25.
+    chain = step_series(extended(np.array([[-2.0, 2.0], [0.0, -2.0]])), FORCING)
+    assert chain.step == pytest.approx(STEP / (2 * 26 ** (1 / 25)), rel=1e-12)
+    assert step_series(np.zeros((3, 3)), FORCING).step == pytest.approx(1e6 * STEP, rel=1e-12)
+    # A decay alone is as fast as it is.
+    assert step_series(extended(np.array([[-7.0]])), FORCING).step == pytest.approx(STEP / 7, rel=1e-12)

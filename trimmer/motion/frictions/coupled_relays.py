@@ -45,7 +45,7 @@ class CoupledRelays:
         """Find them; relays whose output does not work against their own rate are never held together."""
         relays = [k for k in range(len(system.components)) if attracting(system, k)]
         members, directions = _dependent(relays, [direction(system, k) for k in relays])
-        influence = np.array([[-_row(system, i) @ system.B[:, j] for j in members] for i in members])
+        influence = np.array([[_row(system, i) @ system.B[:, j] for j in members] for i in members])
         scales = symmetrizing_scales(influence)
         if scales is None:
             nothing = np.array([])
@@ -133,7 +133,7 @@ def symmetrizing_scales(influence: Reals) -> Reals | None:
     """Return s > 0 for which influence / s, column by column, is symmetric, up to rounding; None if none is.
 
     Args:
-        influence: (m, m), its diagonal positive.
+        influence: (m, m), finite, its diagonal of one sign.
     """
     scales, unknown = np.ones(len(influence)), set(range(len(influence)))
     if not unknown:
@@ -145,7 +145,7 @@ def symmetrizing_scales(influence: Reals) -> Reals | None:
             i = reached.pop()
             for j in [j for j in unknown if abs(influence[i, j]) > noise[i, j]]:
                 ratio = influence[i, j] / influence[j, i] if influence[j, i] else 0.0
-                if not (np.isfinite(ratio) and ratio > 0.0):
+                if ratio <= 0.0:
                     return None
                 scales[j] = scales[i] * ratio
                 unknown.remove(j)

@@ -7,6 +7,7 @@ sign of the pin's velocity: part and meet again for ever at one instant.
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,9 +43,7 @@ def projection(held: Reals, pushes: Reals) -> Reals:
 def _with_equal_rows(matrix: Reals) -> Reals:
     """Make rows equal that differ by rounding."""
     rows = matrix.copy()
-    for first in range(len(rows)):
-        for other in range(first + 1, len(rows)):
-            size = abs(rows[first]).max()
-            if abs(rows[first] - rows[other]).max() <= NEGLIGIBLE * size:
-                rows[other] = rows[first]
+    for first, other in combinations(range(len(rows)), 2):
+        if abs(rows[first] - rows[other]).max() <= NEGLIGIBLE * abs(rows[first]).max():
+            rows[other] = rows[first]
     return rows
