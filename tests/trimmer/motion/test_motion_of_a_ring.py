@@ -24,7 +24,7 @@ SLIDING, ALL = (FREE, PLUS, PLUS, PLUS, PLUS), (FREE, HELD, HELD, HELD, PLUS)
 
 
 def half_sliding(*modes: tuple[int, ...]) -> Motion:
-    """Return a second of motion of a ring that changes its mode after half of it; 1 N pushes the first body."""
+    """Return a second of motion of a ring that changes its mode after half of it; 1 N pushes."""
     tables = ModeTables(ring_of_bodies())
     numbers = [tables.number(each) for each in modes]
     state = np.array([0.0, 0, 0, 0.4, 0.4, 0.4, 2.0, 0.0, 0.0, 1.0])
