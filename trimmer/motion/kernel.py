@@ -150,7 +150,8 @@ def _follow(
             touches += touch[event_function] < min(fraction, left)
         if fired >= 0 and fraction <= left:
             if fraction > 0.0:
-                terms = tables.terms[mode, min(-math.frexp(fraction)[1] // 2, LEVELS - 1)]
+                level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0)
+                terms = tables.terms[mode, level]
                 combine(state, tables.series[mode], terms * state.size, work.terms)
                 evaluate_terms(work.terms, terms, fraction, state)
             return fired, steps, fraction, jumped, touches

@@ -86,6 +86,72 @@ def test_steps_are_counted_over_segments_and_a_pause_is_taken_up() -> None:
     assert not pause.valid[0]
 
 
+@pytest.mark.parametrize(
+    ("fraction", "level"),
+    [(0.9, 0), (0.25, 0), (0.24, 1), (0.0625, 1), (0.06, 2), (0.004, 3), (1e-3, 4), (1e-9, 5)],
+)
+def test_an_event_takes_the_terms_of_its_fraction(fraction: float, level: int) -> None:
+    tables = constant((fraction, -1.0))
+    tables.series[0, 1, 0::2] = [1.0 / math.factorial(k) * (k > 0) for k in range(COUNT)]
+    tables.terms[:] = 8, 7, 6, 5, 4, 3
+    log = log_of(9)
+    march(tables, log, 1.5 * STEP, Limits(2, 9, 40))
+    assert log.start[1] == pytest.approx(fraction * STEP, rel=1e-14)
+    terms = [fraction**k / math.factorial(k) for k in range(1, 8 - level)]
+    assert log.state[1, 0] == pytest.approx(sum(terms), rel=1e-14)
+
+
+def test_an_event_that_is_rounded_to_the_end_of_its_step_takes_all_terms(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    tables = constant((9.0,))
+    tables.series[0, 1, 0::2] = [1.0 / math.factorial(k) for k in range(COUNT)]
+    tables.terms[:] = 8, 7, 6, 5, 4, 3
+    monkeypatch.setattr(kernel, "first_event", lambda *_: (0, 1.0, False))
+    log = log_of(9)
+    march(tables, log, 9.0 * STEP, Limits(2, 9, 40))
+    assert log.start[1] == STEP
+    assert log.state[1, 0] == pytest.approx(sum(1 / math.factorial(k) for k in range(8)), rel=1e-14)
+
+
+def test_what_is_left_of_rounding_is_taken_along() -> None:
+    # The first wall is met after 0.4 steps, the end is as far from there as one step of a second mode.
+    tables, pause = between_walls(), new_pause(between_walls())
+    tables.known[1] = False
+    log = log_of(3)
+    reason, segment, time = march(tables, log, 3.0 * STEP, MANY, pause)
+    assert (reason, segment, pause.steps[0], pause.valid[0]) == (UNKNOWN_MODE, 1, 0, True)
+    assert pause.late[0] == kernel._rounding(0.0, 0.4 * STEP, time)
+    assert pause.reached[0] == time == log.start[1]
+    pause.late[0] = 0.125 * STEP
+    tables.known[1] = True
+    # What is late is over already: the wall on the other side is met earlier by as much.
+    found = kernel.integrate(tables, log, 1, 0.75 * STEP, MANY, pause)
+    assert found == (REACHED_END, 1, 0.75 * STEP)
+    log.touches[1], pause.valid[0], pause.steps[0], pause.late[0] = 5, True, 0, 0.0
+    pause.state[:] = 7.0
+    kernel.integrate(tables, log, 1, 0.75 * STEP, MANY, pause)
+    assert log.touches[1] == 0
+
+
+def test_what_jumps_goes_on_in_another_mode() -> None:
+    tables = constant((-1.0,))
+    tables.target[0, 0] = 0, 1
+    tables.bernstein[1] = tables.taylor[1] = tables.sizes[1] = 0.0
+    tables.event_count[1] = 0
+    log = log_of(9)
+    assert march(tables, log, STEP) == (REACHED_END, 1, STEP)
+    assert log.mode[:2].tolist() == [0, 1]
+    assert log.jumped[:2].tolist() == [False, True]
+    # Half a step later it falls to zero without a jump.
+    tables = constant((0.5, -1.0))
+    tables.target[0, 0] = 1, 0
+    tables.event_count[1] = 0
+    log = log_of(9)
+    assert march(tables, log, STEP) == (REACHED_END, 1, STEP)
+    assert log.mode[:2].tolist() == [0, 1]
+
+
 def test_the_last_step_before_the_end_needs_no_room() -> None:
     for end, reason in ((1.0, REACHED_END), (1.1, STEP_LIMIT)):
         tables = constant((9.0,))
