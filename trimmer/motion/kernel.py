@@ -173,7 +173,7 @@ def _work(tables: Tables) -> Work:
         np.empty(count),
         np.empty(count),
         np.empty((DEEPEST + 3, count + 2)),
-        np.zeros(event_functions, dtype=np.int64),
+        np.empty(event_functions, dtype=np.int64),
         np.empty(event_functions),
     )
 

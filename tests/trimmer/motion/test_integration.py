@@ -102,6 +102,23 @@ def test_what_other_components_did_is_kept() -> None:
     assert log.event_function[4:].tolist() == [TOGETHER, TOGETHER]
 
 
+def test_events_of_earlier_instants_have_no_say() -> None:
+    modes, later = stopping(4)
+    turned = [modes.number((*each[:4], MINUS)) for each in (SLIDING, ONE, ALL)]
+    log = new_log(6, modes.number(SLIDING), later.state[0])
+    log.start[1:], log.mode[1:4], log.state[1:] = (0.25, *[0.5] * 4), turned, later.state[0]
+    log.event_function[1] = function_of(modes, modes.number(SLIDING), 4)
+    log.jumped[1] = True
+    log.event_function[2] = function_of(modes, turned[0], 1)
+    log.event_function[3] = function_of(modes, turned[1], 2)
+    assert [each.component for each in changes(modes, log, 1)] == [4]
+    assert _decide_together(modes, log, 3) == 4
+    assert modes.component_modes(int(log.mode[4])) == (FREE, HELD, HELD, HELD, MINUS)
+    # At the start there is no event before the first one; what was decided before is kept.
+    log.start[:] = 0.0
+    assert _decide_together(modes, log, 3) == 5
+
+
 def test_what_was_decided_together_is_kept_but_not_for_ever() -> None:
     modes, log = stopping(24)
     log.start[:], log.mode[3:], log.jumped[3:] = 0.5, modes.number(ALL), False

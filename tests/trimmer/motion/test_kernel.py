@@ -134,6 +134,20 @@ def test_what_is_left_of_rounding_is_taken_along() -> None:
     assert log.touches[1] == 0
 
 
+def test_touches_are_counted_with_those_before_a_pause() -> None:
+    # It comes to zero, to rounding, after a third of a step without crossing, in each step anew.
+    tables, log = constant((1 / 9 + 1e-16, -2 / 3, 1.0)), log_of(3)
+    assert march(tables, log, 0.3 * STEP)[0] == REACHED_END
+    assert log.touches[0] == 0
+    assert march(tables, log, 2.9 * STEP)[0] == REACHED_END
+    assert log.touches[0] == 3
+    pause = new_pause(tables)
+    assert march(tables, log, 2.9 * STEP, Limits(9, 1, 40), pause)[0] == STEP_LIMIT
+    assert (log.touches[0], pause.steps[0]) == (1, 1)
+    assert march(tables, log, 2.9 * STEP, MANY, pause)[0] == REACHED_END
+    assert log.touches[0] == 3
+
+
 def test_what_jumps_goes_on_in_another_mode() -> None:
     tables = constant((-1.0,))
     tables.target[0, 0] = 0, 1
