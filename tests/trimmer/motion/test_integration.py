@@ -9,10 +9,17 @@ import numpy as np
 import pytest
 
 from tests.trimmer.motion.hand_made_loop import ring_of_bodies
-from trimmer import ClosedLoop, FrictionBacklash
+from trimmer import ClosedLoop, FrictionBacklash, Outcome, SimulationInterrupted, simulate
 from trimmer.motion import integration
 from trimmer.motion.backlash_component import FREE, UPPER
-from trimmer.motion.integration import _all_at_rest, _decide_together, changes, integrate_on, new_log
+from trimmer.motion.integration import (
+    IntegrationInterrupted,
+    _all_at_rest,
+    _decide_together,
+    changes,
+    integrate_on,
+    new_log,
+)
 from trimmer.motion.kernel import EVENT_LIMIT, REACHED_END, STEP_LIMIT
 from trimmer.motion.mode_tables import ModeTables
 from trimmer.motion.relay_component import HELD, MINUS, PLUS
@@ -193,3 +200,22 @@ def test_an_integration_ends_at_its_limits_and_its_log_grows() -> None:
     # One event more than this would be the eighth segment.
     assert (reason, len(log.start)) == (EVENT_LIMIT, 7)
     assert (np.diff(log.start) > 0).all()
+
+
+def test_an_interrupt_tells_what_was_reached(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(tables: Any, log: Log, segment: int, end: float, limits: Any, pause: Any) -> None:
+        pause.segment[0], pause.reached[0] = 1, 0.25
+        raise KeyboardInterrupt
+
+    modes, log, _ = swinging()
+    monkeypatch.setattr(integration, "integrate", interrupted)
+    with pytest.raises(IntegrationInterrupted, match="the integration was interrupted") as error:
+        integrate_on(modes, integration._longer(log), 9.0, 10)
+    assert error.value.reached == 0.25
+    assert [len(each) for each in error.value.log] == [2] * 6
+    system = control.ss([[0.0, 1.0], [-4.0, 0.0]], [[0.0], [1.0]], [[1.0, 0.0]], 0)
+    with pytest.raises(SimulationInterrupted) as interrupt:
+        simulate(ClosedLoop(system, FrictionBacklash(100.0)), 9.0)
+    assert str(interrupt.value) == "interrupted after 0.25 s of the motion"
+    motion = interrupt.value.motion
+    assert (motion.outcome, motion.duration, len(motion.log.start)) == (Outcome.INTERRUPTED, 0.25, 2)
