@@ -47,7 +47,7 @@ class ModeTables(NamedTuple):
 @compiled
 def _multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
     """Write factor · left (n, n) · right (n, n)."""
-    size = left.shape[0]
+    size = len(left)
     for i in range(size):
         for j in range(size):
             result[i, j] = 0.0
@@ -73,7 +73,7 @@ def _norm(matrix: Reals, first: int, end: int) -> float:
 @compiled
 def _balance(matrix: Reals) -> None:
     """Scale rows and columns of a square matrix alike until their sums match (Parlett and Reinsch 1969)."""
-    count = matrix.shape[0]
+    count = len(matrix)
     for _ in range(SWEEPS):
         for i in range(count):
             column, row = 0.0, 0.0
@@ -95,7 +95,7 @@ def _growth(matrix: Reals, room: Reals) -> float:
     It bounds the remainder of the exponential series. The room is for three blocks.
     """
     balanced, total, other = room[0], room[1], room[2]
-    count = balanced.shape[0]
+    count = len(balanced)
     for i in range(count):
         for j in range(count):
             total[i, j] = 1.0 if i == j else 0.0
@@ -142,7 +142,7 @@ def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
 @compiled
 def _write_screen(function: int, target: ModeTables) -> None:
     """Write the Bernstein coefficients of an event function beside those of the others."""
-    size = target.screen.shape[0]
+    size = len(target.screen)
     for j in range(size):
         for i in range(COUNT):
             value = 0.0
@@ -173,7 +173,7 @@ def _sufficient(terms: Reals, level: int) -> int:
 def _entry(sources: bytes) -> Callable[..., float]:
     def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals) -> float:
         sources  # noqa: B018
-        size = flow.shape[0]
+        size = len(flow)
         rate = max(_growth(flow, room), _norm(flow, room.shape[1], size), 1.0 / LONGEST_STEP)
         step = STEP / rate
         for i in range(size):
@@ -181,7 +181,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
         for k in range(1, COUNT):
             _multiply(flow, terms[k - 1], step / k, terms[k])
         _write_flow(terms, target)
-        for function in range(rows.shape[0]):
+        for function in range(len(rows)):
             _expand(rows[function], terms, target.taylor[function], target.sizes[function])
             _write_screen(function, target)
         for level in range(LEVELS):

@@ -128,7 +128,7 @@ def test_a_product_and_a_norm() -> None:
 
 
 def test_a_balanced_matrix_has_equal_sums_and_the_same_eigenvalues() -> None:
-    matrix = np.array([[1.0, 1e6, 3.0], [2.0, -4.0, 5e-4], [70.0, 8e3, 2.0]])
+    matrix = np.array([[1.0, -1e6, 3.0], [2.0, -4.0, -5e-4], [-70.0, 8e3, 2.0]])
     balanced = matrix.copy()
     series._balance(balanced)
     off = abs(balanced - np.diag(np.diag(balanced)))
