@@ -83,4 +83,7 @@ def test_outputs_that_are_no_forces_are_not_decided() -> None:
 def test_what_exceeds_a_limit_by_rounding_is_at_it(side: float, there: int) -> None:
     assert decided(0.9 * side * (1 + 1e-13), -side) == (HELD, HELD, HELD, HELD)
     assert decided(0.9 * side * (1 - 1e-13), side) == (HELD, HELD, HELD, there)
+    # Its terms, of the offset and of the wave, add up to some newtons.
+    assert decided(0.9 * side * (1 - 1e-11), side) == (HELD, HELD, HELD, there)
+    assert decided(0.9 * side * (1 - 1e-10), side) == (HELD, HELD, HELD, HELD)
     assert decided(0.9 * side * (1 + 1e-9), -side) == (HELD, HELD, HELD, there)
