@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.trimmer.motion.hand_made_loop import ring_of_bodies
+from tests.trimmer.motion.hand_made_loop import MASSES, RING, ring_of_bodies
 from trimmer.motion.backlash_component import LOWER, BacklashComponent
-from trimmer.motion.frictions.complementarity import complementary_mode
+from trimmer.motion.frictions.complementarity import _at_rest, _forces, complementary_mode
 from trimmer.motion.interconnection import Interconnection
 from trimmer.motion.loops import Drive
 from trimmer.motion.mode_tables import ModeTables
@@ -87,3 +87,26 @@ def test_what_exceeds_a_limit_by_rounding_is_at_it(side: float, there: int) -> N
     assert decided(0.9 * side * (1 - 1e-11), side) == (HELD, HELD, HELD, there)
     assert decided(0.9 * side * (1 - 1e-10), side) == (HELD, HELD, HELD, HELD)
     assert decided(0.9 * side * (1 + 1e-9), -side) == (HELD, HELD, HELD, there)
+
+
+def test_forces_are_outputs_times_scales() -> None:
+    # The outputs of the second and the third one push twice and four times as much.
+    modes = ModeTables(ring_of_bodies((1.0, 2.0, 4.0)))
+    at_rest = _at_rest(modes, (0, PLUS, PLUS, PLUS, PLUS), (1, 2, 3))
+    assert at_rest.relays == (1, 2, 3)
+    assert at_rest.scales / at_rest.scales[0] == pytest.approx([1.0, 2.0, 4.0], rel=1e-12)
+    assert at_rest.limits / at_rest.scales[0] == pytest.approx([0.3, 1.0, 2.8], rel=1e-12)
+    influence = (RING / MASSES) @ RING.T
+    np.testing.assert_allclose(at_rest.influence * at_rest.scales[0], influence, rtol=1e-12, atol=1e-15)
+    assert _at_rest(modes, (0, PLUS, PLUS, PLUS, PLUS), ()) is None
+    held = (0, HELD, HELD, HELD, PLUS)
+    mode, state = modes.mode(modes.number(held)), np.array([1.0, -2, 3, -4, 5, -6, -7, 8, -9, 1.0])
+    rows = np.array(
+        [scale * mode.signals[k].output for k, scale in zip((3, 1), at_rest.scales[[2, 0]], strict=True)]
+    )
+    moduli = abs(rows)
+    for order in range(3):
+        forces, sizes = _forces(modes, at_rest, np.array([2, 0]), state, order, held)
+        assert forces == pytest.approx(rows @ state, rel=1e-12, abs=1e-15)
+        assert sizes == pytest.approx(moduli @ abs(state), rel=1e-12)
+        rows, moduli = rows @ mode.matrix, moduli @ abs(mode.matrix)
