@@ -57,6 +57,10 @@ def test_both_sides_make_one_curve_from_end_to_end() -> None:
     assert BOTH.ends == (DOWN, UP)
     assert BOTH.residual == 2e-13
     assert (BOTH.kind, BOTH.parts, BOTH.periods, BOTH.name) == (SpecialKind.FOLD, (), 2, "fold")
+    upside_down = SpecialCurve((DOWN, UP))
+    assert upside_down.values[:, 0].tolist() == [6.0, 4.0, 3.0, 1.0]
+    assert upside_down.states[:, 1].tolist() == [30.0, 20.0, 10.0, 5.0]
+    assert upside_down.residual == 2e-13
     closed = SpecialCurve((UP,))
     assert closed.values.tolist() == UP.values.tolist()
     assert closed.states.tolist() == UP.states.tolist()

@@ -158,6 +158,11 @@ def test_a_motion_that_ends_on_the_way_is_told(monkeypatch: pytest.MonkeyPatch) 
     found = settle(flow, SimpleNamespace(state=np.zeros(2)), 300)  # type: ignore[arg-type]
     assert (found.kind, found.periods, found.ending) == (MotionKind.UNDECIDED, 24, Ending.CHATTERING)
     assert found.end == ("end", 24)
+    # After six periods it ends within the fourth of the next ten.
+    later = _Following(Strobing(np.zeros((4, 2)), Ending.CHATTERING), None, np.zeros((7, 2)), [])  # type: ignore[arg-type]
+    ended = later.on(10)
+    assert ended is not None
+    assert (ended.periods, ended.end) == (9, ("end", 10))
 
 
 def test_orbits_are_solved_for_where_the_motion_returns_more_closely(monkeypatch: pytest.MonkeyPatch) -> None:
