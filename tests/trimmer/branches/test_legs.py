@@ -54,7 +54,7 @@ def point(front: Any, *, stable: bool = True) -> BranchPoint:
 
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """What ``steps`` yields, from fronts that stand in; a test fills it, and finds the count that was given."""
+    """What ``steps`` yields, from fronts that stand in; the count it was given comes last."""
     found: list[Any] = []
 
     def steps(front: Any, limits: Limits, count: int) -> Iterator[Any]:
