@@ -172,6 +172,9 @@ def test_motions_are_the_same_by_their_orbits_or_their_kind() -> None:
     assert not alike(ORBIT, periodic((1.12, 2e-5)), 0.1)
     assert alike(periodic((1.11, 2e-5)), ORBIT, 0.1)
     assert not alike(ORBIT, periodic((1.0, 2.3e-5)), 0.1)
+    # Twice the same orbit is none of one period, and one that begins a period later is the same.
+    assert not alike(ORBIT, periodic((1.0, 2e-5), (1.0, 2e-5)))
+    assert alike(periodic((1.0, 2e-5), (3.0, 0.0)), periodic((3.0, 0.0), (1.0, 2e-5)))
 
 
 def test_motions_that_are_there_already_are_counted() -> None:
@@ -214,6 +217,15 @@ def test_starts_are_rest_and_states_within_the_scales() -> None:
     beside = _starts(flow, Cell(8, (1.0,)), Settings(starts=2, seed=2))
     assert beside[1].state.tolist() != others[0].state.tolist()
     assert _starts(flow, Cell(7, (1.0,), (((0.0, 0.0),),)), Settings(starts=4)) == []
+
+
+def test_random_starts_have_springs_as_short_as_can_be() -> None:
+    # The spring of a play with a damper relaxes by itself, and its stretch is a state.
+    flow = with_parts(plays={"play": Play(("ground", "mass"), 10.0, damping=2.0, gap=0.3)})
+    for start in _starts(flow, Cell(7, (1.0,)), Settings(starts=6, seed=2))[1:]:
+        again = flow.at(start.state, stretched=False)
+        assert again.state.tolist() == start.state.tolist()
+        assert again.statuses == start.statuses
 
 
 def test_an_error_is_told_by_the_motion() -> None:

@@ -44,6 +44,17 @@ def test_states_are_compared_where_the_curves_cross() -> None:
         assert bool(meetings([changing, other], SPANS)) == met
 
 
+def test_states_are_compared_with_their_largest_sizes_on_either_curve() -> None:
+    # At the crossing the states differ by 0.2 and 2e-4; the largest are 10 and 1e-2.
+    small = SpecialCurve((locus([(0.0, 2e-5), (10.0, 2e-5)], [(-1.0, 1e-3), (-1.0, 1e-3)]),))
+    large = [(-1.2, 1.2e-3), (-1.2, 1.2e-3), (-10.0, 1e-2)]
+    crossing = SpecialCurve((locus([(4.0, 0.0), (4.0, 3e-5), (4.0, 4e-5)], large),))
+    assert len(meetings([small, crossing], SPANS)) == len(meetings([crossing, small], SPANS)) == 1
+    for states in ([*large[:2], (-3.9, 1e-2)], [*large[:2], (-10.0, 3.9e-3)]):
+        other = SpecialCurve((locus([(4.0, 0.0), (4.0, 3e-5), (4.0, 4e-5)], states),))
+        assert meetings([small, other], SPANS) == meetings([other, small], SPANS) == ()
+
+
 @pytest.mark.parametrize("reason", list(LocusEnd))
 def test_a_curve_that_was_lost_ends_on_another_within_a_share_of_the_ranges(reason: LocusEnd) -> None:
     may_end = reason in (LocusEnd.LOST, LocusEnd.CHANGED, LocusEnd.CUSP)

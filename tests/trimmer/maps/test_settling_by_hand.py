@@ -270,6 +270,12 @@ def test_the_top_of_a_cubic_is_between_its_samples() -> None:
     top = 3.0 + 2.0 * math.sqrt(2.0 / 3.0) - (2.0 / 3.0) ** 1.5
     assert _top_of_cubic(times, values, rates, 1) == pytest.approx(top, rel=1e-13)
     assert _highest(times, values, rates) == pytest.approx(top, rel=1e-13)
+    # v = 5 + t (t - 0.4) (t - 1) rises, falls and rises: the first turn is the higher one.
+    turns = np.array([0.0, 1.0])
+    first = (2.8 - math.sqrt(2.8**2 - 4.8)) / 6.0
+    high = 5.0 + first * (first - 0.4) * (first - 1.0)
+    found = _top_of_cubic(turns, np.array([5.0, 5.0]), np.array([0.4, 0.6]), 0)
+    assert found == pytest.approx(high, rel=1e-12)
     # Without a turn between them it is the value at the first.
     rising = np.array([0.0, 0.1, 0.2])
     assert _top_of_cubic(rising, 3.0 + rising, np.ones(3), 1) == pytest.approx(3.1, rel=1e-14)
