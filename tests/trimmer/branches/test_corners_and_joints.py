@@ -12,10 +12,10 @@ import pytest
 from tests.trimmer.branches.curves import OnCurve, line_front, parabola
 from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import _tangents, turned
+from trimmer.branches.corner import _first_behind, _tangents, turned
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
-from trimmer.branches.orbit import Problem
+from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -52,7 +52,27 @@ def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
     assert first.tolist() == (-second).tolist()
     other = _tangents(replace(front, turn=-front.turn), beyond)
     assert other[0].tolist() == second.tolist()
-    assert len(_tangents(replace(front, turn=0.0), beyond)) == 2
+    either = _tangents(replace(front, turn=0.0), beyond)
+    assert either[0].tolist() == (-either[1]).tolist()
+    assert abs(either[0]) == pytest.approx(abs(first), rel=1e-15)
+
+
+def test_the_orbit_behind_a_corner_is_near_and_has_other_phases() -> None:
+    # Behind it the orbits are x = p / 1.5: a direction that leads along them by a share of 1 / 29 finds one.
+    front = line_front(Bent(0.5, -0.5), -1e-12, -2e-12)
+    along, aside = np.array([2.0, 3.0]) / math.sqrt(13.0), np.array([3.0, -2.0]) / math.sqrt(13.0)
+
+    def found(share: float, sign: float = 1.0) -> Place | None:
+        direction = sign * (share * along + math.sqrt(1.0 - share * share) * aside)
+        return _first_behind(front, direction, 1e-7)
+
+    for share in (1.0, 1.0 / 29.0):
+        place = found(share)
+        assert place is not None
+        assert place.position == pytest.approx(1e-7 / share * along, rel=1e-4)
+    assert found(1.0 / 31.0) is None
+    # The other way it is one with the same phases.
+    assert found(1.0, -1.0) is None
 
 
 def of_value(value: float, state: float) -> BranchPoint:
